@@ -1,0 +1,27 @@
+# A CMake package, a pkg-config file, and the tools.
+install(TARGETS langevin_rigid EXPORT langevin_rigid_targets
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET lr_bake)
+    install(TARGETS lr_bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(FILES include/langevin_rigid.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/langevin_rigid)
+install(EXPORT langevin_rigid_targets NAMESPACE langevin_rigid:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/langevin_rigid-config.cmake.in
+    "${PROJECT_BINARY_DIR}/langevin_rigid-config.cmake" INSTALL_DESTINATION ${package_dir})
+# Before 1.0 each minor version is an ABI of its own.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/langevin_rigid-config-version.cmake"
+    COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/langevin_rigid-config.cmake"
+    "${PROJECT_BINARY_DIR}/langevin_rigid-config-version.cmake" DESTINATION ${package_dir})
+
+# The way from the .pc file up to the prefix, so that the package may be moved: two folders, or three on multiarch systems.
+file(RELATIVE_PATH pc_to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+# From the folder of the .pc file back to the prefix, so that the installed tree can be moved.
+file(RELATIVE_PATH LR_PC_UP "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+string(REGEX REPLACE "/$" "" LR_PC_UP "${LR_PC_UP}")
+configure_file(cmake/langevin_rigid.pc.in "${PROJECT_BINARY_DIR}/langevin_rigid.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/langevin_rigid.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# From a mesh to a leaf storm: set-up, build, bake, 20,000 leaves in wind, a picture and a table. Results in demo/.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+step() { printf '\n== %s\n' "$*"; }
+
+step "Set-up"
+scripts/setup.sh build
+
+step "Build and install the library and the baker"
+cmake --preset release -DLR_BUILD_TESTS=OFF -B build/demo >build/demo-configure.log 2>&1 ||
+    { cat build/demo-configure.log; exit 1; }
+cmake --build build/demo
+cmake --install build/demo --prefix build/demo/install >/dev/null
+
+step "Build the samples as an outside user would: against the installed package"
+cmake -S samples -B build/demo-samples -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_PREFIX_PATH="$PWD/build/demo/install" >build/demo-samples-configure.log 2>&1 ||
+    { cat build/demo-samples-configure.log; exit 1; }
+cmake --build build/demo-samples
+
+mkdir -p demo
+step "Bake the leaf"
+build/demo/install/bin/lr_bake mesh assets/leaf.obj -o demo/leaf.lrb --unit m --density 400 --report demo/leaf.json
+
+step "A first body: samples/hello.c"
+build/demo-samples/hello
+
+step "The storm"
+build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --count 20000 --seconds 10 \
+    --wind 2,0,0.5 --threads "$(nproc)" --png demo/leaf_storm.png --tracks demo/tracks.png \
+    --csv demo/leaf_storm.csv --json demo/leaf_storm.json
+
+printf '\nLook at demo/leaf_storm.png (the storm) and demo/tracks.png (single falls).\n'

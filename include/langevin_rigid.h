@@ -1,0 +1,480 @@
+/*
+ * Langevin Rigid: leaves, paper, petals, confetti and sinking things that flutter, glide and tumble, thousands to a
+ * million at a time, with the same bits on every machine.
+ *
+ * SPDX-License-Identifier: MIT
+ *
+ * How it is used
+ *   1. Load an asset that `lr_bake` made from a mesh (or make an ellipsoid without a file).
+ *   2. Create a world, and in it a batch for each asset: a batch holds all bodies of one asset.
+ *   3. Create bodies, step the world once a frame, write the transforms straight into an instance buffer.
+ *
+ * Units        SI everywhere: metre, kilogram, second, radian. No axis is special; gravity is a vector.
+ * Frames       World frame unless a field says "body frame". The body frame has its origin at the centre of mass and
+ *              its axes as authored in the mesh. Right-handed. Orientations are unit quaternions x, y, z, w that turn
+ *              body vectors into world vectors.
+ * Ownership    Whoever creates, destroys. No function keeps a pointer given to it unless its text says so.
+ * Structs      Each begins with `struct_size` and is filled by its `_init` function, called with sizeof. Structs only
+ *              ever grow at the end. A larger struct from a newer header is taken if its unknown tail is all zero.
+ * Errors       Functions return LR_OK or a negative lr_status and then have changed nothing, unless their text says
+ *              otherwise. Nothing aborts, throws or prints.
+ * Threads      One world may be used by one thread at a time; different worlds at the same time. Assets are immutable
+ *              and may be shared by any number of worlds and threads.
+ * Determinism  Same calls, same library version: same bits, whatever the processor, the number of workers, or the order
+ *              in which bodies lie in memory. See docs/determinism.md.
+ */
+#ifndef LANGEVIN_RIGID_H
+#define LANGEVIN_RIGID_H
+
+#include <stdint.h>
+
+#if defined(_WIN32)
+#if defined(LR_BUILD_SHARED)
+#define LR_API __declspec(dllexport)
+#else
+#define LR_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define LR_API __attribute__((visibility("default")))
+#else
+#define LR_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Version and status                                                                                                 */
+
+#define LR_VERSION_MAJOR 0
+#define LR_VERSION_MINOR 1
+#define LR_VERSION_PATCH 0
+
+/* Version of the library that is loaded: major << 22 | minor << 12 | patch. Compare it with the macros above when the
+ * library is loaded at run time: a different major, or before 1.0 a different minor, is another ABI. Any thread. */
+LR_API uint32_t lr_version(void);
+
+/* LR_OK, or a negative error. Values are stable. */
+typedef int32_t lr_status;
+
+#define LR_OK 0
+#define LR_ERROR_NULL_ARGUMENT (-1) /* a pointer that must be given is null */
+#define LR_ERROR_STRUCT_SIZE (-2)   /* struct_size is smaller than any released size, or an unknown tail is not zero */
+#define LR_ERROR_INVALID_ARGUMENT (-3)     /* a value is out of its range */
+#define LR_ERROR_NOT_FINITE (-4)           /* a number is NaN or infinite */
+#define LR_ERROR_OUT_OF_MEMORY (-5)        /* the allocator returned null */
+#define LR_ERROR_STALE_BODY (-6)           /* the body was destroyed, or never was */
+#define LR_ERROR_STALE_BATCH (-7)          /* the batch was destroyed, or never was */
+#define LR_ERROR_CAPACITY (-8)             /* the batch, or the world's table of batches, is full */
+#define LR_ERROR_BUFFER_TOO_SMALL (-9)     /* the caller's buffer cannot hold the result */
+#define LR_ERROR_FILE_NOT_FOUND (-10)      /* no file at that path */
+#define LR_ERROR_FILE_READ (-11)           /* the file exists but cannot be read */
+#define LR_ERROR_ASSET_FORMAT (-12)        /* not an asset file: too short, or another kind of file */
+#define LR_ERROR_ASSET_VERSION (-13)       /* made for a newer library */
+#define LR_ERROR_ASSET_CORRUPT (-14)       /* an asset file, but damaged */
+#define LR_ERROR_ASSET_INVALID (-15)       /* undamaged, but its numbers cannot be those of a body */
+#define LR_ERROR_SNAPSHOT_FORMAT (-16)     /* not a snapshot, damaged, or of another version */
+#define LR_ERROR_SNAPSHOT_MISMATCH (-17)   /* a snapshot of a world with other batches or assets */
+#define LR_ERROR_UNSUPPORTED (-18)         /* not available on this processor or in this build */
+#define LR_ERROR_THREADS (-19)             /* the worker threads could not be started */
+#define LR_ERROR_TIMESTEP_ZERO (-20)       /* dt is 0 */
+#define LR_ERROR_TIMESTEP_NEGATIVE (-21)   /* dt is negative */
+#define LR_ERROR_TIMESTEP_NOT_FINITE (-22) /* dt is NaN or infinite */
+#define LR_ERROR_TIMESTEP_TOO_LARGE (-23)  /* dt / substeps is over LR_MAX_SUBSTEP */
+#define LR_ERROR_SUBSTEPS (-24)            /* substeps is 0 or over LR_MAX_SUBSTEPS */
+#define LR_ERROR_INTERNAL (-25)            /* a defect of the library: please report */
+
+#define LR_MAX_SUBSTEP 1.0f    /* s: the longest dt / substeps that is taken */
+#define LR_MAX_SUBSTEPS 65536u /* the most substeps in one step */
+
+/* A short English phrase for a status, no full stop; never null; static storage. Unknown values give "unknown status".
+ * Any thread. */
+LR_API const char* lr_status_string(lr_status status);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Types                                                                                                              */
+
+typedef struct lr_world lr_world;
+typedef struct lr_asset lr_asset;
+
+/* Handles are values. 0 is never a valid handle. A handle to something destroyed is recognised, not followed. */
+typedef uint32_t lr_batch;
+typedef uint64_t lr_body; /* batch, generation and slot in one; compare for equality only */
+
+/* Where a world takes its memory from. Both functions are given or neither; neither means the C library's.
+ * `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most 128), or null.
+ * `release` gets the very size and alignment that were asked for. Called only from the thread that calls the library,
+ * never during lr_world_step. */
+typedef struct lr_allocator {
+    void* user;
+    void* (*allocate)(void* user, uint64_t size, uint64_t alignment);
+    void (*release)(void* user, void* memory, uint64_t size, uint64_t alignment);
+} lr_allocator;
+
+#define LR_LOG_ERROR 1   /* a call failed: the message says which, and why */
+#define LR_LOG_WARNING 2 /* a call succeeded, but probably not as meant */
+#define LR_LOG_INFO 3
+
+/* Receives a message, valid during the call only. Called from the thread that calls the library. May be null. */
+typedef void (*lr_log_fn)(void* user, int32_t level, const char* message);
+
+/* Instruction sets, best first within a family. LR_SIMD_AUTO picks the best that the processor has. All of them give
+ * the same bits: forcing one is for tests and measurements. */
+#define LR_SIMD_AUTO 0
+#define LR_SIMD_EMULATED 1 /* plain C++, on any processor */
+#define LR_SIMD_SSSE3 2
+#define LR_SIMD_SSE4 3
+#define LR_SIMD_AVX2 4
+#define LR_SIMD_AVX512 5
+#define LR_SIMD_NEON 6
+#define LR_SIMD_WASM 7
+
+/* Writes the instruction sets that this build has and this processor can run, best first.
+ * targets: `capacity` values, may be null when capacity is 0. count: how many there are, even if more than capacity.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL (count is set). Any thread. */
+LR_API lr_status lr_simd_targets(int32_t* targets, uint32_t capacity, uint32_t* count);
+
+/* A name for people: "AVX-512", "AVX2", "SSE4", "SSSE3", "NEON", "WebAssembly", "emulated", "auto" or "unknown"; never
+ * null; static storage. Any thread. */
+LR_API const char* lr_simd_target_name(int32_t target);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Assets                                                                                                             */
+
+/* One numbered fault of an asset file; see docs/format.md. Strings are valid during the call only. */
+typedef void (*lr_fault_fn)(void* user, uint32_t number, const char* where, const char* what, const char* remedy);
+
+/* Reads an asset made by `lr_bake`. The file is verified whole before anything of it is used.
+ * path_utf8: UTF-8 on every platform. out: receives an asset with one reference, release it with lr_asset_release; null
+ * after an error.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_FORMAT,
+ * LR_ERROR_ASSET_VERSION, LR_ERROR_ASSET_CORRUPT, LR_ERROR_ASSET_INVALID, LR_ERROR_OUT_OF_MEMORY. Any thread. */
+LR_API lr_status lr_asset_load_file(const char* path_utf8, lr_asset** out);
+
+/* The same from `size` bytes in memory, of any alignment, not kept.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_ASSET_*, LR_ERROR_OUT_OF_MEMORY. Any thread. */
+LR_API lr_status lr_asset_load_memory(const void* bytes, uint64_t size, lr_asset** out);
+
+/* Says everything that is wrong with asset bytes, by one call of `report` for each fault (may be null).
+ * Returns what lr_asset_load_memory would. Any thread. */
+LR_API lr_status lr_asset_check_memory(const void* bytes, uint64_t size, lr_fault_fn report, void* user);
+
+/* A solid ellipsoid, with everything from closed forms: mass, Lamb's added mass, and the decay of k and epsilon in a
+ * uniform stream. The quickest way to a first falling body. */
+typedef struct lr_ellipsoid_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double semi_axes[3];    /* m, each 1e-6 to 1e3, along body x, y, z */
+    double density;         /* kg/m^3 of the body, > 0 */
+    double fluid_density;   /* kg/m^3, > 0; initially 1.2, air */
+    double fluid_viscosity; /* m^2/s, kinematic, > 0; initially 1.5e-5, air */
+    double intensity;       /* turbulence intensity I of k0 = 3/2 (I U0)^2, 0 to 10; initially 1, as in the paper */
+    double
+        center_of_mass[3]; /* m, from the centre of the ellipsoid, inside it; initially 0. A ballasted body: its centre
+                              of buoyancy stays at the centre, its moments of inertia those of the uniform solid */
+} lr_ellipsoid_desc;
+
+/* Fills a desc with its initial values. struct_size: sizeof(lr_ellipsoid_desc) as the caller sees it.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. The other _init functions are alike. */
+LR_API lr_status lr_ellipsoid_desc_init(lr_ellipsoid_desc* desc, uint32_t struct_size);
+
+/* out: as for lr_asset_load_file.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
+ * LR_ERROR_OUT_OF_MEMORY. Any thread. Source: Lamb, Hydrodynamics, art. 114-115; docs/physics.md. */
+LR_API lr_status lr_asset_create_ellipsoid(const lr_ellipsoid_desc* desc, lr_asset** out);
+
+/* Adds a reference, to be given back by lr_asset_release. LR_OK, LR_ERROR_NULL_ARGUMENT. Any thread. */
+LR_API lr_status lr_asset_retain(lr_asset* asset);
+
+/* Gives a reference back; the last one frees the asset. Batches hold their own. Null is fine. Any thread. */
+LR_API void lr_asset_release(lr_asset* asset);
+
+/* What an asset is. Matrices are row-major and symmetric. */
+typedef struct lr_asset_info {
+    uint32_t struct_size;
+    uint32_t flags;               /* LR_ASSET_* */
+    char name[64];                /* UTF-8, ends with 0 */
+    double mass;                  /* kg */
+    double volume;                /* m^3 */
+    double density;               /* kg/m^3 */
+    double center_of_mass[3];     /* m, in the frame of the mesh: where the body origin lies in it */
+    double center_of_buoyancy[3]; /* m, from the centre of mass, body axes */
+    double inertia[9];            /* kg m^2, about the centre of mass, body axes */
+    double added_mass[36];        /* about the centre of mass, order vx vy vz wx wy wz, fluid density included:
+                                     kg for the 3x3 block of v, kg m for the coupling, kg m^2 for the block of w */
+    double fluid_density;         /* kg/m^3, of the fluid it was baked in */
+    double fluid_viscosity;       /* m^2/s, kinematic */
+    double length_d;              /* m, characteristic length: the largest extent */
+    double length_b;              /* m, thickness */
+    double length_l;              /* m, turbulence length; see docs/physics.md */
+    double u0;                    /* m/s, fall velocity scale sqrt(|density ratio - 1| g b), paper Eq. 1 */
+    double reynolds;              /* u0 d / viscosity */
+    double c0;                    /* Kolmogorov constant of the Langevin model, paper Eq. 10 */
+    double turbulence_dt;         /* s between table samples */
+    uint32_t turbulence_count;    /* number of table samples */
+    uint32_t hull_vertex_count;   /* 0 for an asset without a hull */
+    uint32_t hull_triangle_count;
+    uint32_t format_version; /* of the file; 0 for an asset without a file */
+    uint64_t content_hash;   /* of everything that matters for motion; equal for equal assets */
+} lr_asset_info;
+
+#define LR_ASSET_DIAGONAL 1u /* diagonal in body axes, buoyancy at the centre of mass: the fast path applies */
+
+LR_API lr_status lr_asset_info_init(lr_asset_info* info, uint32_t struct_size);
+
+/* info: initialised by lr_asset_info_init, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
+LR_API lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* World                                                                                                              */
+
+typedef struct lr_world_desc {
+    uint32_t struct_size;
+    uint32_t worker_count;  /* threads besides the caller's, 0 to 64; initially 0: everything runs in the caller */
+    uint64_t seed;          /* of all noise; initially 0 */
+    float gravity[3];       /* m/s^2; initially 0, -9.81, 0 */
+    float fluid_density;    /* kg/m^3, >= 0; initially 0: each batch in the fluid its asset was baked in */
+    int32_t simd_target;    /* LR_SIMD_*; initially LR_SIMD_AUTO */
+    uint32_t reserved;      /* 0 */
+    lr_allocator allocator; /* copied; initially null functions: the C library's */
+    lr_log_fn log;          /* initially null: silence */
+    void* log_user;
+} lr_world_desc;
+
+LR_API lr_status lr_world_desc_init(lr_world_desc* desc, uint32_t struct_size);
+
+/* out: receives the world, null after an error.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
+ * LR_ERROR_UNSUPPORTED (simd_target), LR_ERROR_OUT_OF_MEMORY, LR_ERROR_THREADS. Any thread. */
+LR_API lr_status lr_world_create(const lr_world_desc* desc, lr_world** out);
+
+/* Frees a world with all its batches and bodies, and ends its worker threads. Null is fine. */
+LR_API void lr_world_destroy(lr_world* world);
+
+typedef struct lr_world_info {
+    uint32_t struct_size;
+    int32_t simd_target; /* what LR_SIMD_AUTO became */
+    uint32_t worker_count;
+    uint32_t batch_count;
+    uint64_t body_count;
+    uint64_t substep_count; /* substeps since creation; the time index of the noise */
+    double time;            /* s since creation: the sum of all dt, in double */
+    uint64_t memory_bytes;  /* taken from the allocator at present */
+} lr_world_info;
+
+LR_API lr_status lr_world_info_init(lr_world_info* info, uint32_t struct_size);
+
+/* LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_world_get_info(const lr_world* world, lr_world_info* info);
+
+/* Takes effect with the next step. gravity: m/s^2, 3 values.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE. */
+LR_API lr_status lr_world_set_gravity(lr_world* world, const float* gravity);
+
+/* Changes the instruction set from the next step on; results do not change.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_UNSUPPORTED. */
+LR_API lr_status lr_world_set_simd_target(lr_world* world, int32_t target);
+
+#define LR_WIND_NONE 0
+#define LR_WIND_UNIFORM 1 /* the same velocity everywhere */
+
+typedef struct lr_wind_desc {
+    uint32_t struct_size;
+    int32_t kind;      /* LR_WIND_*; initially LR_WIND_UNIFORM */
+    float velocity[3]; /* m/s, each up to 1000 in magnitude; initially 0 */
+    uint32_t reserved; /* 0 */
+} lr_wind_desc;
+
+LR_API lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size);
+
+/* The velocity of the fluid, from the next step on; copied. Bodies keep their world velocity when it changes, and feel
+ * the fluid's velocity relative to theirs. Null is still fluid.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
+
+/* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 4 suit
+ * leaves and paper of some centimetres, 8 to 16 petals and confetti (docs/numerics.md). Allocates nothing. The
+ * floating-point mode of the calling thread is saved, set and restored. LR_OK, LR_ERROR_NULL_ARGUMENT,
+ * LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS. */
+LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
+
+/* A hash of the state of all bodies and the time index. Independent of the order of bodies in memory, of the processor
+ * and of worker_count; equal hashes mean equal motion from here on, given equal worlds. LR_OK, LR_ERROR_NULL_ARGUMENT.
+ */
+LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
+
+/* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
+LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
+
+/* Writes the world's state (bodies with their ids, time, wind, gravity, tables) into `size` bytes at `memory`, any
+ * alignment. Assets, batches' settings, threads and callbacks are not part of it. written: bytes used; may be null.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
+LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
+
+/* Puts a saved state back, also into another world or process whose batches were created in the same order from equal
+ * assets with equal capacities. Bodies have the same ids as when it was saved. Checked whole before anything changes.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Batches                                                                                                            */
+
+#define LR_LOADS_DEFAULT 0  /* LR_LOADS_LANGEVIN in this version */
+#define LR_LOADS_NONE 1     /* gravity, buoyancy and added mass only: Kirchhoff's equations */
+#define LR_LOADS_LANGEVIN 2 /* the paper's turbulent loads, dimensionally repaired; docs/physics.md section 3 */
+
+#define LR_CLOCK_SPEED 0 /* turbulence scales with the body's present speed through the fluid */
+#define LR_CLOCK_AGE 1   /* the paper: turbulence follows the table at the body's age */
+
+#define LR_TABLE_CLAMP 0 /* LR_CLOCK_AGE: hold the last sample after the end of the table */
+#define LR_TABLE_LOOP 1  /* LR_CLOCK_AGE: begin again */
+
+#define LR_INTEGRATOR_DEFAULT 0   /* LR_INTEGRATOR_SPLITTING in this version */
+#define LR_INTEGRATOR_RK4 1       /* classical Runge-Kutta, the paper's: fourth order, but unstable at long steps */
+#define LR_INTEGRATOR_SPLITTING 2 /* second order and stable at any step; docs/numerics.md */
+
+#define LR_TENSOR_AUTO 0 /* the diagonal path where the asset allows it */
+#define LR_TENSOR_FULL 1 /* the full 6x6 path always; same motion up to rounding */
+
+typedef struct lr_batch_desc {
+    uint32_t struct_size;
+    uint32_t capacity;     /* the most bodies at a time, 1 to 2^26; memory for all is taken at once */
+    const lr_asset* asset; /* kept by reference until the batch ends */
+    int32_t load_model;    /* LR_LOADS_*; initially LR_LOADS_DEFAULT */
+    int32_t clock;         /* LR_CLOCK_*; initially LR_CLOCK_SPEED */
+    int32_t table_end;     /* LR_TABLE_*; initially LR_TABLE_CLAMP */
+    int32_t integrator;    /* LR_INTEGRATOR_*; initially LR_INTEGRATOR_DEFAULT */
+    int32_t tensor;        /* LR_TENSOR_*; initially LR_TENSOR_AUTO */
+    float damping_gain;    /* multiplies the turbulent damping, 0 to 100; initially 1 */
+    float noise_gain;      /* multiplies the turbulent noise, 0 to 100; initially 1; 0 for repeatable single falls */
+    uint32_t reserved;     /* 0 */
+} lr_batch_desc;
+
+LR_API lr_status lr_batch_desc_init(lr_batch_desc* desc, uint32_t struct_size);
+
+/* out: receives the batch, 0 after an error.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->asset), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* out);
+
+/* Ends a batch with all its bodies. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH. */
+LR_API lr_status lr_batch_destroy(lr_world* world, lr_batch batch);
+
+/* k-epsilon samples in the units of the bake. Arrays are copied. */
+typedef struct lr_turbulence_table {
+    uint32_t struct_size;
+    uint32_t count;       /* samples, 1 to 65536 */
+    const float* chi;     /* 1/s, turbulent frequency epsilon / k, `count` values >= 0 */
+    const float* epsilon; /* m^2/s^3, dissipation rate, `count` values >= 0 */
+    float dt;             /* s between samples, > 0 */
+    float u0;             /* m/s, speed the table was made at, > 0: what LR_CLOCK_SPEED scales by */
+    float l;              /* m, length the table was made with, > 0 */
+    float c0;             /* Kolmogorov constant, > 0; initially 6.5, its limit at high Reynolds number */
+    uint32_t stationary;  /* sample that LR_CLOCK_SPEED uses, < count; initially 0 */
+    uint32_t reserved;    /* 0 */
+} lr_turbulence_table;
+
+LR_API lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t struct_size);
+
+/* Replaces a batch's table; null puts the asset's own back.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table);
+
+/* The state of a batch where it lies: arrays with one value a body, `count` of them, 64-byte aligned. Bodies are dense:
+ * when one is destroyed, the last takes its place. Pointers are valid until the next call that is not a query. */
+typedef struct lr_batch_view {
+    uint32_t struct_size;
+    uint32_t count;              /* bodies */
+    const float* position[3];    /* m, world frame: x, y, z */
+    const float* orientation[4]; /* unit quaternion x, y, z, w, body to world */
+    const float*
+        velocity[3];      /* m/s, of the centre of mass, in the BODY frame: turn by the orientation for the world's */
+    const float* spin[3]; /* rad/s, angular velocity, in the BODY frame */
+    const float* scale;   /* uniform scale */
+    const float* age;     /* s */
+    const uint32_t* key;  /* what tells the noise of bodies apart */
+    const lr_body* ids;
+    uint32_t capacity;
+    uint32_t reserved;
+} lr_batch_view;
+
+LR_API lr_status lr_batch_view_init(lr_batch_view* view, uint32_t struct_size);
+
+/* view: initialised, or with struct_size set. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH,
+ * LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view);
+
+#define LR_TRANSFORM_POSITION_QUATERNION 0       /* 7 floats: position, quaternion x y z w */
+#define LR_TRANSFORM_POSITION_QUATERNION_SCALE 1 /* 8 floats: the same and the scale */
+#define LR_TRANSFORM_3X4_ROW_MAJOR 2             /* 12 floats: three rows of rotation times scale and translation */
+#define LR_TRANSFORM_3X4_COLUMN_MAJOR 3          /* 12 floats: four columns of three */
+#define LR_TRANSFORM_4X4_ROW_MAJOR 4             /* 16 floats; column vectors, translation in elements 3, 7, 11 */
+#define LR_TRANSFORM_4X4_COLUMN_MAJOR 5          /* 16 floats; column vectors, translation in elements 12, 13, 14 */
+
+/* Writes the transforms of all bodies of a batch, in the order of its view. The mesh to be drawn must have its origin
+ * at the centre of mass (lr_asset_info.center_of_mass). dst: 4-byte aligned, `capacity` elements `stride` bytes apart.
+ * stride: 0 for elements without gaps, else a multiple of 4, at least an element. written: elements written; may be
+ * null. When the batch has more than `capacity` bodies nothing is written.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when there are no bodies), LR_ERROR_STALE_BATCH,
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
+LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
+                                           uint64_t stride, uint32_t capacity, uint32_t* written);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Bodies                                                                                                             */
+
+typedef struct lr_body_desc {
+    uint32_t struct_size; /* the same in all elements of an array: it is the array's stride */
+    uint32_t key;         /* tells its noise apart; initially 0: the world gives each body its own, in order of birth */
+    float position[3];    /* m, of the centre of mass; initially 0 */
+    float orientation[4]; /* quaternion x y z w, normalised when taken; initially 0 0 0 1 */
+    float linear_velocity[3];  /* m/s, of the centre of mass; initially 0 */
+    float angular_velocity[3]; /* rad/s, world frame; initially 0 */
+    float scale;               /* uniform, 0.001 to 1000; mass goes with its cube; initially 1 */
+    float age;                 /* s, >= 0; initially 0 */
+    uint32_t reserved;         /* 0 */
+} lr_body_desc;
+
+LR_API lr_status lr_body_desc_init(lr_body_desc* desc, uint32_t struct_size);
+
+/* Creates `count` bodies, all or none. descs: `count` elements. out_ids: receives `count` ids; may be null.
+ * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY. */
+LR_API lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count,
+                                lr_body* out_ids);
+
+/* Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY. */
+LR_API lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count);
+
+typedef struct lr_body_state {
+    uint32_t struct_size;
+    uint32_t key;              /* read only: ignored by lr_body_set_state */
+    float position[3];         /* m, of the centre of mass, world frame */
+    float orientation[4];      /* unit quaternion x y z w, body to world */
+    float linear_velocity[3];  /* m/s, of the centre of mass, world frame */
+    float angular_velocity[3]; /* rad/s, world frame */
+    float scale;               /* 0.001 to 1000 */
+    float age;                 /* s, >= 0 */
+    uint32_t reserved;         /* 0 */
+} lr_body_state;
+
+LR_API lr_status lr_body_state_init(lr_body_state* state, uint32_t struct_size);
+
+/* LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state);
+
+/* Sets everything but the key. The quaternion is normalised. Positions up to 1e9 m, velocities up to 1e6 m/s and rad/s
+ * are taken, here and by lr_body_create. For many bodies a frame, prefer forces and wind: this breaks the physics by
+ * design. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* LANGEVIN_RIGID_H */

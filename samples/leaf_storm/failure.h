@@ -1,0 +1,20 @@
+// What went wrong at run time, and what to do about it: ends the program with exit code 2.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "langevin_rigid.h"
+
+struct Failure : std::runtime_error {
+    Failure(const std::string& what, std::string what_to_do)
+        : std::runtime_error(what), remedy(std::move(what_to_do)) {}
+    std::string remedy; // may be empty
+};
+
+inline void check(lr_status status, const std::string& what, const std::string& remedy = "") {
+    if (status != LR_OK) {
+        throw Failure(what + ": " + lr_status_string(status) + " (status " + std::to_string(status) + ")", remedy);
+    }
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+
+#include "contact_sheet.h"
+#include "failure.h"
+#include "image/png.h"
+#include "output_file.h"
+#include "progress.h"
+#include "report.h"
+#include "tracks.h"
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+std::unique_ptr<OutputFile> open_output(const std::string& path) {
+    return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
+}
+
+void run(const Options& options) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto png = open_output(options.png), tracks = open_output(options.tracks), csv = open_output(options.csv),
+               json = open_output(options.json);
+    Measured measured;
+    measured.steps = options.steps();
+    Progress progress(options.quiet, measured.steps, static_cast<double>(options.count) * options.substeps, options.dt);
+
+    Storm storm(options);
+    const auto sheet = png ? std::make_unique<ContactSheet>(options, storm) : nullptr;
+    const auto often = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(0.1 / options.dt + 0.5));
+    const double half = 0.5 * static_cast<double>(measured.steps) * options.dt;
+    Histogram descents;
+    measured.samples.push_back(storm.sample(nullptr));
+    for (std::uint64_t step = 1; step <= measured.steps; ++step) {
+        if (interrupted) throw Failure("interrupted", "");
+        storm.step();
+        if (step % often == 0 || step == measured.steps) {
+            const bool counts = static_cast<double>(step) * options.dt >= half - 1e-9;
+            measured.samples.push_back(storm.sample(counts ? &descents : nullptr));
+        }
+        while (sheet && sheet->due(step)) sheet->take(storm);
+        progress.update(step, storm.stepping_seconds());
+    }
+    measured.summary = summarise(measured.samples, descents, half - 1e-6);
+    if (png) write_png(sheet->picture(), *png);
+    if (tracks) {
+        progress.note("drawing the tracks");
+        write_png(draw_tracks(options), *tracks);
+    }
+    progress.close();
+    measured.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (csv) {
+        csv->write(csv_report(measured));
+        csv->commit();
+    }
+    if (json) {
+        json->write(json_report(options, storm, measured));
+        json->commit();
+    }
+    const std::string table = table_report(options, storm, measured);
+    if (std::fwrite(table.data(), 1, table.size(), stdout) != table.size() || std::fflush(stdout) != 0) {
+        throw Failure("cannot write the table to stdout", "");
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        int exit_code = 0;
+        const auto options = parse_options(argc, argv, exit_code);
+        if (!options) return exit_code;
+        // So that a stopped run leaves no half-written files behind.
+        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = 1; });
+        run(*options);
+        return 0;
+    } catch (const Failure& failure) {
+        std::fprintf(stderr, "leaf_storm: %s\n", failure.what());
+        if (!failure.remedy.empty()) std::fprintf(stderr, "leaf_storm: what to do: %s\n", failure.remedy.c_str());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "leaf_storm: out of memory\nleaf_storm: what to do: try a smaller --count or picture\n");
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "leaf_storm: %s\n", error.what());
+    }
+    return 2;
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace {
+
+// As CLI::Range, but it takes neither NaN nor infinity.
+CLI::Validator within(double low, double high, const std::string& text) {
+    return {[=](std::string& value) -> std::string {
+                double x = std::numeric_limits<double>::quiet_NaN();
+                if (!CLI::detail::lexical_cast(value, x) || !(x >= low && x <= high)) {
+                    return value + " is not " + text;
+                }
+                return {};
+            },
+            text};
+}
+
+// Letters and digits of the library's names, small: "AVX-512" is avx512 here.
+std::map<std::string, std::int32_t> simd_names() {
+    std::map<std::string, std::int32_t> names{{"auto", LR_SIMD_AUTO}};
+    for (std::int32_t target = LR_SIMD_EMULATED; target <= LR_SIMD_WASM; ++target) {
+        std::string name;
+        for (const char* c = lr_simd_target_name(target); *c; ++c) {
+            if (std::isalnum(static_cast<unsigned char>(*c))) {
+                name += static_cast<char>(std::tolower(static_cast<unsigned char>(*c)));
+            }
+        }
+        names[name] = target;
+    }
+    return names;
+}
+
+CLI::Validator one_of(std::map<std::string, std::int32_t> names) {
+    return {[names = std::move(names)](std::string& value) -> std::string {
+                std::string known;
+                for (const auto& [name, number] : names) {
+                    if (name == value) {
+                        value = std::to_string(number);
+                        return {};
+                    }
+                    known += " " + name;
+                }
+                return value + " is none of" + known;
+            },
+            ""};
+}
+
+// Every output has its own path, and none is that of an input.
+void check_paths(const Options& options) {
+    std::vector<std::string> taken = options.assets;
+    taken.insert(taken.end(), options.meshes.begin(), options.meshes.end());
+    for (const std::string& path : {options.png, options.tracks, options.csv, options.json}) {
+        if (!path.empty() && std::find(taken.begin(), taken.end(), path) != taken.end()) {
+            throw CLI::ValidationError(path, "given twice");
+        }
+        taken.push_back(path);
+    }
+}
+
+} // namespace
+
+std::uint64_t Options::steps() const {
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(seconds / dt)));
+}
+
+std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
+    Options options;
+    std::vector<float> wind;
+    CLI::App app{
+        "A storm of leaves (or whatever was baked), simulated by Langevin Rigid: steps it, measures it, draws it.",
+        "leaf_storm"};
+    app.option_defaults()->always_capture_default();
+    app.footer("Exit code: 0 done, 1 bad usage, 2 something failed while running (it says what, and what to do).");
+    app.add_option("--asset", options.assets, "asset made by lr_bake; several share the count")
+        ->required()
+        ->type_name("F")
+        ->default_str("")
+        ->check(CLI::ExistingFile);
+    app.add_option("--count", options.count, "bodies in all")->check(within(1, 50e6, "from 1 to 50000000"));
+    app.add_option("--seconds", options.seconds, "simulated time, s")->check(within(1e-6, 1e6, "from 1e-6 to 1e6 s"));
+    app.add_option("--dt", options.dt, "time of one step, s (1/60)")->check(within(1e-6, 1.0, "from 1e-6 to 1 s"));
+    app.add_option("--substeps", options.substeps, "substeps in each step")
+        ->check(within(1, LR_MAX_SUBSTEPS, "from 1 to 65536"));
+    app.add_option("--threads", options.threads, "threads in all")->check(within(1, 65, "from 1 to 65"));
+    app.add_option("--wind", wind, "velocity of the air, m/s; y is up")
+        ->expected(3)
+        ->delimiter(',')
+        ->type_name("X,Y,Z")
+        ->default_str("1.5,0,0.5")
+        ->check(within(-1000, 1000, "from -1000 to 1000 m/s"));
+    app.add_option("--seed", options.seed, "of the births and of the turbulence");
+    app.add_option("--noise", options.noise, "multiplies the turbulent noise")->check(within(0, 100, "from 0 to 100"));
+    app.add_option("--clock", options.clock, "speed: turbulence by present speed; age: by the baked table in time")
+        ->type_name("NAME")
+        ->default_str("speed")
+        ->transform(one_of({{"speed", LR_CLOCK_SPEED}, {"age", LR_CLOCK_AGE}}));
+    app.add_option("--simd", options.simd,
+                   "instruction set, by default the best: emulated, ssse3, sse4, avx2, avx512, neon; same results")
+        ->type_name("NAME")
+        ->default_str("auto")
+        ->transform(one_of(simd_names()));
+    app.add_option("--png", options.png, "picture: a contact sheet in time")->type_name("F");
+    app.add_option("--mesh", options.meshes,
+                   "OBJ in metres to draw, for each --asset in turn (without: STEM.obj beside the asset or in meshes/, "
+                   "else an ellipse)")
+        ->type_name("F")
+        ->default_str("")
+        ->check(CLI::ExistingFile);
+    app.add_option("--width", options.width, "of the picture, px")->check(within(320, 8192, "from 320 to 8192"));
+    app.add_option("--height", options.height, "of its large frame, px")->check(within(180, 8192, "from 180 to 8192"));
+    app.add_option("--frames", options.frames, "in the picture; the last one is the large one")
+        ->check(within(1, 16, "from 1 to 16"));
+    app.add_option("--tracks", options.tracks, "picture: single falls from rest in still air, seen from the side")
+        ->type_name("F");
+    app.add_option("--tracks-count", options.track_count, "falls in it")->check(within(1, 400, "from 1 to 400"));
+    app.add_option("--tracks-seconds", options.track_seconds, "length of a fall, s")
+        ->check(within(0.1, 60, "from 0.1 to 60 s"));
+    app.add_option("--csv", options.csv, "averages over time")->type_name("F");
+    app.add_option("--json", options.json, "the report for programs")->type_name("F");
+    app.add_flag("--quiet", options.quiet, "no progress");
+    try {
+        app.parse(argc, argv);
+        if (options.meshes.size() > options.assets.size())
+            throw CLI::ValidationError("--mesh", "more meshes than assets");
+        if (options.count < options.assets.size()) throw CLI::ValidationError("--count", "fewer bodies than assets");
+        if (options.dt / options.substeps > LR_MAX_SUBSTEP) throw CLI::ValidationError("--dt", "substeps over 1 s");
+        check_paths(options);
+        if (options.seconds / options.dt > 1e9) throw CLI::ValidationError("--seconds", "more than 1e9 steps");
+    } catch (const CLI::ParseError& error) {
+        exit_code = app.exit(error) == 0 ? 0 : 1;
+        return std::nullopt;
+    }
+    if (!wind.empty()) std::copy(wind.begin(), wind.end(), options.wind);
+    return options;
+}

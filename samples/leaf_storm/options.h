@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "langevin_rigid.h"
+
+struct Options {
+    std::vector<std::string> assets;
+    std::vector<std::string> meshes; // to draw; by position in `assets`
+    std::uint64_t count = 20000;
+    double seconds = 10.0;
+    double dt = 1.0 / 60.0; // s
+    std::uint32_t substeps = 4;
+    std::uint32_t threads = 1; // in all: the library gets one less as workers
+    float wind[3] = {1.5f, 0.0f, 0.5f};
+    std::uint64_t seed = 1;
+    float noise = 1.0f;
+    std::int32_t simd = LR_SIMD_AUTO;
+    std::int32_t clock = LR_CLOCK_SPEED;
+    std::string png, csv, json, tracks;
+    std::uint32_t track_count = 40;
+    double track_seconds = 1.5;
+    int width = 1920, height = 1080; // px, of the large frame
+    int frames = 6;
+    bool quiet = false;
+
+    std::uint64_t steps() const;
+};
+
+// Empty when the program has nothing more to do (--help, or bad usage, already told): then exit_code is what to end
+// with.
+std::optional<Options> parse_options(int argc, char** argv, int& exit_code);

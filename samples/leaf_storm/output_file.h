@@ -1,0 +1,26 @@
+// A file that is written aside and renamed when it is whole: whoever reads it sees the old one or the new one.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+class OutputFile {
+public:
+    // Opens at once, so that a path that cannot be written is told before the work and not after. Throws Failure.
+    explicit OutputFile(std::string path);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    const std::string& path() const { return path_; }
+    void write(const void* bytes, std::size_t size);
+    void write(const std::string& text) { write(text.data(), text.size()); }
+    void commit();
+
+private:
+    [[noreturn]] void fail(const char* what) const;
+
+    std::string path_, aside_; // aside_ is path_ itself for what is no regular file: /dev/stdout must not be replaced
+    std::FILE* file_ = nullptr;
+};

@@ -1,0 +1,50 @@
+// Averages over the bodies of a storm, at one time and over the second half of it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "langevin_rigid.h"
+
+struct Sample {
+    double time = 0.0;        // s
+    std::uint64_t bodies = 0; // with a finite motion
+    double descent = 0.0;     // m/s, mean, against the vertical speed of the air; down is positive
+    double horizontal = 0.0;  // m/s, mean of the magnitude, against the air
+    double spin = 0.0;        // rad/s, mean of the magnitude
+    double tilt = 0.0;        // mean |cos| between body z and the vertical: 1 flat, 0 on edge
+};
+
+// Counts values in bins of 2 mm/s from -50 to 50 m/s; what lies outside goes to the ends.
+class Histogram {
+public:
+    Histogram() : bins_(50000) {}
+    void add(double value);
+    double quantile(double part) const; // part: 0 to 1
+private:
+    std::vector<std::uint64_t> bins_;
+    std::uint64_t total_ = 0;
+};
+
+// Adds the bodies of a view into sums; `finish` makes the means.
+class Sampler {
+public:
+    explicit Sampler(double time) { sample_.time = time; }
+    void add(const lr_batch_view& view, const float* wind, Histogram* descents); // descents may be null
+    Sample finish() const;
+
+private:
+    Sample sample_; // sums until finish
+};
+
+struct Summary {
+    double mean_descent = 0.0, median_descent = 0.0, descent_5 = 0.0, descent_95 = 0.0; // m/s
+    double horizontal = 0.0;                                                            // m/s
+    double spin = 0.0;                                                                  // rad/s
+    double tilt = 0.0;
+    double from = 0.0, to = 0.0; // s: of which time
+    std::uint64_t samples = 0;
+};
+
+Summary summarise(const std::vector<Sample>& samples, const Histogram& descents, double from);

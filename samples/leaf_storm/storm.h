@@ -1,0 +1,59 @@
+// The storm itself: assets, a world, a batch for each asset, births, steps, samples.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "langevin_rigid.h"
+#include "options.h"
+#include "statistics.h"
+#include "storm_scene.h"
+
+struct AssetRelease {
+    void operator()(lr_asset* asset) const { lr_asset_release(asset); }
+};
+struct WorldDestroy {
+    void operator()(lr_world* world) const { lr_world_destroy(world); }
+};
+using AssetPointer = std::unique_ptr<lr_asset, AssetRelease>;
+using WorldPointer = std::unique_ptr<lr_world, WorldDestroy>;
+
+// Loads an asset; says every fault of a bad one on stderr before it throws.
+AssetPointer load_asset(const std::string& path);
+WorldPointer create_world(const Options& options, const float* wind);
+lr_batch create_batch(lr_world* world, const lr_asset* asset, std::uint32_t capacity, const Options& options);
+
+class Storm {
+public:
+    struct Kind {
+        std::string path;
+        AssetPointer asset;
+        lr_asset_info info;
+        std::uint32_t count;
+        lr_batch batch;
+    };
+
+    explicit Storm(const Options& options);
+
+    void step(); // one dt; what has left the box comes in again
+    Sample sample(Histogram* descents) const;
+    std::uint64_t hash() const;
+
+    lr_world* world() const { return world_.get(); }
+    const std::vector<Kind>& kinds() const { return kinds_; }
+    const storm::Box& box() const { return box_; }
+    double stepping_seconds() const { return stepping_; } // wall time in lr_world_step
+    std::uint64_t reentries() const;
+    lr_world_info info() const;
+
+private:
+    const Options& options_;
+    std::vector<Kind> kinds_;
+    WorldPointer world_;
+    storm::Box box_{};
+    std::vector<storm::Reentry> reentries_; // one for each kind
+    double stepping_ = 0.0;
+};

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
+#   scripts/setup.sh [build|test]      build: library, baker, samples; test: that and what only tests use
+set -euo pipefail
+
+packages=(
+    g++ cmake ninja-build pkg-config python3
+    libhwy-dev                                   # kernel: SIMD
+    libflatbuffers-dev flatbuffers-compiler      # asset format
+    libeigen3-dev libassimp-dev                  # baker
+    libcli11-dev nlohmann-json3-dev              # command lines, reports
+    libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev   # pictures without a display
+)
+if [ "${1:-build}" = test ]; then
+    packages+=(doctest-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+    echo "set-up: all ${#packages[@]} Debian packages are installed"
+    exit 0
+fi
+
+sudo=()
+if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+        echo "set-up: not root and no sudo. Install these by hand: ${missing[*]}" >&2
+        exit 1
+    fi
+    sudo=(sudo)
+fi
+echo "set-up: installing ${missing[*]}"
+"${sudo[@]}" apt-get update -qq
+"${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+echo "set-up: done"

@@ -1,0 +1,78 @@
+// Checks that every exported function shares.
+#pragma once
+
+#include "kernel/float_mode.h"
+#include "langevin_rigid.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <new>
+
+namespace lr::api {
+
+// No struct of this API comes near it: a size above it is not a size.
+inline constexpr uint32_t max_struct_size = 65536;
+
+// Size of each struct when it was first released: what the oldest callers give. Kept here when structs grow.
+template <class T> inline constexpr uint32_t first_size = sizeof(T);
+
+// Begins an _init function: zeroes all that the caller has.
+template <class T> lr_status begin_init(T* desc, uint32_t struct_size) {
+    if (!desc) return LR_ERROR_NULL_ARGUMENT;
+    if (struct_size < first_size<T> || struct_size > max_struct_size) return LR_ERROR_STRUCT_SIZE;
+    std::memset(static_cast<void*>(desc), 0, struct_size);
+    desc->struct_size = struct_size;
+    return LR_OK;
+}
+
+// A smaller struct of an older header is filled up with zeros; the tail of a larger one must be zero.
+template <class T> lr_status check_size(const T* given) {
+    if (!given) return LR_ERROR_NULL_ARGUMENT;
+    const uint32_t size = given->struct_size;
+    if (size < first_size<T> || size > max_struct_size) return LR_ERROR_STRUCT_SIZE;
+    const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+    for (size_t i = sizeof(T); i < size; ++i)
+        if (bytes[i] != 0) return LR_ERROR_STRUCT_SIZE;
+    return LR_OK;
+}
+
+template <class T> lr_status read_struct(const T* given, T& out) {
+    const lr_status status = check_size(given);
+    if (status != LR_OK) return status;
+    out = T{};
+    std::memcpy(&out, given, given->struct_size < sizeof(T) ? given->struct_size : sizeof(T));
+    return LR_OK;
+}
+
+// Writes as much of a result as the caller has room for.
+template <class T> void write_struct(const T& from, T* to) {
+    const uint32_t size = to->struct_size;
+    std::memcpy(static_cast<void*>(to), &from, size < sizeof(T) ? size : sizeof(T));
+    to->struct_size = size;
+}
+
+template <class T, size_t N> bool finite(const T (&values)[N]) {
+    for (T v : values)
+        if (!std::isfinite(v)) return false;
+    return true;
+}
+
+// False for NaN.
+template <class T> bool in_range(T value, double low, double high) {
+    return static_cast<double>(value) >= low && static_cast<double>(value) <= high;
+}
+
+// Nothing that the library calls may throw across the ABI.
+template <class F> lr_status guarded(F&& body) noexcept {
+    try {
+        return body();
+    } catch (const std::bad_alloc&) {
+        return LR_ERROR_OUT_OF_MEMORY;
+    } catch (...) {
+        return LR_ERROR_INTERNAL;
+    }
+}
+
+} // namespace lr::api

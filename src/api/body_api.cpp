@@ -1,0 +1,181 @@
+#include "api/refuse.h"
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace {
+
+using namespace lr::api;
+
+constexpr float least_scale = 1e-3f, most_scale = 1e3f;
+constexpr float most_speed = 1e6f; // m/s and rad/s: far beyond physics, far below overflow
+constexpr float most_place = 1e9f; // m
+
+struct Vector {
+    double v[3];
+};
+
+// R(q)^T a and R(q) a in double: a state that is read and set again must come back the same to rounding.
+Vector rotate(const double q[4], const float a[3], bool to_body) {
+    const double s = to_body ? -1.0 : 1.0;
+    const double x = s * q[0], y = s * q[1], z = s * q[2], w = q[3];
+    const double ax = static_cast<double>(a[0]), ay = static_cast<double>(a[1]), az = static_cast<double>(a[2]);
+    const double tx = 2.0 * (y * az - z * ay), ty = 2.0 * (z * ax - x * az), tz = 2.0 * (x * ay - y * ax);
+    return {{ax + w * tx + y * tz - z * ty, ay + w * ty + z * tx - x * tz, az + w * tz + x * ty - y * tx}};
+}
+
+// Desc and state have the same physical fields.
+template <class T> const char* wrong_in(const T& s) {
+    for (float x : s.position)
+        if (!in_range(x, -most_place, most_place)) return "position is over 1e9 m";
+    for (float v : s.linear_velocity)
+        if (!in_range(v, -most_speed, most_speed)) return "linear_velocity is over 1e6 m/s";
+    for (float w : s.angular_velocity)
+        if (!in_range(w, -most_speed, most_speed)) return "angular_velocity is over 1e6 rad/s";
+    if (!in_range(s.scale, least_scale, most_scale)) return "scale is not 0.001 to 1000";
+    if (!in_range(s.age, 0.0, 1e9)) return "age is negative or too large";
+    double n = 0.0;
+    for (float q : s.orientation) n += static_cast<double>(q) * static_cast<double>(q);
+    if (!in_range(n, 1e-12, 1e12)) return "orientation cannot be normalised";
+    if (s.reserved != 0) return "reserved is not 0";
+    return nullptr;
+}
+template <class T> bool all_finite(const T& s) {
+    return finite(s.position) && finite(s.orientation) && finite(s.linear_velocity) && finite(s.angular_velocity) &&
+           std::isfinite(s.scale) && std::isfinite(s.age);
+}
+
+template <class T> lr::BodyState to_storage(const T& s) {
+    double q[4], n = 0.0;
+    for (int i = 0; i < 4; ++i) n += static_cast<double>(s.orientation[i]) * static_cast<double>(s.orientation[i]);
+    n = std::sqrt(n);
+    lr::BodyState out{};
+    for (size_t i = 0; i < 4; ++i) {
+        q[i] = static_cast<double>(s.orientation[i]) / n;
+        // A quaternion that is a unit one already keeps its bits.
+        out.value[lr::field_qx + i] = std::abs(n - 1.0) < 1e-7 ? s.orientation[i] : static_cast<float>(q[i]);
+    }
+    const Vector v = rotate(q, s.linear_velocity, true), w = rotate(q, s.angular_velocity, true);
+    for (size_t i = 0; i < 3; ++i) {
+        out.value[lr::field_x + i] = s.position[i];
+        out.value[lr::field_vx + i] = static_cast<float>(v.v[i]);
+        out.value[lr::field_wx + i] = static_cast<float>(w.v[i]);
+    }
+    out.value[lr::field_scale] = s.scale;
+    out.value[lr::field_age] = s.age;
+    out.key = s.key;
+    return out;
+}
+
+template <class T> void init_pose(T* s) {
+    s->orientation[3] = 1.0f;
+    s->scale = 1.0f;
+}
+
+} // namespace
+
+extern "C" {
+
+lr_status lr_body_desc_init(lr_body_desc* desc, uint32_t struct_size) {
+    const lr_status status = begin_init(desc, struct_size);
+    if (status == LR_OK) init_pose(desc);
+    return status;
+}
+
+lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count, lr_body* out_ids) {
+    const lr::FloatMode mode;
+    constexpr const char* name = "lr_body_create";
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    lr::Batch* const b = world->find(batch);
+    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
+    if (count == 0) return LR_OK;
+    if (!descs) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
+    if (count > b->capacity() - b->count()) return refuse(world, name, LR_ERROR_CAPACITY);
+
+    const uint32_t stride = descs->struct_size;
+    const auto at = [&](uint32_t i) {
+        return reinterpret_cast<const lr_body_desc*>(reinterpret_cast<const unsigned char*>(descs) +
+                                                     uint64_t{stride} * i);
+    };
+    // All or none: the whole array is checked before the first is made.
+    for (uint32_t i = 0; i < count; ++i) {
+        lr_body_desc d;
+        lr_status status = read_struct(at(i), d);
+        if (status == LR_OK && d.struct_size != stride) status = LR_ERROR_STRUCT_SIZE;
+        if (status != LR_OK) return refuse(world, name, status);
+        if (!all_finite(d)) return refuse(world, name, LR_ERROR_NOT_FINITE);
+        if (const char* why = wrong_in(d)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        lr_body_desc d;
+        read_struct(at(i), d);
+        lr::BodyState state = to_storage(d);
+        if (state.key == 0) {
+            state.key = world->next_key;
+            world->next_key = world->next_key == UINT32_MAX ? 1 : world->next_key + 1;
+        }
+        const lr_body id = b->add(state);
+        if (out_ids) out_ids[i] = id;
+    }
+    return LR_OK;
+}
+
+lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count) {
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    if (count == 0) return LR_OK;
+    if (!bodies) return refuse(world, "lr_body_destroy", LR_ERROR_NULL_ARGUMENT);
+    const lr_status status = world->destroy_bodies(bodies, count);
+    return status == LR_OK ? status : refuse(world, "lr_body_destroy", status);
+}
+
+lr_status lr_body_state_init(lr_body_state* state, uint32_t struct_size) {
+    const lr_status status = begin_init(state, struct_size);
+    if (status == LR_OK) init_pose(state);
+    return status;
+}
+
+lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state) {
+    const lr::FloatMode mode;
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    uint32_t index = 0;
+    const lr::Batch* const b = world->find(body, index);
+    if (!b) return refuse(world, "lr_body_get_state", LR_ERROR_STALE_BODY);
+    const lr_status status = check_size(state);
+    if (status != LR_OK) return refuse(world, "lr_body_get_state", status);
+    const lr::BodyState s = b->read(index);
+    lr_body_state out{};
+    double q[4];
+    for (size_t i = 0; i < 4; ++i) {
+        out.orientation[i] = s.value[lr::field_qx + i];
+        q[i] = static_cast<double>(out.orientation[i]);
+    }
+    const Vector v = rotate(q, &s.value[lr::field_vx], false), w = rotate(q, &s.value[lr::field_wx], false);
+    for (size_t i = 0; i < 3; ++i) {
+        out.position[i] = s.value[lr::field_x + i];
+        out.linear_velocity[i] = static_cast<float>(v.v[i]);
+        out.angular_velocity[i] = static_cast<float>(w.v[i]);
+    }
+    out.scale = s.value[lr::field_scale];
+    out.age = s.value[lr::field_age];
+    out.key = s.key;
+    write_struct(out, state);
+    return LR_OK;
+}
+
+lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
+    const lr::FloatMode mode;
+    constexpr const char* name = "lr_body_set_state";
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    uint32_t index = 0;
+    lr::Batch* const b = world->find(body, index);
+    if (!b) return refuse(world, name, LR_ERROR_STALE_BODY);
+    lr_body_state s;
+    const lr_status status = read_struct(state, s);
+    if (status != LR_OK) return refuse(world, name, status);
+    if (!all_finite(s)) return refuse(world, name, LR_ERROR_NOT_FINITE);
+    if (const char* why = wrong_in(s)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
+    b->write(index, to_storage(s));
+    return LR_OK;
+}
+
+} // extern "C"

@@ -1,0 +1,26 @@
+// Added mass of a closed body in an unbounded ideal fluid, by a boundary element method.
+#pragma once
+
+#include "baker/mesh.h"
+
+#include <functional>
+
+namespace lr::baker {
+
+// [[A, B], [B^T, D]] for fluid density 1 about `centre`, axes of the mesh, order vx vy vz wx wy wz.
+// Units: A m^3, B m^4, D m^5.
+struct AddedMass {
+    Eigen::Matrix<double, 6, 6> value;
+    Eigen::Matrix<double, 6, 6> error; // estimated, per entry, same units
+    double condition_estimate = 0.0;   // of the linear system
+    double asymmetry = 0.0;            // largest |M - M^T| before symmetrising, over the scale of its entry
+    double residual = 0.0;             // of the linear system, relative
+};
+
+using Progress = std::function<void(double fraction)>;
+
+// The mesh must be closed and outward (check_and_repair).
+bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
+                        const Progress& progress = {});
+
+} // namespace lr::baker

@@ -1,0 +1,344 @@
+#include "baker/bake.h"
+
+#include "baker/added_mass.h"
+#include "baker/convex_hull.h"
+#include "baker/file_io.h"
+#include "baker/mass_properties.h"
+#include "baker/mesh_check.h"
+#include "baker/text.h"
+#include "baker/turbulence.h"
+#include "format/asset_file.h"
+#include "format/checksum.h"
+#include "shape/body_scales.h"
+#include "shape/ellipsoid.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <new>
+
+namespace lr::baker {
+namespace {
+
+constexpr std::size_t max_mesh_bytes = std::size_t{1} << 31;
+constexpr std::size_t max_name_bytes = 4096; // check_asset
+
+bool fail(Faults& faults, FaultId id, std::string where, std::string what, std::string remedy) {
+    faults.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
+    return false;
+}
+
+bool in_range(double value, double low, double high, const char* where, const char* unit, Faults& faults) {
+    if (value >= low && value <= high) return true; // false for NaN
+    return fail(faults, FaultId::parameter_out_of_range, where,
+                "The value " + shortest(value) + " is outside its range.",
+                "Give a number from " + shortest(low) + " to " + shortest(high) + unit + ".");
+}
+
+// The turbulence solver has the same limits, but would name them after minutes of work on the added mass.
+bool check_options(const BakeOptions& o, Faults& faults) {
+    bool good = in_range(o.density, 1e-3, 1e6, "density", " kg/m^3", faults);
+    good = in_range(o.fluid_density, 1e-3, 1e6, "fluid density", " kg/m^3", faults) && good;
+    good = in_range(o.fluid_viscosity, 1e-9, 1e3, "fluid viscosity", " m^2/s", faults) && good;
+    good = in_range(o.intensity, 1e-6, 10.0, "intensity", "", faults) && good;
+    double cells = 1.0;
+    const auto [fewest, most] = std::minmax({o.cells[0], o.cells[1], o.cells[2]});
+    for (const uint32_t n : o.cells) cells *= n;
+    if (!in_range(fewest, 4.0, 512.0, "grid", " cells along each axis", faults) ||
+        (most != fewest && !in_range(most, 4.0, 512.0, "grid", " cells along each axis", faults)))
+        good = false;
+    else if (cells > 4194304.0)
+        good =
+            fail(faults, FaultId::parameter_out_of_range, "grid", "The grid has " + shortest(cells) + " cells in all.",
+                 "Give at most 4194304 cells in all, for instance 160,160,160.");
+    if (o.center_of_mass)
+        for (const double x : *o.center_of_mass) good = in_range(x, -1e9, 1e9, "center of mass", "", faults) && good;
+    if (o.semi_axes)
+        for (const double x : *o.semi_axes)
+            good = in_range(x / units_per_metre(o.unit), 1e-6, 1e3, "semi-axes", " m", faults) && good;
+    if (o.name && o.name->size() > max_name_bytes)
+        good = fail(faults, FaultId::parameter_out_of_range, "name", "The name is longer than 4096 bytes.",
+                    "Give a shorter name.");
+    return good;
+}
+
+std::string utf8(const std::filesystem::path& path) {
+    const std::u8string text = path.u8string();
+    return valid_utf8(std::string(text.begin(), text.end()));
+}
+
+std::array<double, 3> to_array(const Eigen::Vector3d& v) {
+    return {v[0], v[1], v[2]};
+}
+
+class Pipeline {
+public:
+    Pipeline(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,
+             const BakeProgress& progress)
+        : options_(options), out_(out), faults_(faults), timings_(timings), progress_(progress) {}
+
+    bool run() {
+        out_ = AssetData{};
+        return check_options(options_, faults_) && (options_.semi_axes ? make_ellipsoid() : make_mesh_body()) &&
+               phase("turbulence", [&] { return make_turbulence(); }) && finish();
+    }
+
+private:
+    template <class Work> bool phase(const char* name, const Work& work) {
+        phase_ = name;
+        report(0.0);
+        const auto start = std::chrono::steady_clock::now();
+        const bool good = work();
+        if (timings_)
+            timings_->emplace_back(name,
+                                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        if (good) report(1.0);
+        return good;
+    }
+    void report(double fraction) const {
+        if (progress_) progress_(phase_, fraction);
+    }
+    // For solvers, which may say more than once that they are done; a phase ends once.
+    void advance(double fraction) const { report(std::min(fraction, 0.999)); }
+    std::array<double, 3> in_metres(const std::array<double, 3>& lengths) const {
+        const double n = units_per_metre(options_.unit);
+        return {lengths[0] / n, lengths[1] / n, lengths[2] / n};
+    }
+
+    bool make_ellipsoid() {
+        shape::EllipsoidSpec spec;
+        spec.semi_axes = in_metres(*options_.semi_axes);
+        spec.density = options_.density;
+        spec.fluid_density = options_.fluid_density;
+        spec.fluid_viscosity = options_.fluid_viscosity;
+        spec.intensity = options_.intensity;
+        if (options_.center_of_mass) spec.center_of_mass = in_metres(*options_.center_of_mass);
+        out_.name = "ellipsoid";
+        return phase("closed forms", [&] { return shape::ellipsoid_body(spec, out_, faults_); });
+    }
+
+    bool make_mesh_body() {
+        return phase("reading", [&] { return read(); }) &&
+               phase("checking", [&] { return check_and_repair(mesh_, faults_); }) &&
+               phase("mass", [&] { return make_mass(); }) && phase("hull", [&] { return make_hull(); }) &&
+               phase("added mass", [&] { return make_added_mass(); });
+    }
+
+    bool read() {
+        std::vector<uint8_t> bytes;
+        if (!read_file(options_.mesh_path, max_mesh_bytes, bytes, faults_)) return false;
+        input_.add(bytes.data(), bytes.size());
+        if (!read_mesh(options_.mesh_path, 1.0 / units_per_metre(options_.unit), mesh_, faults_)) return false;
+        const std::filesystem::path path(std::u8string(options_.mesh_path.begin(), options_.mesh_path.end()));
+        out_.name = utf8(path.stem());
+        out_.provenance.source = utf8(path.filename());
+        return true;
+    }
+
+    bool make_mass() {
+        solid_ = compute_mass_properties(mesh_);
+        const double size = solid_.extents.maxCoeff();
+        if (!(size >= 1e-6 && size <= 1e3))
+            return fail(faults_, FaultId::parameter_out_of_range, "unit",
+                        "The body is " + shortest(size) + " m long; 1e-6 to 1000 m can be baked.",
+                        "Check --unit against the unit that the mesh was exported in.");
+        center_ = solid_.centroid;
+        if (options_.center_of_mass) {
+            const std::array<double, 3> given = in_metres(*options_.center_of_mass);
+            center_ = {given[0], given[1], given[2]};
+        }
+        out_.volume = solid_.volume;
+        out_.density = options_.density;
+        out_.mass = options_.density * solid_.volume;
+        out_.center_of_mass = to_array(center_);
+        out_.center_of_buoyancy = to_array(solid_.centroid - center_);
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j)
+                out_.inertia[i * 3 + j] =
+                    options_.density * solid_.inertia(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+        out_.provenance.faces = static_cast<uint32_t>(mesh_.faces.size());
+        out_.provenance.vertices = static_cast<uint32_t>(mesh_.vertices.size());
+        for (Eigen::Vector3d& v : mesh_.vertices) v -= center_; // body frame from here on
+        return true;
+    }
+
+    bool make_hull() {
+        ConvexHull hull;
+        if (!compute_convex_hull(mesh_.vertices, hull, faults_)) return false;
+        for (const Face& f : hull.faces) {
+            const Eigen::Vector3d& a = hull.vertices[f[0]];
+            const Eigen::Vector3d normal = (hull.vertices[f[1]] - a).cross(hull.vertices[f[2]] - a);
+            if (a.dot(normal) < -hull.slack * normal.norm())
+                return fail(faults_, FaultId::parameter_out_of_range, "center of mass",
+                            "It does not lie inside the convex hull of the body.",
+                            "Give it in the unit and the frame of the mesh.");
+            for (const uint32_t i : f) out_.hull.triangles.push_back(i);
+        }
+        for (const Eigen::Vector3d& v : hull.vertices)
+            for (const double x : v) out_.hull.vertices.push_back(static_cast<float>(x));
+        return true;
+    }
+
+    bool make_added_mass() {
+        AddedMass added;
+        if (!compute_added_mass(mesh_, Eigen::Vector3d::Zero(), added, faults_, [&](double f) { advance(f); }))
+            return false;
+        for (std::size_t i = 0; i < 36; ++i) {
+            const auto row = static_cast<Eigen::Index>(i / 6), column = static_cast<Eigen::Index>(i % 6);
+            // Bit for bit symmetric, which scaled products are not.
+            out_.added_mass[i] = 0.5 * (added.value(row, column) + added.value(column, row));
+            out_.added_mass_error[i] = 0.5 * (added.error(row, column) + added.error(column, row));
+        }
+        drop_noise();
+        Eigen::Index broad = 0;
+        out_.projected_area = solid_.projected_areas.maxCoeff(&broad);
+        const Eigen::Vector3d normal = solid_.axes.col(broad);
+        const double broadside = normal.dot(added.value.topLeftCorner<3, 3>() * normal);
+        const shape::BodyScales scales =
+            shape::body_scales(solid_.extents.maxCoeff(), solid_.extents.minCoeff(), solid_.volume, out_.projected_area,
+                               broadside, options_.density, options_.fluid_density);
+        out_.length_d = scales.d;
+        out_.length_b = scales.b;
+        out_.length_l = scales.l;
+        out_.u0 = scales.u0;
+        out_.fluid_density = options_.fluid_density;
+        out_.fluid_viscosity = options_.fluid_viscosity;
+        return true;
+    }
+
+    // A body with three mirror planes has a diagonal matrix, and the runtime a fast path for it; the triangles rarely
+    // have those planes. The error of a Galerkin energy is itself an energy, so that off the diagonal it is at most the
+    // geometric mean of what it is on it: couplings within that, and too weak to be seen, are taken for noise. Only all
+    // of them together, which keeps the matrix positive.
+    void drop_noise() {
+        constexpr double visible = 2e-3;
+        auto& m = out_.added_mass;
+        auto& error = out_.added_mass_error;
+        const auto size = [&](std::size_t n) {
+            return m[n * 7] + (n < 3 ? out_.volume : out_.inertia[(n - 3) * 4] / out_.density);
+        };
+        const auto is_noise = [&](std::size_t i, std::size_t j) {
+            const double value = std::abs(m[i * 6 + j]);
+            return value <= std::sqrt(error[i * 7] * error[j * 7]) && value <= visible * std::sqrt(size(i) * size(j));
+        };
+        for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (!is_noise(i, j)) return;
+        for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t j = 0; j < 6; ++j)
+                if (i != j) {
+                    error[i * 6 + j] = std::max(error[i * 6 + j], std::abs(m[i * 6 + j]));
+                    m[i * 6 + j] = 0.0;
+                }
+    }
+
+    bool make_turbulence() {
+        TurbulenceOptions o;
+        o.cells = options_.cells;
+        o.intensity = options_.intensity;
+        o.u0 = out_.u0;
+        o.length_l = out_.length_l;
+        o.length_d = out_.length_d;
+        o.viscosity = options_.fluid_viscosity;
+        TurbulenceTable table;
+        if (!compute_turbulence_table(o, table, faults_, [&](double f) { advance(f); })) return false;
+        TurbulenceData& data = out_.turbulence;
+        data.dt = table.dt * table.u0 / table.l;
+        for (std::size_t i = 0; i < table.chi.size(); ++i) {
+            data.chi.push_back(table.chi_star(i));
+            data.epsilon.push_back(table.epsilon_star(i));
+        }
+        data.stationary = table.stationary_index;
+        data.c0 = table.c0;
+        data.intensity = table.intensity;
+        data.cells = table.cells;
+        return true;
+    }
+
+    bool finish() {
+        if (out_.u0 <= 1e-6)
+            faults_.push_back({FaultId::parameter_not_denser, Severity::warning, "density",
+                               "The body is as dense as its fluid: it has no fall speed to scale its turbulence by.",
+                               "Nothing, if it is to float; else check --density and --fluid."});
+        for (double& c : out_.center_of_buoyancy) c += 0.0; // no minus zeros, which people take for a message
+        if (options_.name) out_.name = valid_utf8(*options_.name);
+        out_.provenance.tool = "lr_bake";
+        out_.provenance.tool_version = baker_version();
+        out_.provenance.options = canonical_options(options_);
+        input_.add(out_.provenance.options.data(), out_.provenance.options.size());
+        out_.provenance.input_hash = input_.value();
+        const std::size_t before = faults_.size();
+        if (check_asset(out_, faults_)) return true;
+        for (std::size_t i = before; i < faults_.size(); ++i)
+            faults_[i].remedy = "A body like this cannot be baked: check the mesh, --unit and --density.";
+        return false;
+    }
+
+    const BakeOptions& options_;
+    AssetData& out_;
+    Faults& faults_;
+    BakeTimings* timings_;
+    const BakeProgress& progress_;
+    const char* phase_ = "";
+    Fnv1a input_;
+    Mesh mesh_;
+    MassProperties solid_;
+    Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
+};
+
+} // namespace
+
+double units_per_metre(Unit unit) {
+    return unit == Unit::m ? 1.0 : unit == Unit::cm ? 100.0 : 1000.0;
+}
+
+const char* unit_name(Unit unit) {
+    return unit == Unit::m ? "m" : unit == Unit::cm ? "cm" : "mm";
+}
+
+std::string canonical_options(const BakeOptions& o) {
+    std::string text = o.semi_axes ? "ellipsoid" : "mesh";
+    const auto add = [&](const char* before, const auto& numbers) {
+        text += before;
+        char separator = ' ';
+        for (const auto n : numbers) {
+            text += separator;
+            text += shortest(n);
+            separator = ',';
+        }
+    };
+    const auto add_one = [&](const char* before, double number) { add(before, std::array{number}); };
+    if (o.semi_axes)
+        for (const double a : *o.semi_axes) add_one("", a);
+    text += " --unit ";
+    text += unit_name(o.unit);
+    add_one(" --density", o.density);
+    add(" --fluid", std::array{o.fluid_density, o.fluid_viscosity});
+    add(" --grid", o.cells);
+    add_one(" --intensity", o.intensity);
+    if (o.center_of_mass) add(" --center-of-mass", *o.center_of_mass);
+    if (o.name) {
+        text += " --name ";
+        text += valid_utf8(*o.name);
+    }
+    return text;
+}
+
+bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,
+          const BakeProgress& progress) {
+    try {
+        return Pipeline(options, out, faults, timings, progress).run();
+    } catch (const std::bad_alloc&) {
+        return fail(faults, FaultId::mesh_too_many_faces, "memory", "The bake does not fit into memory.",
+                    "Decimate the mesh, or use a coarser --grid.");
+    }
+}
+
+const char* baker_version() {
+    return LR_VERSION_STRING;
+}
+
+} // namespace lr::baker

@@ -1,0 +1,52 @@
+// The whole bake: from a mesh file or three semi-axes to an asset.
+#pragma once
+
+#include "format/asset_data.h"
+#include "format/fault.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lr::baker {
+
+enum class Unit { m, cm, mm };
+
+double units_per_metre(Unit unit);
+const char* unit_name(Unit unit);
+
+struct BakeOptions {
+    // Either a mesh file, or an ellipsoid when there are semi-axes.
+    std::string mesh_path;                          // UTF-8
+    std::optional<std::array<double, 3>> semi_axes; // in `unit`
+    Unit unit = Unit::m;                            // of the mesh and of every length here
+    double density = 800.0;                         // kg/m^3; leaf, paper
+    double fluid_density = 1.2;                     // kg/m^3; air
+    double fluid_viscosity = 1.5e-5;                // m^2/s
+    std::array<uint32_t, 3> cells{32, 32, 16};      // of the turbulence grid
+    double intensity = 1.0;                         // of the turbulence in k0 = 3/2 (I U0)^2
+    // In `unit`, frame of the mesh. A ballasted body: the inertia stays that of the uniform solid about its own
+    // centroid, everything else is about this point. Without it the centre is that of the uniform solid.
+    std::optional<std::array<double, 3>> center_of_mass;
+    std::optional<std::string> name; // instead of the file name without its extension
+};
+
+// The options that change the result, written as on the command line, in one way only.
+std::string canonical_options(const BakeOptions& options);
+
+using BakeTimings = std::vector<std::pair<std::string, double>>; // phase, s
+// Called with 0 when a phase begins and with 1 when it ends.
+using BakeProgress = std::function<void(const char* phase, double fraction)>;
+
+// The same bytes and options give the same asset. False when `faults` received an error; repairs are warnings.
+bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings = nullptr,
+          const BakeProgress& progress = {});
+
+// "0.1.0"
+const char* baker_version();
+
+} // namespace lr::baker

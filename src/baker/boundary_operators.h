@@ -1,0 +1,31 @@
+// Galerkin boundary element matrices on a closed triangle mesh, with continuous linear elements.
+#pragma once
+
+#include "baker/mesh.h"
+#include "baker/panel_integrals.h"
+
+#include <functional>
+
+namespace lr::baker {
+
+using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, 6>; // one column for each of vx vy vz wx wy wz
+
+// With hat functions psi_i at the vertices, G = 1/(4 pi r), n outward, and the normal velocity q_m of rigid mode m
+// about the origin: n for the translations, x cross n for the rotations.
+struct BoundaryOperators {
+    std::vector<Panel> panels;
+    Eigen::MatrixXd hypersingular; // W_ij = double integral of curl psi_i . curl psi_j G
+    RigidModes moments;            // integral psi_i q_m
+    RigidModes right_side;         // - integral q_m (1/2 + K) psi_i, K the double layer
+    std::vector<double> self;      // double integral of G over each panel
+};
+
+BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const std::function<void(double)>& progress);
+
+// Surface curl n x grad psi of the hat functions at the corners of a panel.
+inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {
+    // n x gradient is the opposite edge over twice the area: no cross product, no rounding
+    return (panel.corner[(corner + 2) % 3] - panel.corner[(corner + 1) % 3]) / (2.0 * panel.area);
+}
+
+} // namespace lr::baker

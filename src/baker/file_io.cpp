@@ -1,0 +1,275 @@
+#include "baker/file_io.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace lr::baker {
+namespace {
+
+bool fail(Faults& faults, FaultId id, const std::string& path, std::string what, std::string remedy) {
+    faults.push_back({id, Severity::error, path, std::move(what), std::move(remedy)});
+    return false;
+}
+
+bool cannot_write(Faults& faults, const std::string& path, int reason) {
+    const char* remedy = "Check that the folder exists and that you may write to it.";
+    if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG) remedy = "Free some space there, or write elsewhere.";
+    if (reason == EISDIR) remedy = "Give the name of a file in that folder.";
+    return fail(faults, FaultId::file_write, path,
+                "It cannot be written: " + std::generic_category().message(reason) + ".", remedy);
+}
+
+class Descriptor {
+public:
+    explicit Descriptor(int fd = -1) : fd_(fd) {}
+    ~Descriptor() { close(); }
+    Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(fd_, other.fd_);
+        return *this;
+    }
+
+    int get() const { return fd_; }
+    bool close() {
+        const int fd = std::exchange(fd_, -1);
+        return fd < 0 || ::close(fd) == 0;
+    }
+
+private:
+    int fd_;
+};
+
+bool write_all(int fd, std::span<const uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+        if (n < 0 && errno != EINTR) return false;
+        if (n > 0) bytes = bytes.subspan(static_cast<std::size_t>(n));
+    }
+    return true;
+}
+
+// A signal between creating a file aside and renaming it would leave the file behind.
+class SignalsHeld {
+public:
+    SignalsHeld() {
+        sigset_t set;
+        sigemptyset(&set);
+        for (const int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&set, s);
+        pthread_sigmask(SIG_BLOCK, &set, &before_);
+    }
+    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+private:
+    sigset_t before_;
+};
+
+enum class Target { absent, regular, direct, impossible };
+
+// Links are followed, so that the file they name is replaced and not they. Sets errno for impossible ones.
+Target find_target(std::string& path, mode_t& mode) {
+    struct stat info {};
+    if (path.empty()) {
+        errno = ENOENT;
+        return Target::impossible;
+    }
+    if (::stat(path.c_str(), &info) != 0) {
+        if (errno == ENOENT && path.back() != '/') return Target::absent;
+        return Target::impossible;
+    }
+    if (S_ISDIR(info.st_mode)) {
+        errno = EISDIR;
+        return Target::impossible;
+    }
+    if (!S_ISREG(info.st_mode)) return Target::direct;
+    mode = info.st_mode & 0777;
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::canonical(path, error);
+    if (!error) path = real.string();
+    return Target::regular;
+}
+
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
+// A file beside its target, without a name as long as the file system can do that: then not even a kill leaves it.
+class AsideFile {
+public:
+    AsideFile(std::string shown, std::string target, mode_t mode)
+        : shown_(std::move(shown)), target_(std::move(target)), folder_(folder_of(target_)), mode_(mode) {}
+    ~AsideFile() {
+        if (!name_.empty()) ::unlink(name_.c_str());
+    }
+    AsideFile(AsideFile&& other) noexcept
+        : shown_(std::move(other.shown_)), target_(std::move(other.target_)), folder_(std::move(other.folder_)),
+          name_(std::exchange(other.name_, {})), mode_(other.mode_), file_(std::move(other.file_)) {}
+    AsideFile& operator=(AsideFile&&) = delete;
+
+    bool stage(std::span<const uint8_t> bytes, Faults& faults) {
+        const bool good = open() && write_all(file_.get(), bytes) &&
+                          (mode_ == 0 || ::fchmod(file_.get(), mode_) == 0) && ::fsync(file_.get()) == 0 && name() &&
+                          file_.close();
+        return good || cannot_write(faults, shown_, errno);
+    }
+    bool commit(Faults& faults) {
+        if (::rename(name_.c_str(), target_.c_str()) != 0) return cannot_write(faults, shown_, errno);
+        name_.clear();
+        // Without this a power cut could bring the old file back; some file systems refuse, which does no harm.
+        const Descriptor folder(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        if (folder.get() >= 0) ::fsync(folder.get());
+        return true;
+    }
+
+private:
+    template <class Try> bool with_free_name(const Try& attempt) {
+        for (int i = 0; i < 1000; ++i) {
+            const std::string candidate =
+                folder_ + "/.lr_bake-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".part";
+            if (attempt(candidate.c_str())) {
+                name_ = candidate;
+                return true;
+            }
+            if (errno != EEXIST) return false;
+        }
+        return false;
+    }
+    bool open() {
+        int fd = -1;
+#if defined(O_TMPFILE)
+        // Naming it later goes through /proc.
+        if (::access("/proc/self/fd", X_OK) == 0) fd = ::open(folder_.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+#endif
+        if (fd < 0)
+            with_free_name([&](const char* name) {
+                fd = ::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+                return fd >= 0;
+            });
+        if (fd < 0) return false;
+        file_ = Descriptor(fd);
+        return true;
+    }
+    bool name() {
+        if (!name_.empty()) return true;
+        const std::string self = "/proc/self/fd/" + std::to_string(file_.get());
+        return with_free_name(
+            [&](const char* name) { return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0; });
+    }
+
+    std::string shown_, target_, folder_, name_;
+    mode_t mode_;
+    Descriptor file_;
+};
+
+bool write_directly(const OutputFile& file, Faults& faults) {
+    // A pipe without a reader is an error, not a wait.
+    Descriptor out(::open(file.path_utf8.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+    if (out.get() < 0) return cannot_write(faults, file.path_utf8, errno);
+    const int flags = ::fcntl(out.get(), F_GETFL);
+    const bool good = flags >= 0 && ::fcntl(out.get(), F_SETFL, flags & ~O_NONBLOCK) == 0 &&
+                      write_all(out.get(), file.bytes) && out.close();
+    return good || cannot_write(faults, file.path_utf8, errno);
+}
+
+} // namespace
+
+bool read_file(const std::string& path, std::size_t max_bytes, std::vector<uint8_t>& out, Faults& faults) {
+    out.clear();
+    // Not to wait for a writer if this is a pipe.
+    Descriptor in(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+    if (in.get() < 0) {
+        if (errno == ENOENT || errno == ENOTDIR)
+            return fail(faults, FaultId::file_not_found, path, "There is no such file.",
+                        "Check the path and its spelling.");
+        return fail(faults, FaultId::file_read, path,
+                    "It cannot be read: " + std::generic_category().message(errno) + ".",
+                    "Check that you may read it.");
+    }
+    struct stat info {};
+    if (::fstat(in.get(), &info) != 0 || !S_ISREG(info.st_mode))
+        return fail(faults, FaultId::file_read, path, "This is not a file.",
+                    "Give the path of a file, not of a folder or a device.");
+    // The size may be a lie (/proc) or change: it is a hint.
+    std::size_t size = 0;
+    out.resize(std::clamp<std::size_t>(static_cast<std::size_t>(info.st_size), 4096, max_bytes) + 1);
+    for (;;) {
+        const ssize_t n = ::read(in.get(), out.data() + size, out.size() - size);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0)
+            return fail(faults, FaultId::file_read, path,
+                        "It cannot be read: " + std::generic_category().message(errno) + ".",
+                        "Check that the disk is sound.");
+        if (n == 0) break;
+        size += static_cast<std::size_t>(n);
+        if (size > max_bytes)
+            return fail(faults, FaultId::file_too_large, path,
+                        "The file is larger than " + std::to_string(max_bytes) + " bytes.", "Reduce it.");
+        if (size == out.size()) out.resize(std::min(2 * size, max_bytes + 1));
+    }
+    out.resize(size);
+    return true;
+}
+
+bool check_output(const std::string& path, Faults& faults) {
+    std::string target = path;
+    mode_t mode = 0;
+    const Target kind = find_target(target, mode);
+    if (kind == Target::impossible) return cannot_write(faults, path, errno);
+    if (kind == Target::direct) return ::access(path.c_str(), W_OK) == 0 || cannot_write(faults, path, errno);
+    const std::string folder = folder_of(target);
+    struct stat info {};
+    if (::stat(folder.c_str(), &info) != 0) return cannot_write(faults, path, errno);
+    if (!S_ISDIR(info.st_mode)) return cannot_write(faults, path, ENOTDIR);
+    return ::access(folder.c_str(), W_OK | X_OK) == 0 || cannot_write(faults, path, errno);
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+    struct stat x {
+    }, y{};
+    const bool has_a = ::stat(a.c_str(), &x) == 0, has_b = ::stat(b.c_str(), &y) == 0;
+    if (has_a && has_b) return S_ISREG(x.st_mode) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+    if (has_a || has_b) return false;
+    std::error_code error;
+    const std::filesystem::path p = std::filesystem::weakly_canonical(std::filesystem::absolute(a, error), error);
+    const std::filesystem::path q = std::filesystem::weakly_canonical(std::filesystem::absolute(b, error), error);
+    return !error && p == q;
+}
+
+bool write_files(const std::vector<OutputFile>& files, Faults& faults) {
+    std::vector<const OutputFile*> aside;
+    for (const OutputFile& file : files) {
+        std::string target = file.path_utf8;
+        mode_t mode = 0;
+        const Target kind = find_target(target, mode);
+        if (kind == Target::impossible) return cannot_write(faults, file.path_utf8, errno);
+        if (kind != Target::direct)
+            aside.push_back(&file);
+        else if (!write_directly(file, faults))
+            return false;
+    }
+    const SignalsHeld held;
+    std::vector<AsideFile> staged;
+    staged.reserve(aside.size());
+    for (const OutputFile* file : aside) {
+        std::string target = file->path_utf8;
+        mode_t mode = 0;
+        find_target(target, mode);
+        staged.emplace_back(file->path_utf8, target, mode);
+        if (!staged.back().stage(file->bytes, faults)) return false;
+    }
+    for (AsideFile& file : staged)
+        if (!file.commit(faults)) return false;
+    return true;
+}
+
+} // namespace lr::baker

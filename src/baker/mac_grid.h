@@ -1,0 +1,100 @@
+// Staggered (marker-and-cell) grid of the mean flow: storage, cell flags, sampling and back-tracing.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace lr::baker {
+
+using GridPoint = std::array<double, 3>;
+
+// Where a point lies between eight samples of a field: the lowest of them and the fractions towards the others.
+struct GridStencil {
+    uint32_t base;
+    double fx, fy, fz;
+};
+
+// Samples on a regular lattice, x fastest. Every field but the x-velocity lies half a cell inside along x; it gets one
+// more column, at x = 0 itself, that holds the inflow value, so that all fields are nx + 1 samples wide.
+struct GridField {
+    std::array<uint32_t, 3> count{};
+    std::array<double, 3> inverse_spacing{};
+    double offset_y = 0.0, offset_z = 0.0; // of the first sample, in cells
+    bool inflow_column = false;
+    std::vector<double> values;
+
+    size_t index(uint32_t i, uint32_t j, uint32_t k) const {
+        return (static_cast<size_t>(k) * count[1] + j) * count[0] + i;
+    }
+    GridPoint position(uint32_t i, uint32_t j, uint32_t k) const;
+    GridStencil locate(const GridPoint& p) const;
+    double interpolate(const GridStencil& s) const { return interpolate(values.data(), s); }
+    double interpolate(const double* data, const GridStencil& s) const;
+    double sample(const GridPoint& p) const { return interpolate(locate(p)); }
+};
+
+// Boundaries: inflow at x = 0 (velocity prescribed), outflow at x-max (pressure zero), free slip at the four sides.
+// Solid cells stand still: every face that touches one has velocity zero.
+struct MacGrid {
+    std::array<uint32_t, 3> cells{};
+    GridPoint spacing{};
+    std::array<GridField, 3> velocity;              // on the x, y and z faces
+    std::array<std::vector<uint8_t>, 3> prescribed; // 1 where neither advection nor pressure may change the face
+    std::vector<uint8_t> solid;                     // one per cell, x fastest
+
+    MacGrid(const std::array<uint32_t, 3>& cell_counts, const GridPoint& lengths);
+
+    size_t cell_count() const { return solid.size(); }
+    size_t cell(uint32_t i, uint32_t j, uint32_t k) const {
+        return (static_cast<size_t>(k) * cells[1] + j) * cells[0] + i;
+    }
+    GridPoint cell_centre(uint32_t i, uint32_t j, uint32_t k) const;
+    GridField make_centred_field() const;
+
+    // Takes the mask (one per cell, x fastest; empty: no solid), closes pockets of fluid that the outflow cannot be
+    // reached from (their pressure would be undetermined) and zeroes the velocity on solid faces.
+    void set_solid(const std::vector<uint8_t>& mask);
+
+    // Velocity at any point; outside the domain, that of the nearest point of its boundary.
+    GridPoint velocity_at(const GridPoint& p) const;
+
+    // Position, a time dt ago, of the parcel that is at p now: midpoint rule (second order).
+    GridPoint trace_back(const GridPoint& p, double dt) const;
+
+    // Net outflow of a cell by volume.
+    double divergence(uint32_t i, uint32_t j, uint32_t k) const;
+    // Largest absolute divergence over the fluid cells.
+    double max_divergence() const;
+};
+
+inline GridStencil GridField::locate(const GridPoint& p) const {
+    double gx = p[0] * inverse_spacing[0];
+    if (inflow_column) gx = gx < 0.5 ? 2.0 * gx : gx + 0.5;
+    double g[3] = {gx, p[1] * inverse_spacing[1] - offset_y, p[2] * inverse_spacing[2] - offset_z};
+    uint32_t n[3];
+    for (size_t a = 0; a < 3; ++a) {
+        const double last = static_cast<double>(count[a] - 1);
+        g[a] = g[a] > 0.0 ? (g[a] < last ? g[a] : last) : 0.0;
+        const uint32_t whole = static_cast<uint32_t>(static_cast<int32_t>(g[a]));
+        n[a] = whole < count[a] - 2 ? whole : count[a] - 2;
+        g[a] -= static_cast<double>(static_cast<int32_t>(n[a]));
+    }
+    return {static_cast<uint32_t>(index(n[0], n[1], n[2])), g[0], g[1], g[2]};
+}
+
+// Written as a + f (b - a), so that a uniform field stays uniform to the last bit.
+inline double GridField::interpolate(const double* data, const GridStencil& s) const {
+    const size_t sy = count[0], sz = sy * count[1];
+    const double* p = data + s.base;
+    const double c00 = p[0] + s.fx * (p[1] - p[0]);
+    const double c10 = p[sy] + s.fx * (p[sy + 1] - p[sy]);
+    const double c01 = p[sz] + s.fx * (p[sz + 1] - p[sz]);
+    const double c11 = p[sy + sz] + s.fx * (p[sy + sz + 1] - p[sy + sz]);
+    const double c0 = c00 + s.fy * (c10 - c00);
+    const double c1 = c01 + s.fy * (c11 - c01);
+    return c0 + s.fz * (c1 - c0);
+}
+
+} // namespace lr::baker

@@ -1,0 +1,12 @@
+// Is a mesh the boundary of a solid? Repairs what can be repaired without guessing, names the rest.
+#pragma once
+
+#include "baker/mesh.h"
+
+namespace lr::baker {
+
+// On success the mesh is finite, closed, edge-manifold, consistently wound, outward, of positive volume, without
+// degenerate or duplicate faces and without unused vertices. Every change is a warning, everything else an error.
+bool check_and_repair(Mesh& mesh, Faults& faults);
+
+} // namespace lr::baker

@@ -1,0 +1,146 @@
+#include "baker/options.h"
+
+#include "format/asset_data.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <string_view>
+
+namespace lr::baker {
+namespace {
+
+constexpr int usage_error = 2;
+
+// The whole text or nothing, in no locale: "1e3" yes; "1e3x", " 1", "1,5" no. Infinity and NaN pass, to be refused by
+// range with their own fault.
+template <class Number> Number parse_number(std::string_view text, const char* option) {
+    Number value{};
+    const std::from_chars_result end = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end.ec == std::errc::result_out_of_range)
+        throw CLI::ValidationError(option, "'" + std::string(text) + "' is too large or too small");
+    if (end.ec != std::errc{} || end.ptr != text.data() + text.size())
+        throw CLI::ValidationError(option, "'" + std::string(text) + "' is not a number");
+    return value;
+}
+
+template <class Number, std::size_t N> std::array<Number, N> parse_list(std::string_view text, const char* option) {
+    std::array<Number, N> values{};
+    std::string_view rest = text;
+    for (std::size_t i = 0; i < N; ++i) {
+        const std::size_t comma = rest.find(',');
+        if ((comma == std::string_view::npos) != (i + 1 == N))
+            throw CLI::ValidationError(option, "'" + std::string(text) + "' is not " + std::to_string(N) +
+                                                   " numbers with commas between them");
+        values[i] = parse_number<Number>(rest.substr(0, comma), option);
+        if (i + 1 < N) rest.remove_prefix(comma + 1);
+    }
+    return values;
+}
+
+struct Texts {
+    std::string unit = "m", density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
+    std::string center_of_mass, name;
+    std::string semi_axis[3];
+};
+
+void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
+    command.add_option("-o,--output", line.output, "asset file to write")->required()->type_name("OUT.lrb");
+    const auto add = [&](const char* option, std::string& text, const char* help, const char* type) {
+        command.add_option(option, text, help)->capture_default_str()->type_name(type);
+    };
+    add("--unit", texts.unit, "unit of every length given: m, cm or mm", "UNIT");
+    add("--density", texts.density, "of the body, kg/m^3", "KG_M3");
+    add("--fluid", texts.fluid, "air (1.2,1.5e-5), water (998,1e-6), or density in kg/m^3 and viscosity in m^2/s",
+        "air|water|RHO,NU");
+    add("--grid", texts.grid, "cells of the turbulence grid: stream, across, up", "X,Y,Z");
+    add("--intensity", texts.intensity, "of the turbulence; 1 is the paper's 100 %", "I");
+    command
+        .add_option("--center-of-mass", texts.center_of_mass,
+                    "in the unit and frame of the mesh (of the ellipsoid: its centre), for a ballasted body")
+        ->type_name("X,Y,Z");
+    command.add_option("--name", texts.name, "name in the asset, instead of the file's")->type_name("NAME");
+    command.add_option("--report", line.report, "JSON report to write")->type_name("R.json");
+    command.add_flag("--quiet", line.quiet, "print errors only");
+}
+
+void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    if (texts.unit == "m")
+        o.unit = Unit::m;
+    else if (texts.unit == "cm")
+        o.unit = Unit::cm;
+    else if (texts.unit == "mm")
+        o.unit = Unit::mm;
+    else
+        throw CLI::ValidationError("--unit", "'" + texts.unit + "' is not m, cm or mm");
+    o.density = parse_number<double>(texts.density, "--density");
+    if (texts.fluid == "air") {
+        o.fluid_density = 1.2;
+        o.fluid_viscosity = 1.5e-5;
+    } else if (texts.fluid == "water") {
+        o.fluid_density = 998.0;
+        o.fluid_viscosity = 1.0e-6;
+    } else {
+        const auto [density, viscosity] = parse_list<double, 2>(texts.fluid, "--fluid");
+        o.fluid_density = density;
+        o.fluid_viscosity = viscosity;
+    }
+    o.cells = parse_list<uint32_t, 3>(texts.grid, "--grid");
+    o.intensity = parse_number<double>(texts.intensity, "--intensity");
+    if (command.count("--center-of-mass") > 0)
+        o.center_of_mass = parse_list<double, 3>(texts.center_of_mass, "--center-of-mass");
+    if (command.count("--name") > 0) o.name = texts.name;
+}
+
+} // namespace
+
+std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_code) {
+    CommandLine line;
+    Texts texts;
+    CLI::App app{"Makes Langevin Rigid assets: mass, added mass, turbulence tables and hull of a body in a fluid.",
+                 "lr_bake"};
+    app.set_version_flag("--version", "lr_bake " + std::string(baker_version()) + ", asset format " +
+                                          std::to_string(asset_format_version));
+    app.require_subcommand(1);
+    app.footer("Exit code: 0 good; 1 a numbered fault (docs/format.md says what each means); 2 wrong usage.");
+
+    CLI::App* mesh = app.add_subcommand("mesh", "bake a closed triangle mesh (OBJ, STL, PLY, glTF, ...)");
+    mesh->add_option("IN", line.bake.mesh_path, "mesh file")->required()->type_name("");
+    add_bake_options(*mesh, texts, line);
+
+    CLI::App* ellipsoid = app.add_subcommand("ellipsoid", "bake a solid ellipsoid from closed forms");
+    const char* const axis_names[] = {"A", "B", "C"};
+    for (std::size_t i = 0; i < 3; ++i)
+        ellipsoid->add_option(axis_names[i], texts.semi_axis[i], "semi-axis, in the unit")->required()->type_name("");
+    add_bake_options(*ellipsoid, texts, line);
+
+    CLI::App* info = app.add_subcommand("info", "print what an asset says");
+    info->add_option("F.lrb", line.asset, "asset file")->required()->type_name("");
+    info->add_flag("--json", line.json, "as JSON, in SI units");
+
+    CLI::App* check = app.add_subcommand("check", "exit code 0 if an asset is sound, 1 with numbered faults if not");
+    check->add_option("F.lrb", line.asset, "asset file")->required()->type_name("");
+
+    try {
+        app.parse(argc, argv);
+        if (info->parsed() || check->parsed()) {
+            line.command = info->parsed() ? CommandLine::Command::info : CommandLine::Command::check;
+            return line;
+        }
+        if (ellipsoid->parsed()) {
+            std::array<double, 3> axes{};
+            for (std::size_t i = 0; i < 3; ++i) axes[i] = parse_number<double>(texts.semi_axis[i], axis_names[i]);
+            line.bake.semi_axes = axes;
+        }
+        if (line.output.empty()) throw CLI::ValidationError("--output", "the file name is empty");
+        if (line.report.empty() && (mesh->count("--report") > 0 || ellipsoid->count("--report") > 0))
+            throw CLI::ValidationError("--report", "the file name is empty");
+        read_bake_options(mesh->parsed() ? *mesh : *ellipsoid, texts, line.bake);
+        return line;
+    } catch (const CLI::ParseError& error) {
+        exit_code = app.exit(error) == 0 ? 0 : usage_error;
+    }
+    return std::nullopt;
+}
+
+} // namespace lr::baker

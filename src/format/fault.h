@@ -1,0 +1,79 @@
+// Numbered faults: what is wrong with a mesh, an asset file or a parameter, where, and what to do about it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lr {
+
+enum class Severity : int32_t { warning = 1, error = 2 };
+
+// Numbers are stable across releases; see docs/format.md. Never reuse one.
+enum class FaultId : uint32_t {
+    // 1xx: the file could not be read or written
+    file_not_found = 101,
+    file_read = 102,
+    file_write = 103,
+    file_too_large = 104,
+    // 2xx: the mesh
+    mesh_unreadable = 201,
+    mesh_empty = 202,
+    mesh_not_finite = 203,
+    mesh_bad_index = 204,
+    mesh_degenerate_face = 205,
+    mesh_open_edge = 206,
+    mesh_non_manifold_edge = 207,
+    mesh_inconsistent_winding = 208,
+    mesh_inside_out = 209,
+    mesh_zero_volume = 210,
+    mesh_too_many_faces = 211,
+    mesh_duplicate_face = 212,
+    mesh_isolated_vertex = 213,
+    mesh_several_components = 214,
+    mesh_merged_vertices = 215,
+    mesh_several_meshes = 216,
+    mesh_ill_conditioned = 217,
+    // 3xx: a parameter of the bake
+    parameter_out_of_range = 301,
+    parameter_unknown = 302,
+    parameter_not_denser = 303,
+    // 4xx: the asset file
+    asset_too_short = 401,
+    asset_foreign = 402,
+    asset_newer_version = 403,
+    asset_corrupt = 404,
+    asset_checksum = 405,
+    asset_missing_field = 406,
+    asset_wrong_length = 407,
+    asset_not_finite = 408,
+    asset_out_of_range = 409,
+    asset_not_symmetric = 410,
+    asset_not_positive = 411,
+    asset_bad_hull = 412,
+    asset_inconsistent = 413,
+};
+
+struct Fault {
+    FaultId id;
+    Severity severity;
+    std::string where;  // file, face, vertex, field: the narrowest place known
+    std::string what;   // one sentence
+    std::string remedy; // one sentence, an instruction
+};
+
+using Faults = std::vector<Fault>;
+
+inline bool has_error(const Faults& faults) {
+    for (const Fault& f : faults)
+        if (f.severity == Severity::error) return true;
+    return false;
+}
+
+// "error 206 at edge 3-17: The surface has a boundary edge. Close the hole or bake it as a sheet."
+std::string to_string(const Fault& fault);
+
+// The shortest decimal that reads back as the same number, whatever the locale.
+std::string shortest(double value);
+
+} // namespace lr

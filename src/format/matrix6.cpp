@@ -1,0 +1,83 @@
+#include "format/matrix6.h"
+
+#include <cmath>
+
+namespace lr {
+Matrix6 rigid_mass_matrix(double mass, const std::array<double, 9>& inertia) {
+    Matrix6 m{};
+    for (size_t i = 0; i < 3; ++i) {
+        m[i * 6 + i] = mass;
+        for (size_t j = 0; j < 3; ++j) m[(i + 3) * 6 + j + 3] = inertia[i * 3 + j];
+    }
+    return m;
+}
+
+void scale_to_unit(Matrix6& m, double mass, double length) {
+    for (size_t i = 0; i < 6; ++i)
+        for (size_t j = 0; j < 6; ++j) m[i * 6 + j] /= mass * (i < 3 ? 1.0 : length) * (j < 3 ? 1.0 : length);
+}
+
+bool cholesky(const Matrix6& m, double floor, Matrix6& l) {
+    l = {};
+    for (size_t j = 0; j < 6; ++j) {
+        double pivot = m[j * 6 + j];
+        for (size_t k = 0; k < j; ++k) pivot -= l[j * 6 + k] * l[j * 6 + k];
+        if (!(pivot > floor)) return false;
+        l[j * 6 + j] = std::sqrt(pivot);
+        for (size_t i = j + 1; i < 6; ++i) {
+            double v = m[i * 6 + j];
+            for (size_t k = 0; k < j; ++k) v -= l[i * 6 + k] * l[j * 6 + k];
+            l[i * 6 + j] = v / l[j * 6 + j];
+        }
+    }
+    return true;
+}
+
+bool is_positive_definite(const Matrix6& m, double floor) {
+    Matrix6 l;
+    return cholesky(m, floor, l);
+}
+
+void shift_added_mass(Matrix6& m, const std::array<double, 3>& to) {
+    // v_old = v_new + w x (old - new) = v_new + to x w: the old twist is T times the new one, and m becomes T^T m T.
+    Matrix6 t{};
+    for (size_t i = 0; i < 6; ++i) t[i * 7] = 1.0;
+    t[0 * 6 + 4] = -to[2], t[0 * 6 + 5] = to[1];
+    t[1 * 6 + 3] = to[2], t[1 * 6 + 5] = -to[0];
+    t[2 * 6 + 3] = -to[1], t[2 * 6 + 4] = to[0];
+    const auto product = [](const Matrix6& a, const Matrix6& b, bool transpose_a) {
+        Matrix6 c{};
+        for (size_t i = 0; i < 6; ++i)
+            for (size_t j = 0; j < 6; ++j)
+                for (size_t k = 0; k < 6; ++k)
+                    c[i * 6 + j] += (transpose_a ? a[k * 6 + i] : a[i * 6 + k]) * b[k * 6 + j];
+        return c;
+    };
+    m = product(t, product(m, t, false), true);
+    for (size_t i = 0; i < 6; ++i)
+        for (size_t j = 0; j < i; ++j) m[i * 6 + j] = m[j * 6 + i] = 0.5 * (m[i * 6 + j] + m[j * 6 + i]);
+}
+
+bool invert_spd(const Matrix6& m, Matrix6& inverse) {
+    Matrix6 l;
+    if (!cholesky(m, 0.0, l)) return false;
+    for (size_t c = 0; c < 6; ++c) {
+        double y[6];
+        for (size_t i = 0; i < 6; ++i) {
+            y[i] = i == c ? 1.0 : 0.0;
+            for (size_t k = 0; k < i; ++k) y[i] -= l[i * 6 + k] * y[k];
+            y[i] /= l[i * 6 + i];
+        }
+        for (size_t i = 6; i-- > 0;) {
+            for (size_t k = i + 1; k < 6; ++k) y[i] -= l[k * 6 + i] * y[k];
+            y[i] /= l[i * 6 + i];
+            inverse[i * 6 + c] = y[i];
+        }
+    }
+    for (size_t i = 0; i < 6; ++i)
+        for (size_t j = 0; j < i; ++j)
+            inverse[i * 6 + j] = inverse[j * 6 + i] = 0.5 * (inverse[i * 6 + j] + inverse[j * 6 + i]);
+    return true;
+}
+
+} // namespace lr

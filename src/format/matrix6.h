@@ -1,0 +1,31 @@
+// Symmetric 6x6 matrices in the order vx vy vz wx wy wz, without a matrix library: format and asset code stay free of
+// Eigen so that the runtime does.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace lr {
+
+using Matrix6 = std::array<double, 36>; // row-major
+
+// diag(m, m, m, J0)
+Matrix6 rigid_mass_matrix(double mass, const std::array<double, 9>& inertia);
+
+// Makes a mass matrix dimensionless: blocks divided by mass, mass * length and mass * length^2.
+void scale_to_unit(Matrix6& m, double mass, double length);
+
+// By Cholesky; every pivot must exceed `floor`.
+bool is_positive_definite(const Matrix6& m, double floor);
+
+// m = l l^T with l lower triangular; false when a pivot is not above `floor`.
+bool cholesky(const Matrix6& m, double floor, Matrix6& l);
+
+// Inverse of a symmetric positive definite matrix; false when it is not one.
+bool invert_spd(const Matrix6& m, Matrix6& inverse);
+
+// Added mass about another point: `to` is the new point seen from the old one. The fluid's energy stays the same when
+// the body's velocity is given at the new point.
+void shift_added_mass(Matrix6& m, const std::array<double, 3>& to);
+
+} // namespace lr

@@ -1,0 +1,70 @@
+// Everything of a shape that the kernel needs, dimensionless and in single precision; docs/physics.md, "Kernel units".
+#pragma once
+
+#include "format/asset_data.h"
+
+#include <cstdint>
+
+namespace lr {
+
+enum class Loads : int32_t { none, langevin_speed, langevin_age };
+enum class Integrator : int32_t { splitting, rk4 };
+
+// Mass unit U = m + rho V, length unit d times the body's scale s. Spin is carried as u = d s w, a velocity, so that
+// every entry below is of order one for confetti and banners alike, and scale enters only through 1/(d s).
+struct BodyConstants {
+    float length;      // d, m
+    float weight;      // (m - rho V)/U, multiplies gravity
+    float buoyancy[3]; // -rho V r_b/(U d): torque = this x R^T g
+
+    // Diagonal path: the diagonals. Full path: upper triangles, row by row.
+    float mass[3], spin_mass[3];
+    float inverse_mass[3], inverse_spin_mass[3];
+    float damping[3], spin_damping[3]; // rho(V + A)/U, rho D/(U d^2)
+
+    float full_mass[21], full_inverse[21];
+    float full_damping[6], full_spin_damping[6];
+    bool diagonal;
+
+    // Splitting scheme. Rates of decay for alpha = 1: along the axes, or along modes that make mass 1 and damping
+    // diagonal.
+    float rate[6];
+    float to_modes[36], from_modes[36];  // full path
+    float inverse_translation[6];        // full path: inverse of the mass matrix' block of v
+    float coupling[9], rotation_mass[6]; // full path: its other blocks
+
+    // LANGEVIN with the SPEED clock: alpha = speed_alpha |v_r|/(d s), beta^2 = speed_beta |v_r|^3/(d s).
+    float speed_alpha, speed_beta;
+    float noise_spin; // d/ell = 2: the angular noise is beta/ell
+};
+
+// LANGEVIN with the AGE clock: alpha (1/s) and beta^2 (m^2/s^3) at equally spaced ages.
+struct TableConstants {
+    const float* alpha;
+    const float* beta_squared;
+    float inverse_dt; // 1/s
+    float last;       // count - 1
+    bool loop;
+};
+
+struct TurbulenceSample {
+    double chi, epsilon; // 1/s, m^2/s^3
+    double u0, l, c0;
+};
+
+struct Gains {
+    double damping = 1.0, noise = 1.0;
+};
+
+// diagonal: drop what lies off the diagonals, and the offset of buoyancy. False when the mass matrix cannot be
+// inverted.
+bool make_body_constants(const AssetData& asset, bool diagonal, double fluid_density, BodyConstants& out);
+
+// `stationary`: the sample that the SPEED clock scales by the body's speed.
+void set_speed_turbulence(const TurbulenceSample& stationary, const Gains& gains, BodyConstants& out);
+
+// Pope's coefficients (paper Eq. 9) with the gains folded in.
+double langevin_alpha(double chi, double c0, const Gains& gains);
+double langevin_beta_squared(double epsilon, double c0, const Gains& gains);
+
+} // namespace lr

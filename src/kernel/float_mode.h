@@ -1,0 +1,53 @@
+// The floating-point mode of a step: IEEE default, round to nearest, gradual underflow, no traps. Flushing denormals
+// would be quicker at best, but processors do it differently and WebAssembly not at all (docs/determinism.md).
+#pragma once
+
+#include <cstdint>
+
+#if defined(__SSE2__) || defined(_M_X64)
+#include <xmmintrin.h>
+#endif
+
+namespace lr {
+
+// Sets the mode for its lifetime, on the present thread, and puts the caller's back.
+class FloatMode {
+public:
+    FloatMode() : saved_(read()) { write(standard); }
+    ~FloatMode() { write(saved_); }
+    FloatMode(const FloatMode&) = delete;
+    FloatMode& operator=(const FloatMode&) = delete;
+
+private:
+#if defined(__SSE2__) || defined(_M_X64)
+    using Word = uint32_t;
+    static constexpr Word standard = 0x1f80;
+    static Word read() {
+        return _mm_getcsr();
+    }
+    static void write(Word w) {
+        _mm_setcsr(w);
+    }
+#elif defined(__aarch64__)
+    using Word = uint64_t;
+    static constexpr Word standard = 0;
+    static Word read() {
+        Word w;
+        __asm__ volatile("mrs %0, fpcr" : "=r"(w));
+        return w;
+    }
+    static void write(Word w) {
+        __asm__ volatile("msr fpcr, %0" : : "r"(w));
+    }
+#else // WebAssembly has one mode only
+    using Word = uint32_t;
+    static constexpr Word standard = 0;
+    static Word read() {
+        return 0;
+    }
+    static void write(Word) {}
+#endif
+    Word saved_;
+};
+
+} // namespace lr

@@ -1,0 +1,181 @@
+// The generalised Kirchhoff equations with turbulent loads, for one vector of bodies.
+// Equations: docs/physics.md, "Equations of motion" (paper Eqs. 4-6 and 11-12, corrected). Kernel units: constants.h.
+#if defined(LR_KERNEL_MOTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LR_KERNEL_MOTION_INL_H_
+#undef LR_KERNEL_MOTION_INL_H_
+#else
+#define LR_KERNEL_MOTION_INL_H_
+#endif
+
+#include "kernel/constants.h"
+#include "kernel/math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::HWY_NAMESPACE {
+
+struct Vec3 {
+    VF x, y, z;
+};
+struct Quaternion {
+    VF x, y, z, w;
+};
+
+HWY_INLINE Vec3 add(Vec3 a, Vec3 b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE Vec3 sub(Vec3 a, Vec3 b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vec3 scale(VF s, Vec3 a) {
+    return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
+}
+HWY_INLINE Vec3 add_scaled(Vec3 a, VF s, Vec3 b) {
+    return {mul_add(s, b.x, a.x), mul_add(s, b.y, a.y), mul_add(s, b.z, a.z)};
+}
+HWY_INLINE VF dot(Vec3 a, Vec3 b) {
+    return mul_add(a.x, b.x, mul_add(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+HWY_INLINE Vec3 cross(Vec3 a, Vec3 b) {
+    return {mul_sub(a.y, b.z, hn::Mul(a.z, b.y)), mul_sub(a.z, b.x, hn::Mul(a.x, b.z)),
+            mul_sub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+HWY_INLINE Vec3 broadcast(const float v[3]) {
+    return {constant(v[0]), constant(v[1]), constant(v[2])};
+}
+HWY_INLINE Vec3 scaled_by(const float d[3], Vec3 a) {
+    return {hn::Mul(constant(d[0]), a.x), hn::Mul(constant(d[1]), a.y), hn::Mul(constant(d[2]), a.z)};
+}
+
+// R(q) a and R(q)^T a. For a quaternion off the unit sphere by the truncation error of a Runge-Kutta stage, a smooth
+// extension of the rotation: the order of the scheme holds.
+HWY_INLINE Vec3 to_world(Quaternion q, Vec3 a) {
+    const Vec3 axis{q.x, q.y, q.z};
+    Vec3 t = cross(axis, a);
+    t = add(t, t);
+    return add(add_scaled(a, q.w, t), cross(axis, t));
+}
+HWY_INLINE Vec3 to_body(Quaternion q, Vec3 a) {
+    const Vec3 axis{q.x, q.y, q.z};
+    Vec3 t = cross(a, axis);
+    t = add(t, t);
+    return add(add_scaled(a, q.w, t), cross(t, axis));
+}
+
+// q + s q (w, 0): with s = h/2, an Euler step of the kinematics q' = 1/2 q (w, 0).
+HWY_INLINE Quaternion turn(Quaternion from, Quaternion q, VF s, Vec3 w) {
+    const Vec3 v = scale(s, w);
+    return {hn::Add(from.x, hn::Sub(mul_add(q.w, v.x, hn::Mul(q.y, v.z)), hn::Mul(q.z, v.y))),
+            hn::Add(from.y, hn::Sub(mul_add(q.w, v.y, hn::Mul(q.z, v.x)), hn::Mul(q.x, v.z))),
+            hn::Add(from.z, hn::Sub(mul_add(q.w, v.z, hn::Mul(q.x, v.y)), hn::Mul(q.y, v.x))),
+            hn::Sub(from.w, dot({q.x, q.y, q.z}, v))};
+}
+HWY_INLINE Quaternion normalised(Quaternion q) {
+    const VF n = mul_add(q.x, q.x, mul_add(q.y, q.y, mul_add(q.z, q.z, hn::Mul(q.w, q.w))));
+    const VF s = hn::Div(constant(1.0f), hn::Sqrt(n));
+    return {hn::Mul(q.x, s), hn::Mul(q.y, s), hn::Mul(q.z, s), hn::Mul(q.w, s)};
+}
+
+// Velocity through the fluid and spin, in kernel units: u = d s w.
+struct Twist {
+    Vec3 v, u;
+};
+HWY_INLINE Twist add_scaled(Twist a, VF s, Twist b) {
+    return {add_scaled(a.v, s, b.v), add_scaled(a.u, s, b.u)};
+}
+HWY_INLINE Twist add(Twist a, Twist b) {
+    return {add(a.v, b.v), add(a.u, b.u)};
+}
+
+HWY_INLINE Vec3 symmetric3(const float m[6], Vec3 a) {
+    return {mul_add(constant(m[0]), a.x, mul_add(constant(m[1]), a.y, hn::Mul(constant(m[2]), a.z))),
+            mul_add(constant(m[1]), a.x, mul_add(constant(m[3]), a.y, hn::Mul(constant(m[4]), a.z))),
+            mul_add(constant(m[2]), a.x, mul_add(constant(m[4]), a.y, hn::Mul(constant(m[5]), a.z)))};
+}
+
+// Upper triangle, row by row: 0..5 row vx, 6..10 row vy, 11..14 row vz, 15..17 row wx, 18..19 row wy, 20.
+HWY_INLINE Twist symmetric6(const float m[21], Twist t) {
+    static constexpr int at[6][6] = {{0, 1, 2, 3, 4, 5},     {1, 6, 7, 8, 9, 10},    {2, 7, 11, 12, 13, 14},
+                                     {3, 8, 12, 15, 16, 17}, {4, 9, 13, 16, 18, 19}, {5, 10, 14, 17, 19, 20}};
+    const VF in[6] = {t.v.x, t.v.y, t.v.z, t.u.x, t.u.y, t.u.z};
+    VF out[6];
+    for (int i = 0; i < 6; ++i) {
+        VF sum = hn::Mul(constant(m[at[i][0]]), in[0]);
+        for (int j = 1; j < 6; ++j) sum = mul_add(constant(m[at[i][j]]), in[j], sum);
+        out[i] = sum;
+    }
+    return {{out[0], out[1], out[2]}, {out[3], out[4], out[5]}};
+}
+
+struct Body {
+    Vec3 x;
+    Quaternion q;
+    Twist t; // relative to the fluid
+    VF age;
+};
+
+// alpha and beta^2 at an age, linear between samples (docs/physics.md, "AGE clock").
+HWY_INLINE void sample_table(const TableConstants& t, VF age, VF& alpha, VF& beta_squared) {
+    const DI di;
+    VF at = hn::Mul(age, constant(t.inverse_dt));
+    const VF last = constant(t.last);
+    if (t.loop && t.last > 0.0f) {
+        const VF turns = hn::Floor(hn::Div(at, last));
+        at = neg_mul_add(turns, last, at);
+    }
+    at = hn::Max(hn::Min(at, last), constant(0.0f));
+    const VI below = hn::ConvertTo(di, hn::Min(at, hn::Max(hn::Sub(last, constant(1.0f)), constant(0.0f))));
+    const VI above = hn::ConvertTo(di, hn::Min(hn::Add(hn::ConvertTo(DF(), below), constant(1.0f)), last));
+    const VF part = hn::Sub(at, hn::ConvertTo(DF(), below));
+    const VF a0 = hn::GatherIndex(DF(), t.alpha, below), a1 = hn::GatherIndex(DF(), t.alpha, above);
+    const VF b0 = hn::GatherIndex(DF(), t.beta_squared, below), b1 = hn::GatherIndex(DF(), t.beta_squared, above);
+    alpha = mul_add(part, hn::Sub(a1, a0), a0);
+    beta_squared = mul_add(part, hn::Sub(b1, b0), b0);
+}
+
+// What stays fixed over the stages of one substep.
+struct Held {
+    VF inverse_length; // 1/(d s)
+    VF alpha, beta;    // 1/s and m/s^(3/2), AGE clock
+    Twist noise;       // weighted turbulent force and torque per unit mass
+};
+
+template <bool kFull> HWY_INLINE Twist momentum(const BodyConstants& c, Twist t) {
+    if constexpr (kFull) return symmetric6(c.full_mass, t);
+    return {scaled_by(c.mass, t.v), scaled_by(c.spin_mass, t.u)};
+}
+template <bool kFull> HWY_INLINE Twist acceleration(const BodyConstants& c, Twist force) {
+    if constexpr (kFull) return symmetric6(c.full_inverse, force);
+    return {scaled_by(c.inverse_mass, force.v), scaled_by(c.inverse_spin_mass, force.u)};
+}
+// rho (V I + A) on velocity, rho D on spin: the fluid that turbulence acts on (docs/physics.md section 3).
+template <bool kFull> HWY_INLINE Twist dragged(const BodyConstants& c, Twist t) {
+    if constexpr (kFull) return {symmetric3(c.full_damping, t.v), symmetric3(c.full_spin_damping, t.u)};
+    return {scaled_by(c.damping, t.v), scaled_by(c.spin_damping, t.u)};
+}
+
+// Time derivative of the twist. P, L: momenta over mass unit; with w = u/(d s)
+//   P' = P x w + weight R^T g - alpha rho(V + A) v + noise
+//   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D u + noise
+// The Munk moment P x v carries the body's own momentum too, which is parallel to v and drops out.
+template <bool kFull, Loads kLoads>
+HWY_INLINE Twist twist_rate(const BodyConstants& c, const Held& held, Vec3 weight, Vec3 gravity, Quaternion q,
+                            Twist t) {
+    const Twist p = momentum<kFull>(c, t);
+    Twist f;
+    f.v = add_scaled(to_body(q, weight), held.inverse_length, cross(p.v, t.u));
+    f.u = scale(held.inverse_length, add(cross(p.u, t.u), cross(p.v, t.v)));
+    if constexpr (kFull) f.u = add(f.u, cross(broadcast(c.buoyancy), to_body(q, gravity)));
+    if constexpr (kLoads != Loads::none) {
+        VF alpha = held.alpha;
+        if constexpr (kLoads == Loads::langevin_speed)
+            alpha = hn::Mul(hn::Mul(constant(c.speed_alpha), held.inverse_length), hn::Sqrt(dot(t.v, t.v)));
+        const Twist d = dragged<kFull>(c, t);
+        f.v = sub(add(f.v, held.noise.v), scale(alpha, d.v));
+        f.u = sub(add(f.u, held.noise.u), scale(alpha, d.u));
+    }
+    return acceleration<kFull>(c, f);
+}
+
+} // namespace lr::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

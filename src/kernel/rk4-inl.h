@@ -1,0 +1,75 @@
+// The paper's scheme: classical Runge-Kutta (docs/physics.md section 4, docs/numerics.md).
+#if defined(LR_KERNEL_RK4_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LR_KERNEL_RK4_INL_H_
+#undef LR_KERNEL_RK4_INL_H_
+#else
+#define LR_KERNEL_RK4_INL_H_
+#endif
+
+#include "kernel/motion-inl.h"
+#include "kernel/step.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::HWY_NAMESPACE {
+
+// One substep of the classical Runge-Kutta scheme, with the noise held over its stages (docs/physics.md section 4).
+template <bool kFull, Loads kLoads>
+HWY_INLINE void rk4_substep(const StepInput& in, const BodyConstants& c, Held& held, Vec3 weight, Vec3 gravity,
+                            VF beta_unit, const VF gauss[6], Body& b) {
+    const VF h = constant(in.h), half = constant(0.5f * in.h), quarter = constant(0.25f * in.h);
+    if constexpr (kLoads != Loads::none) {
+        VF beta;
+        if constexpr (kLoads == Loads::langevin_speed) {
+            const VF s2 = dot(b.t.v, b.t.v);
+            beta = hn::Sqrt(hn::Mul(beta_unit, hn::Mul(s2, hn::Sqrt(s2))));
+        } else {
+            VF beta_squared;
+            sample_table(in.table, hn::Add(b.age, half), held.alpha, beta_squared);
+            beta = hn::Sqrt(beta_squared);
+        }
+        beta = hn::Mul(beta, constant(in.inverse_sqrt_h));
+        const VF spin_beta = hn::Mul(beta, constant(c.noise_spin));
+        held.noise = dragged<kFull>(
+            c, {scale(beta, {gauss[0], gauss[1], gauss[2]}), scale(spin_beta, {gauss[3], gauss[4], gauss[5]})});
+    }
+    const auto rate = [&](Quaternion q, Twist t)
+                          HWY_ATTR { return twist_rate<kFull, kLoads>(c, held, weight, gravity, q, t); };
+    const auto spin = [&](Twist t) HWY_ATTR { return scale(held.inverse_length, t.u); };
+
+    const Twist k1 = rate(b.q, b.t);
+    const Vec3 w1 = spin(b.t);
+    Vec3 travel = to_world(b.q, b.t.v);
+    Quaternion turned = turn(b.q, b.q, constant(in.h / 12.0f), w1);
+
+    Quaternion q = turn(b.q, b.q, quarter, w1);
+    Twist t = add_scaled(b.t, half, k1);
+    const Twist k2 = rate(q, t);
+    const Vec3 w2 = spin(t);
+    Vec3 middle = to_world(q, t.v);
+    turned = turn(turned, q, constant(in.h / 6.0f), w2);
+
+    q = turn(b.q, q, quarter, w2);
+    t = add_scaled(b.t, half, k2);
+    const Twist k3 = rate(q, t);
+    const Vec3 w3 = spin(t);
+    middle = add(middle, to_world(q, t.v));
+    turned = turn(turned, q, constant(in.h / 6.0f), w3);
+
+    q = turn(b.q, q, half, w3);
+    t = add_scaled(b.t, h, k3);
+    const Twist k4 = rate(q, t);
+    travel = add(travel, to_world(q, t.v));
+    turned = turn(turned, q, constant(in.h / 12.0f), spin(t));
+
+    const VF sixth = constant(in.h / 6.0f);
+    b.x = add(b.x, scale(h, broadcast(in.wind)));
+    b.x = add_scaled(b.x, sixth, add(travel, add(middle, middle)));
+    const Twist inner = add(k2, k3);
+    b.t = add_scaled(b.t, sixth, add(add(k1, k4), add(inner, inner)));
+    b.q = normalised(turned);
+    b.age = hn::Add(b.age, h);
+}
+
+} // namespace lr::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

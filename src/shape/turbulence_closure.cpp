@@ -1,0 +1,67 @@
+#include "shape/turbulence_closure.h"
+
+#include "shape/portable_math.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr::shape {
+
+double turbulent_frequency(TurbulenceState state) {
+    return state.epsilon / state.k;
+}
+
+double eddy_viscosity(TurbulenceState state) {
+    return c_mu * state.k * (state.k / state.epsilon);
+}
+
+TurbulenceState inflow_state(double u0, double intensity, double l) {
+    const double root_k = std::sqrt(1.5) * intensity * u0;
+    const double c_mu_3_4 = std::sqrt(c_mu * std::sqrt(c_mu));
+    return {root_k * root_k, c_mu_3_4 * root_k * root_k * root_k / l};
+}
+
+TurbulenceState decay(TurbulenceState s0, double t) {
+    constexpr double b = c_epsilon_2 - 1.0;
+    const double chi0 = turbulent_frequency(s0);
+    const double q = 1.0 + b * chi0 * t;
+    const double k = s0.k * portable_pow(q, -1.0 / b);
+    return {k, k * (chi0 / q)};
+}
+
+// With G = C_mu (k^2/epsilon) strain, Eqs. 16 and 17 part into a Riccati equation and a quadrature,
+//     chi' = a - b chi^2,  (ln k)' = a/((C1-1) chi) - chi,  a = (C1-1) C_mu strain,  b = C2-1,
+// whose solution is written in h = tanh(z)/z, z = sqrt(a b) t, so that a -> 0 is the decay above and nothing cancels:
+//     chi = chi0 qn/qd,  qn = 1 + a t h/chi0,  qd = 1 + b chi0 t h,
+//     k = k0 (qn cosh z)^(1/(C1-1)) (qd cosh z)^(-1/b).
+TurbulenceState evolve(TurbulenceState s0, double strain, double t) {
+    constexpr double g = c_epsilon_1 - 1.0;
+    constexpr double b = c_epsilon_2 - 1.0;
+    const double a = g * c_mu * strain;
+    const double z = std::sqrt(a * b) * t;
+    if (!(z > 1e-9)) return decay(s0, t);
+    const double chi0 = turbulent_frequency(s0);
+    const double h = std::tanh(z) / z;
+    const double log_cosh = z + std::log1p(std::exp(-2.0 * z)) - std::log(2.0);
+    const double qn = 1.0 + a * t * h / chi0;
+    const double qd = 1.0 + b * chi0 * t * h;
+    const double growth = (log_cosh + std::log(qn)) / g - (log_cosh + std::log(qd)) / b;
+    // e^230 = 1e100: unbounded growth in an endless strain stays a finite number.
+    const double k = s0.k * std::exp(std::clamp(growth, -230.0, 230.0));
+    return {k, k * (chi0 * (qn / qd))};
+}
+
+double taylor_reynolds(TurbulenceState state, double viscosity) {
+    return state.k * std::sqrt(20.0 / (3.0 * state.epsilon * viscosity));
+}
+
+double kolmogorov_c0(double r_lambda) {
+    if (!(r_lambda > 0.0)) return 0.0;
+    // (1 + 140 R^(-4/3))^(-3/4) as R (R^(4/3) + 140)^(-3/4): the same, without overflow at small R.
+    const double r_4_3 = r_lambda * portable_pow(r_lambda, 1.0 / 3.0);
+    if (!std::isfinite(r_4_3)) return 6.5;
+    const double q = std::sqrt(std::sqrt(r_4_3 / (r_4_3 + 140.0)));
+    return 6.5 * q * q * q;
+}
+
+} // namespace lr::shape

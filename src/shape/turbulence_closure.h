@@ -1,0 +1,42 @@
+// Closed forms of the k-epsilon and Langevin closures: shared by the baker's tables and the analytic assets.
+#pragma once
+
+namespace lr::shape {
+
+// Standard k-epsilon constants (paper, at Eqs. 13 and 14).
+inline constexpr double c_mu = 0.09;
+inline constexpr double c_epsilon_1 = 1.44;
+inline constexpr double c_epsilon_2 = 1.92;
+inline constexpr double sigma_k = 1.0;
+inline constexpr double sigma_epsilon = 1.3;
+
+struct TurbulenceState {
+    double k;       // turbulent kinetic energy, m^2/s^2
+    double epsilon; // its dissipation rate, m^2/s^3
+};
+
+// chi = epsilon/k, 1/s.
+double turbulent_frequency(TurbulenceState state);
+
+// Paper Eq. 14: nu_T = C_mu k^2/epsilon, m^2/s.
+double eddy_viscosity(TurbulenceState state);
+
+// Paper Eq. 18 with the intensity as a parameter: k0 = 3/2 (I U0)^2, epsilon0 = C_mu^(3/4) k0^(3/2)/l. The paper has
+// I = 1 and for l the grid cell, which doubles chi0 whenever the cell is halved; here l is a length of the body
+// (docs/physics.md section 6).
+TurbulenceState inflow_state(double u0, double intensity, double l);
+
+// Eqs. 16 and 17 without production, exactly: k = k0 (1 + (C2-1) chi0 t)^(-1/(C2-1)), chi = chi0/(1 + (C2-1) chi0 t).
+TurbulenceState decay(TurbulenceState s0, double t);
+
+// Eqs. 16 and 17 with the production of Eqs. 14 and 15 in a constant strain, exactly. strain = 2 S_ij S_ij, 1/s^2.
+// Positive for any time and any strain, which no explicit step is.
+TurbulenceState evolve(TurbulenceState s0, double strain, double t);
+
+// Taylor-scale Reynolds number sqrt(20 k^2/(3 epsilon nu)), nu the molecular viscosity in m^2/s.
+double taylor_reynolds(TurbulenceState state, double viscosity);
+
+// Paper Eq. 10, read with the Taylor-scale Reynolds number (docs/physics.md section 6). 0 at rest, 6.5 at most.
+double kolmogorov_c0(double r_lambda);
+
+} // namespace lr::shape

@@ -1,0 +1,16 @@
+// A batch's poses in the layouts that renderers take.
+#pragma once
+
+#include "kernel/batch_arrays.h"
+
+#include <cstdint>
+
+namespace lr {
+
+// Bytes of one element of an LR_TRANSFORM_* format; 0 for an unknown one.
+uint32_t transform_bytes(int32_t format);
+
+// `count` elements, `stride` bytes apart. The format is a known one.
+void write_transforms(const BatchArrays& arrays, uint32_t count, int32_t format, void* to, uint64_t stride);
+
+} // namespace lr

@@ -1,0 +1,176 @@
+#include "world/batch.h"
+
+#include <algorithm>
+#include <new>
+
+namespace lr {
+namespace {
+
+constexpr uint32_t mark_bit = 1u << 31; // above every generation
+
+uint32_t padded(uint32_t count) {
+    return (count + lane_block - 1) / lane_block * lane_block;
+}
+
+} // namespace
+
+Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
+                     uint32_t index, uint32_t first_generation, lr_status& status) {
+    status = LR_ERROR_OUT_OF_MEMORY;
+    void* const memory = allocator.allocate(sizeof(Batch));
+    if (!memory) return nullptr;
+    Batch* const batch = new (memory) Batch(allocator);
+    batch->settings_ = settings;
+    batch->index_ = index;
+    batch->first_generation_ = first_generation;
+    batch->asset_ = &asset;
+    retain(asset);
+    batch->step = StepInput{};
+    batch->step.loads = settings.loads;
+    batch->step.integrator = settings.integrator;
+    if (!make_body_constants(asset.data, asset.diagonal, settings.fluid_density, batch->step.body)) {
+        status = LR_ERROR_INTERNAL;
+    } else {
+        if (settings.force_full) batch->step.body.diagonal = false;
+        if (batch->allocate(capacity) && batch->set_asset_table()) status = LR_OK;
+    }
+    if (status == LR_OK) return batch;
+    destroy(batch);
+    return nullptr;
+}
+
+void Batch::destroy(Batch* batch) {
+    if (!batch) return;
+    Allocator& allocator = *batch->allocator_;
+    batch->~Batch();
+    allocator.release(batch, sizeof(Batch));
+}
+
+Batch::~Batch() {
+    release(asset_);
+}
+
+bool Batch::allocate(uint32_t capacity) {
+    const size_t lanes = padded(capacity);
+    if (!fields_.allocate(*allocator_, field_count * lanes) || !keys_.allocate(*allocator_, lanes) ||
+        !ids_.allocate(*allocator_, capacity) || !dense_.allocate(*allocator_, capacity) ||
+        !generations_.allocate(*allocator_, capacity) || !free_.allocate(*allocator_, capacity))
+        return false;
+    capacity_ = capacity;
+    for (size_t f = 0; f < field_count; ++f) arrays_.field[f] = fields_.data() + f * lanes;
+    arrays_.key = keys_.data();
+    for (uint32_t i = 0; i < lanes; ++i) clear_lane(i);
+    for (uint32_t i = 0; i < capacity; ++i) {
+        ids_[i] = 0;
+        dense_[i] = max_capacity;
+        generations_[i] = first_generation_;
+        free_[i] = i;
+    }
+    return true;
+}
+
+// Lanes without a body are stepped along with the others: they must stay finite.
+void Batch::clear_lane(uint32_t index) {
+    for (size_t f = 0; f < field_count; ++f) arrays_.field[f][index] = 0.0f;
+    arrays_.field[field_qw][index] = 1.0f;
+    arrays_.field[field_scale][index] = 1.0f;
+    arrays_.key[index] = 0;
+}
+
+lr_body Batch::add(const BodyState& state) {
+    const uint32_t slot = free_[free_head_];
+    free_head_ = free_head_ + 1 == capacity_ ? 0 : free_head_ + 1;
+    const uint32_t index = count_++;
+    const uint32_t generation = generations_[slot];
+    last_generation_ = std::max(last_generation_, generation);
+    dense_[slot] = index;
+    ids_[index] = pack(BodyHandle{slot, generation, index_});
+    write(index, state);
+    arrays_.key[index] = state.key;
+    return ids_[index];
+}
+
+void Batch::remove(lr_body body) {
+    const uint32_t slot = unpack(body).slot;
+    const uint32_t index = dense_[slot], last = count_ - 1;
+    const uint32_t free_count = capacity_ - count_;
+    const uint64_t tail = static_cast<uint64_t>(free_head_) + free_count;
+    free_[static_cast<uint32_t>(tail % capacity_)] = slot;
+    generations_[slot] = next_generation(generations_[slot]);
+    dense_[slot] = max_capacity;
+    if (index != last) {
+        for (size_t f = 0; f < field_count; ++f) arrays_.field[f][index] = arrays_.field[f][last];
+        arrays_.key[index] = arrays_.key[last];
+        ids_[index] = ids_[last];
+        dense_[unpack(ids_[index]).slot] = index;
+    }
+    clear_lane(last);
+    ids_[last] = 0;
+    --count_;
+}
+
+bool Batch::find(lr_body body, uint32_t& index) const {
+    const BodyHandle h = unpack(body);
+    if (h.slot >= capacity_ || h.batch != index_) return false;
+    const uint32_t at = dense_[h.slot];
+    if (at >= count_ || ids_[at] != body) return false;
+    index = at;
+    return true;
+}
+
+bool Batch::mark(uint32_t index) {
+    uint32_t& generation = generations_[unpack(ids_[index]).slot];
+    if (generation & mark_bit) return false;
+    generation |= mark_bit;
+    return true;
+}
+
+void Batch::unmark(uint32_t index) {
+    generations_[unpack(ids_[index]).slot] &= ~mark_bit;
+}
+
+BodyState Batch::read(uint32_t index) const {
+    BodyState s;
+    for (size_t f = 0; f < field_count; ++f) s.value[f] = arrays_.field[f][index];
+    s.key = arrays_.key[index];
+    return s;
+}
+
+void Batch::write(uint32_t index, const BodyState& state) {
+    for (size_t f = 0; f < field_count; ++f) arrays_.field[f][index] = state.value[f];
+}
+
+uint32_t Batch::padded_count() const {
+    return padded(count_);
+}
+
+bool Batch::set_table(const TableView& t) {
+    Buffer<float> table;
+    if (!table.allocate(*allocator_, size_t{2} * t.count)) return false;
+    for (uint32_t i = 0; i < t.count; ++i) {
+        table[i] = static_cast<float>(langevin_alpha(t.chi[i], t.c0, settings_.gains));
+        table[t.count + i] = static_cast<float>(langevin_beta_squared(t.epsilon[i], t.c0, settings_.gains));
+    }
+    table_.swap(table);
+    step.table = {table_.data(), table_.data() + t.count, static_cast<float>(1.0 / t.dt),
+                  static_cast<float>(t.count - 1), settings_.loop};
+    set_speed_turbulence({t.chi[t.stationary], t.epsilon[t.stationary], t.u0, t.l, t.c0}, settings_.gains, step.body);
+    return true;
+}
+
+bool Batch::set_asset_table() {
+    const AssetData& a = asset_->data;
+    const TurbulenceData& t = a.turbulence;
+    const auto count = static_cast<uint32_t>(t.chi.size());
+    Buffer<float> samples;
+    if (!samples.allocate(*allocator_, size_t{2} * count)) return false;
+    const double rate = a.u0 / a.length_l, power = a.u0 * a.u0 * a.u0 / a.length_l;
+    for (uint32_t i = 0; i < count; ++i) {
+        samples[i] = static_cast<float>(t.chi[i] * rate);
+        samples[count + i] = static_cast<float>(t.epsilon[i] * power);
+    }
+    return set_table({samples.data(), samples.data() + count, count, t.stationary, t.dt * a.length_l / a.u0, a.u0,
+                      a.length_l, t.c0});
+}
+
+} // namespace lr

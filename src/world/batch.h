@@ -1,0 +1,92 @@
+// All bodies of one asset: dense arrays, and the slots behind the handles.
+#pragma once
+
+#include "asset/asset.h"
+#include "kernel/batch_arrays.h"
+#include "kernel/step.h"
+#include "world/allocator.h"
+#include "world/handles.h"
+
+namespace lr {
+
+struct BatchSettings {
+    Loads loads = Loads::langevin_speed;
+    Integrator integrator = Integrator::splitting;
+    bool loop = false;
+    bool force_full = false;
+    Gains gains;
+    double fluid_density = 1.2; // kg/m^3
+};
+
+// A body's state in the frames of storage: position and orientation in the world, velocities in the body frame.
+struct BodyState {
+    float value[field_count];
+    uint32_t key;
+};
+
+// k-epsilon samples in the units of the bake.
+struct TableView {
+    const float* chi;
+    const float* epsilon;
+    uint32_t count, stationary;
+    double dt, u0, l, c0;
+};
+
+class Batch {
+public:
+    // Null after an error: LR_ERROR_OUT_OF_MEMORY or LR_ERROR_INTERNAL.
+    static Batch* create(Allocator& allocator, const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
+                         uint32_t index, uint32_t first_generation, lr_status& status);
+    static void destroy(Batch* batch);
+
+    lr_body add(const BodyState& state); // count() < capacity()
+    void remove(lr_body body);           // find(body) holds
+    // The dense index of a living body; false for a stale one.
+    bool find(lr_body body, uint32_t& index) const;
+    // False when marked already. Marks are for the length of one call.
+    bool mark(uint32_t index);
+    void unmark(uint32_t index);
+    BodyState read(uint32_t index) const;
+    void write(uint32_t index, const BodyState& state);
+
+    // Both leave the old table in place when they fail.
+    bool set_table(const TableView& table);
+    bool set_asset_table();
+
+    uint32_t count() const { return count_; }
+    uint32_t capacity() const { return capacity_; }
+    uint32_t padded_count() const; // whole lane blocks
+    const lr_asset& asset() const { return *asset_; }
+    const BatchArrays& arrays() const { return arrays_; }
+    const lr_body* ids() const { return ids_.data(); }
+    uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
+    const BatchSettings& settings() const { return settings_; }
+
+    StepInput step;           // constants of the shape, filled up by World::step
+    uint32_t first_chunk = 0; // set by World::step
+
+private:
+    friend class SnapshotAccess;
+    explicit Batch(Allocator& allocator) : allocator_(&allocator) {}
+    ~Batch();
+    bool allocate(uint32_t capacity);
+    void clear_lane(uint32_t index);
+
+    Allocator* allocator_;
+    const lr_asset* asset_ = nullptr;
+    BatchSettings settings_;
+    uint32_t index_ = 0;
+    uint32_t capacity_ = 0, count_ = 0;
+    uint32_t first_generation_ = 1, last_generation_ = 0;
+    BatchArrays arrays_{};
+    Buffer<float> fields_; // field_count arrays of padded capacity
+    Buffer<uint32_t> keys_;
+    Buffer<lr_body> ids_;          // by dense index
+    Buffer<uint32_t> dense_;       // by slot; max_capacity when free
+    Buffer<uint32_t> generations_; // by slot: of the body in it, or of the next
+    Buffer<uint32_t> free_;        // ring of free slots, oldest first, so that a slot rests long before its next life
+    uint32_t free_head_ = 0;
+    Buffer<float> table_; // alpha, then beta^2
+};
+
+} // namespace lr

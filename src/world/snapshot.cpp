@@ -1,0 +1,294 @@
+#include "world/snapshot.h"
+
+#include "world/world.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <new>
+
+namespace lr {
+namespace {
+
+constexpr uint64_t magic = 0x31304e53444c524cull; // "LRLDSN01", little-endian
+constexpr uint32_t version = 1;
+
+struct Header {
+    uint64_t magic;
+    uint32_t version;
+    uint32_t batch_slots;
+    uint64_t size;     // of everything
+    uint64_t checksum; // of everything but this field
+    uint64_t seed;
+    uint64_t substep_count;
+    double time;
+    float gravity[3];
+    float wind[3];
+    uint32_t next_key;
+    uint32_t reserved;
+};
+
+struct BatchHeader {
+    uint64_t content_hash; // of the asset
+    uint32_t capacity;     // 0 for a slot without a batch
+    uint32_t count;
+    uint32_t generation, body_generation; // of the slot
+    uint32_t first_generation, last_generation;
+    uint32_t free_head;
+    uint32_t table_count;
+    float inverse_dt;
+    float speed_alpha, speed_beta;
+    uint32_t reserved;
+};
+static_assert(sizeof(Header) % 8 == 0 && sizeof(BatchHeader) % 8 == 0);
+
+// Over all words but the checksum's own. Each step is a bijection of the state: one changed word always changes the
+// sum.
+uint64_t checksum(const unsigned char* bytes, uint64_t size) {
+    uint64_t sum = size;
+    uint64_t word = 0;
+    for (uint64_t i = 0; i + 8 <= size; i += 8) {
+        if (i == offsetof(Header, checksum)) continue;
+        std::memcpy(&word, bytes + i, 8);
+        sum = (sum ^ word) * 0x9e3779b97f4a7c15ull;
+        sum ^= sum >> 32;
+    }
+    return sum;
+}
+
+uint64_t even(uint64_t words) {
+    return (words + 1) / 2 * 2;
+} // 32-bit words, kept to 8 bytes
+
+uint64_t batch_bytes(uint32_t capacity, uint32_t count, uint32_t table_count) {
+    const uint64_t bodies = (field_count + 1) * even(count) + 2 * uint64_t{count};
+    return 4 * (bodies + 3 * even(capacity) + 2 * even(table_count));
+}
+
+} // namespace
+
+// Reads and writes a batch's arrays in one order, given as visits of (pointer, words).
+class SnapshotAccess {
+public:
+    static BatchHeader header(const lr_world::BatchSlot& slot) {
+        BatchHeader h{};
+        h.generation = slot.generation;
+        h.body_generation = slot.body_generation;
+        if (!slot.batch) return h;
+        const Batch& b = *slot.batch;
+        h.content_hash = b.asset().content_hash;
+        h.capacity = b.capacity_;
+        h.count = b.count_;
+        h.first_generation = b.first_generation_;
+        h.last_generation = b.last_generation_;
+        h.free_head = b.free_head_;
+        h.table_count = static_cast<uint32_t>(b.table_.size() / 2);
+        h.inverse_dt = b.step.table.inverse_dt;
+        h.speed_alpha = b.step.body.speed_alpha;
+        h.speed_beta = b.step.body.speed_beta;
+        return h;
+    }
+
+    template <class Visit> static void visit(Batch& b, uint32_t count, Buffer<float>& table, Visit&& visit) {
+        for (size_t f = 0; f < field_count; ++f) visit(b.arrays_.field[f], count);
+        visit(b.arrays_.key, count);
+        visit(b.ids_.data(), 2 * uint64_t{count});
+        visit(b.dense_.data(), b.capacity_);
+        visit(b.generations_.data(), b.capacity_);
+        visit(b.free_.data(), b.capacity_);
+        visit(table.data(), table.size() / 2);
+        visit(table.data() + table.size() / 2, table.size() / 2);
+    }
+    static Buffer<float>& table(Batch& b) { return b.table_; }
+
+    // The slots, ids and ring of a snapshot must describe one and the same set of bodies.
+    // `seen`: at least a bit a slot, zero.
+    static bool consistent(const BatchHeader& h, uint32_t batch_index, const unsigned char* body,
+                           Buffer<uint32_t>& seen) {
+        const auto word = [&](uint64_t at) {
+            uint32_t w;
+            std::memcpy(&w, body + 4 * at, 4);
+            return w;
+        };
+        const uint64_t ids = (field_count + 1) * even(h.count), dense = ids + 2 * uint64_t{h.count};
+        const uint64_t generations = dense + even(h.capacity), ring = generations + even(h.capacity);
+        if (h.free_head >= h.capacity) return false;
+        for (uint32_t i = 0; i < h.count; ++i) {
+            uint64_t id;
+            std::memcpy(&id, body + 4 * (ids + 2 * uint64_t{i}), 8);
+            const BodyHandle handle = unpack(id);
+            if (handle.batch != batch_index || handle.slot >= h.capacity || handle.generation == 0 ||
+                word(dense + handle.slot) != i || word(generations + handle.slot) != handle.generation)
+                return false;
+        }
+        uint32_t used = 0;
+        for (uint32_t s = 0; s < h.capacity; ++s) {
+            if (word(dense + s) != max_capacity) ++used;
+            const uint32_t generation = word(generations + s);
+            if (generation == 0 || generation > max_generation) return false;
+        }
+        if (used != h.count) return false;
+        for (uint32_t i = 0; i < h.capacity - h.count; ++i) {
+            const uint32_t slot = word(ring + (uint64_t{h.free_head} + i) % h.capacity);
+            if (slot >= h.capacity || word(dense + slot) != max_capacity || (seen[slot / 32] >> slot % 32 & 1u))
+                return false;
+            seen[slot / 32] |= 1u << slot % 32;
+        }
+        // Other fields may hold anything: a body that left physics must not make its world unrestorable.
+        for (uint32_t i = 0; i < h.count; ++i)
+            for (size_t f : {field_scale, field_age}) {
+                float v;
+                std::memcpy(&v, body + 4 * (f * even(h.count) + i), 4);
+                if (!std::isfinite(v) || v < 0.0f || (f == field_scale && v == 0.0f)) return false;
+            }
+        return true;
+    }
+
+    static void restore(lr_world::BatchSlot& slot, const BatchHeader& h, const unsigned char* body,
+                        Buffer<float>& new_table) {
+        slot.generation = h.generation;
+        slot.body_generation = h.body_generation;
+        Batch& b = *slot.batch;
+        for (uint32_t i = h.count; i < b.count_; ++i) b.clear_lane(i), b.ids_[i] = 0;
+        b.count_ = h.count;
+        b.first_generation_ = h.first_generation;
+        b.last_generation_ = h.last_generation;
+        b.free_head_ = h.free_head;
+        if (new_table.size() != 0) b.table_.swap(new_table);
+        visit(b, h.count, b.table_, [&](auto* to, uint64_t words) {
+            if (words != 0) std::memcpy(to, body, 4 * words);
+            body += 4 * even(words);
+        });
+        b.step.table.alpha = b.table_.data();
+        b.step.table.beta_squared = b.table_.data() + h.table_count;
+        b.step.table.last = static_cast<float>(h.table_count - 1);
+        b.step.table.inverse_dt = h.inverse_dt;
+        b.step.body.speed_alpha = h.speed_alpha;
+        b.step.body.speed_beta = h.speed_beta;
+    }
+};
+
+uint64_t snapshot_size(const lr_world& w) {
+    uint64_t size = sizeof(Header);
+    for (uint32_t i = 0; i < w.batch_slots; ++i) {
+        const BatchHeader h = SnapshotAccess::header(w.batches[i]);
+        size += sizeof(BatchHeader);
+        if (h.capacity != 0) size += batch_bytes(h.capacity, h.count, h.table_count);
+    }
+    return size;
+}
+
+lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t* written) {
+    const uint64_t needed = snapshot_size(w);
+    if (size < needed) return LR_ERROR_BUFFER_TOO_SMALL;
+    auto* const begin = static_cast<unsigned char*>(memory);
+    Header header{};
+    header.magic = magic;
+    header.version = version;
+    header.batch_slots = w.batch_slots;
+    header.size = needed;
+    header.seed = w.seed;
+    header.substep_count = w.substep_count;
+    header.time = w.time;
+    std::memcpy(header.gravity, w.gravity, sizeof header.gravity);
+    std::memcpy(header.wind, w.fluid.wind, sizeof header.wind);
+    header.next_key = w.next_key;
+    std::memcpy(begin, &header, sizeof header);
+    unsigned char* at = begin + sizeof header;
+    for (uint32_t i = 0; i < w.batch_slots; ++i) {
+        const BatchHeader h = SnapshotAccess::header(w.batches[i]);
+        std::memcpy(at, &h, sizeof h);
+        at += sizeof h;
+        if (h.capacity == 0) continue;
+        Batch& batch = *w.batches[i].batch;
+        SnapshotAccess::visit(batch, h.count, SnapshotAccess::table(batch), [&](const auto* from, uint64_t words) {
+            if (words != 0) std::memcpy(at, from, 4 * words);
+            std::memset(at + 4 * words, 0, 4 * (even(words) - words));
+            at += 4 * even(words);
+        });
+    }
+    header.checksum = checksum(begin, needed);
+    std::memcpy(begin, &header, sizeof header);
+    if (written) *written = needed;
+    return LR_OK;
+}
+
+lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
+    const auto* const begin = static_cast<const unsigned char*>(memory);
+    Header header{};
+    if (size < sizeof header) return LR_ERROR_SNAPSHOT_FORMAT;
+    std::memcpy(&header, begin, sizeof header);
+    if (header.magic != magic || header.version != version || header.size > size || header.size < sizeof header ||
+        header.size % 8 != 0)
+        return LR_ERROR_SNAPSHOT_FORMAT;
+    if (checksum(begin, header.size) != header.checksum) return LR_ERROR_SNAPSHOT_FORMAT;
+    for (float v : header.gravity)
+        if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
+    for (float v : header.wind)
+        if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
+    if (!std::isfinite(header.time)) return LR_ERROR_SNAPSHOT_FORMAT;
+    if (header.batch_slots != w.batch_slots) return LR_ERROR_SNAPSHOT_MISMATCH;
+
+    // First pass: everything is checked, and tables of another length get their memory.
+    Buffer<Buffer<float>> tables;
+    if (!tables.allocate(w.allocator, w.batch_slots)) return LR_ERROR_OUT_OF_MEMORY;
+    for (uint32_t i = 0; i < w.batch_slots; ++i) new (&tables[i]) Buffer<float>();
+    const auto check = [&]() -> lr_status {
+        uint64_t at = sizeof header;
+        for (uint32_t i = 0; i < w.batch_slots; ++i) {
+            BatchHeader h{};
+            if (header.size - at < sizeof h) return LR_ERROR_SNAPSHOT_FORMAT;
+            std::memcpy(&h, begin + at, sizeof h);
+            at += sizeof h;
+            const Batch* const batch = w.batches[i].batch;
+            if ((h.capacity != 0) != (batch != nullptr)) return LR_ERROR_SNAPSHOT_MISMATCH;
+            if (h.generation == 0 || h.generation > max_batch_generation || h.body_generation == 0 ||
+                h.body_generation > max_generation)
+                return LR_ERROR_SNAPSHOT_FORMAT;
+            if (!batch) continue;
+            if (h.capacity != batch->capacity() || h.content_hash != batch->asset().content_hash)
+                return LR_ERROR_SNAPSHOT_MISMATCH;
+            if (h.count > h.capacity || h.table_count == 0 || h.table_count > 65536 || !(h.inverse_dt > 0.0f) ||
+                !std::isfinite(h.inverse_dt) || !std::isfinite(h.speed_alpha) || !std::isfinite(h.speed_beta) ||
+                h.speed_alpha < 0.0f || h.speed_beta < 0.0f)
+                return LR_ERROR_SNAPSHOT_FORMAT;
+            const uint64_t bytes = batch_bytes(h.capacity, h.count, h.table_count);
+            Buffer<uint32_t> seen;
+            if (!seen.allocate(w.allocator, h.capacity / 32 + 1)) return LR_ERROR_OUT_OF_MEMORY;
+            std::memset(seen.data(), 0, seen.size() * sizeof(uint32_t));
+            if (header.size - at < bytes || !SnapshotAccess::consistent(h, i, begin + at, seen))
+                return LR_ERROR_SNAPSHOT_FORMAT;
+            at += bytes;
+            if (h.table_count * 2ull != SnapshotAccess::table(*w.batches[i].batch).size() &&
+                !tables[i].allocate(w.allocator, 2ull * h.table_count))
+                return LR_ERROR_OUT_OF_MEMORY;
+        }
+        return at == header.size ? LR_OK : LR_ERROR_SNAPSHOT_FORMAT;
+    };
+    const lr_status status = check();
+    if (status == LR_OK) {
+        const unsigned char* at = begin + sizeof header;
+        for (uint32_t i = 0; i < w.batch_slots; ++i) {
+            BatchHeader h{};
+            std::memcpy(&h, at, sizeof h);
+            at += sizeof h;
+            if (h.capacity == 0) {
+                w.batches[i].generation = h.generation;
+                w.batches[i].body_generation = h.body_generation;
+                continue;
+            }
+            SnapshotAccess::restore(w.batches[i], h, at, tables[i]);
+            at += batch_bytes(h.capacity, h.count, h.table_count);
+        }
+        w.seed = header.seed;
+        w.substep_count = header.substep_count;
+        w.time = header.time;
+        w.next_key = header.next_key;
+        std::memcpy(w.gravity, header.gravity, sizeof header.gravity);
+        std::memcpy(w.fluid.wind, header.wind, sizeof header.wind);
+    }
+    for (uint32_t i = 0; i < w.batch_slots; ++i) tables[i].~Buffer<float>();
+    return status;
+}
+
+} // namespace lr

@@ -1,0 +1,14 @@
+// A world's state as bytes, checked whole before any of it is put back.
+#pragma once
+
+#include "langevin_rigid.h"
+
+#include <cstdint>
+
+namespace lr {
+
+uint64_t snapshot_size(const lr_world& world);
+lr_status snapshot_save(const lr_world& world, void* memory, uint64_t size, uint64_t* written);
+lr_status snapshot_restore(lr_world& world, const void* memory, uint64_t size);
+
+} // namespace lr

@@ -1,0 +1,35 @@
+// How the bodies of a world are cut into pieces of work.
+#pragma once
+
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace lr {
+
+// Bodies in a chunk: 64 KiB of state, well inside a second-level cache, and tens of microseconds of work.
+inline constexpr uint32_t chunk_bodies = 1024;
+
+inline uint32_t chunk_count(const Batch& batch) {
+    return (batch.padded_count() + chunk_bodies - 1) / chunk_bodies;
+}
+
+struct StepChunks {
+    const lr_world* world;
+    uint32_t count;
+
+    static void run(void* context, uint32_t chunk) {
+        const lr_world& w = *static_cast<const StepChunks*>(context)->world;
+        // The last batch that begins at or before this chunk and has any.
+        for (uint32_t i = w.batch_slots; i-- > 0;) {
+            const Batch* const batch = w.batches[i].batch;
+            if (!batch || batch->first_chunk > chunk || batch->count() == 0) continue;
+            const uint32_t begin = (chunk - batch->first_chunk) * chunk_bodies;
+            const uint32_t end = std::min(begin + chunk_bodies, batch->padded_count());
+            w.target->step(batch->step, batch->arrays(), begin, end);
+            return;
+        }
+    }
+};
+
+} // namespace lr

@@ -1,0 +1,172 @@
+#include "world/world.h"
+
+#include "world/step_chunks.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <new>
+
+using lr::Batch;
+
+lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
+    const lr::KernelTarget* const target = lr::find_target(desc.simd_target);
+    if (!target) {
+        status = LR_ERROR_UNSUPPORTED;
+        return nullptr;
+    }
+    lr::Allocator allocator(desc.allocator);
+    void* const memory = allocator.allocate(sizeof(lr_world));
+    if (!memory) {
+        status = LR_ERROR_OUT_OF_MEMORY;
+        return nullptr;
+    }
+    lr_world* const world = new (memory) lr_world(allocator);
+    world->target = target;
+    world->seed = desc.seed;
+    std::copy(desc.gravity, desc.gravity + 3, world->gravity);
+    world->fluid_density = desc.fluid_density;
+    world->log_callback = desc.log;
+    world->log_user = desc.log_user;
+    if (!world->pool.start(desc.worker_count)) {
+        status = LR_ERROR_THREADS;
+        destroy(world);
+        return nullptr;
+    }
+    status = LR_OK;
+    return world;
+}
+
+void lr_world::destroy(lr_world* world) {
+    if (!world) return;
+    lr::Allocator allocator = world->allocator;
+    world->~lr_world();
+    allocator.release(world, sizeof(lr_world));
+}
+
+lr_world::~lr_world() {
+    pool.stop();
+    for (uint32_t i = 0; i < batch_slots; ++i) Batch::destroy(batches[i].batch);
+}
+
+Batch* lr_world::find(lr_batch batch) const {
+    const lr::BatchHandle h = lr::unpack_batch(batch);
+    if (h.index >= batch_slots || batches[h.index].generation != h.generation) return nullptr;
+    return batches[h.index].batch;
+}
+
+Batch* lr_world::find(lr_body body, uint32_t& index) const {
+    const lr::BodyHandle h = lr::unpack(body);
+    if (h.batch >= batch_slots) return nullptr;
+    Batch* const batch = batches[h.batch].batch;
+    return batch && batch->find(body, index) ? batch : nullptr;
+}
+
+bool lr_world::grow_batches() {
+    lr::Buffer<BatchSlot> larger;
+    if (!larger.allocate(allocator, std::max<size_t>(8, 2 * batches.size()))) return false;
+    std::copy(batches.data(), batches.data() + batch_slots, larger.data());
+    batches.swap(larger);
+    return true;
+}
+
+lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const lr::BatchSettings& settings,
+                                 lr_batch& out) {
+    uint32_t at = 0;
+    while (at < batch_slots && batches[at].batch) ++at;
+    if (at == lr::max_batches) return LR_ERROR_CAPACITY;
+    if (at == batches.size() && !grow_batches()) return LR_ERROR_OUT_OF_MEMORY;
+    BatchSlot slot = at < batch_slots ? batches[at] : BatchSlot{nullptr, 1, 1};
+    lr_status status = LR_OK;
+    slot.batch = Batch::create(allocator, asset, capacity, settings, at, slot.body_generation, status);
+    if (!slot.batch) return status;
+    batches[at] = slot;
+    batch_slots = std::max(batch_slots, at + 1);
+    out = lr::pack(lr::BatchHandle{at, slot.generation});
+    return LR_OK;
+}
+
+void lr_world::destroy_batch(lr_batch batch) {
+    BatchSlot& slot = batches[lr::unpack_batch(batch).index];
+    slot.body_generation = lr::next_generation(std::max(slot.body_generation, slot.batch->last_generation()));
+    slot.generation = slot.generation == lr::max_batch_generation ? 1 : slot.generation + 1;
+    Batch::destroy(slot.batch);
+    slot.batch = nullptr;
+}
+
+lr_status lr_world::destroy_bodies(const lr_body* bodies, uint32_t count) {
+    // All or none: every body is marked first, and one that is stale or marked already ends it.
+    uint32_t index = 0, marked = 0;
+    for (; marked < count; ++marked) {
+        Batch* const batch = find(bodies[marked], index);
+        if (!batch || !batch->mark(index)) break;
+    }
+    for (uint32_t i = 0; i < marked; ++i) {
+        Batch* const batch = find(bodies[i], index);
+        batch->unmark(index);
+    }
+    if (marked < count) return LR_ERROR_STALE_BODY;
+    for (uint32_t i = 0; i < count; ++i) find(bodies[i], index)->remove(bodies[i]);
+    return LR_OK;
+}
+
+void lr_world::step(float dt, uint32_t substeps) {
+    const double h = static_cast<double>(dt) / substeps;
+    lr::StepChunks chunks{};
+    for (uint32_t i = 0; i < batch_slots; ++i) {
+        Batch* const batch = batches[i].batch;
+        if (!batch) continue;
+        batch->first_chunk = chunks.count;
+        chunks.count += lr::chunk_count(*batch);
+        lr::StepInput& in = batch->step;
+        in.seed = seed;
+        in.first_substep = substep_count;
+        in.substeps = substeps;
+        in.h = static_cast<float>(h);
+        in.sqrt_h = static_cast<float>(std::sqrt(h));
+        in.inverse_sqrt_h = static_cast<float>(1.0 / std::sqrt(h));
+        std::copy(gravity, gravity + 3, in.gravity);
+        std::copy(fluid.wind, fluid.wind + 3, in.wind);
+    }
+    chunks.world = this;
+    pool.run(chunks.count, &lr::StepChunks::run, &chunks);
+    substep_count += substeps;
+    time += static_cast<double>(dt);
+}
+
+namespace {
+
+// A bijection of 64 bits with good avalanche (Steele, Lea, Flood 2014, the finaliser of SplitMix64).
+uint64_t mix(uint64_t v) {
+    v = (v ^ v >> 30) * 0xbf58476d1ce4e5b9ull;
+    v = (v ^ v >> 27) * 0x94d049bb133111ebull;
+    return v ^ v >> 31;
+}
+
+} // namespace
+
+uint64_t lr_world::hash() const {
+    uint64_t result = mix(substep_count + 0x9e3779b97f4a7c15ull);
+    for (uint32_t b = 0; b < batch_slots; ++b) {
+        if (!batches[b].batch) continue;
+        const Batch& batch = *batches[b].batch;
+        // A sum over bodies, so that their order in memory does not matter.
+        uint64_t sum = 0;
+        for (uint32_t i = 0; i < batch.count(); ++i) {
+            uint64_t body = mix(batch.arrays().key[i] + 1ull);
+            for (size_t f = 0; f < lr::field_count; ++f)
+                body = mix(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
+            sum += body;
+        }
+        result = mix(result ^ mix(b)) + sum;
+    }
+    return result;
+}
+
+void lr_world::log(int32_t level, const char* function, const char* message) const {
+    if (!log_callback) return;
+    char text[256];
+    std::snprintf(text, sizeof text, "%s: %s", function, message);
+    log_callback(log_user, level, text);
+}

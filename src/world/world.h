@@ -1,0 +1,63 @@
+// The world: batches, time, wind, workers. Behind lr_world.
+#pragma once
+
+#include "langevin_rigid.h"
+#include "world/allocator.h"
+#include "world/batch.h"
+#include "world/worker_pool.h"
+
+#include <cstdint>
+
+namespace lr {
+
+struct Fluid {
+    float wind[3] = {0.0f, 0.0f, 0.0f}; // m/s
+};
+
+} // namespace lr
+
+struct lr_world {
+    // Null after an error. The desc has been checked.
+    static lr_world* create(const lr_world_desc& desc, lr_status& status);
+    static void destroy(lr_world* world);
+
+    lr::Batch* find(lr_batch batch) const; // null for a stale handle
+    // The batch and dense index of a living body; null for a stale one.
+    lr::Batch* find(lr_body body, uint32_t& index) const;
+
+    lr_status create_batch(const lr_asset& asset, uint32_t capacity, const lr::BatchSettings& settings, lr_batch& out);
+    void destroy_batch(lr_batch batch);
+    lr_status destroy_bodies(const lr_body* bodies, uint32_t count);
+
+    void step(float dt, uint32_t substeps);
+    uint64_t hash() const;
+
+    void log(int32_t level, const char* function, const char* message) const;
+
+    mutable lr::Allocator allocator;
+    lr::WorkerPool pool;
+    const lr::KernelTarget* target = nullptr;
+    uint64_t seed = 0;
+    float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2
+    float fluid_density = 0.0f;            // kg/m^3; 0: each asset's own
+    lr::Fluid fluid;
+    uint64_t substep_count = 0;
+    double time = 0.0; // s
+    uint32_t next_key = 1;
+
+    struct BatchSlot {
+        lr::Batch* batch;
+        uint32_t generation;      // of the batch in it, or of the next
+        uint32_t body_generation; // that bodies of the next batch begin with
+    };
+    lr::Buffer<BatchSlot> batches;
+    uint32_t batch_slots = 0; // used part of `batches`
+
+    lr_log_fn log_callback = nullptr;
+    void* log_user = nullptr;
+
+private:
+    explicit lr_world(const lr::Allocator& from) : allocator(from) {}
+    ~lr_world();
+    bool grow_batches();
+};

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Set-up, build and every test. --quick leaves out the sanitizer builds.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+jobs=$(nproc)
+
+step() { printf '\n== %s\n' "$*"; }
+configure() { # directory, arguments
+    local dir=$1
+    shift
+    mkdir -p build
+    cmake "$@" -B "$dir" >"build/configure.log" 2>&1 || { cat build/configure.log; exit 1; }
+}
+
+step "Set-up"
+scripts/setup.sh test
+
+step "Formatting"
+if command -v clang-format >/dev/null; then
+    git ls-files --cached --others --exclude-standard -- '*.c' '*.h' '*.cpp' '*.hpp' | xargs clang-format --dry-run -Werror
+fi
+
+step "Release build"
+configure build/release --preset release
+cmake --build build/release
+step "Release tests"
+ctest --test-dir build/release -j "$jobs" --output-on-failure
+
+step "Samples, built and run as outside users would: against the installed package"
+prefix=$PWD/build/release/samples-prefix
+cmake --install build/release --prefix "$prefix" >/dev/null
+configure build/samples -S samples -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$prefix"
+cmake --build build/samples
+build/samples/hello
+python3 tests/samples/check_assets.py .
+"$prefix/bin/lr_bake" mesh assets/leaf.obj -o build/samples/leaf.lrb --density 400 --quiet
+python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples/leaf.lrb assets/leaf.obj
+
+if [ "${1:-}" != --quick ]; then
+    step "AddressSanitizer and UndefinedBehaviorSanitizer"
+    configure build/asan --preset asan
+    cmake --build build/asan
+    ctest --test-dir build/asan -j "$jobs" --output-on-failure
+
+    step "ThreadSanitizer"
+    configure build/tsan --preset tsan -DLR_BUILD_BAKER=OFF
+    cmake --build build/tsan
+    ctest --test-dir build/tsan -j "$jobs" --output-on-failure -R 'worker|thread|determinism'
+fi
+
+printf '\nAll tests passed.\n'

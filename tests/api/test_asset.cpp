@@ -1,0 +1,235 @@
+// Loading: good files, every prefix of one, every byte of one changed, foreign and newer ones.
+#include "support/random.h"
+#include "support/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <tuple>
+
+using namespace test;
+
+namespace {
+
+std::vector<unsigned char> fixture(const char* name) {
+    std::ifstream file(std::string(LR_FIXTURES "/") + name, std::ios::binary);
+    std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
+    REQUIRE(bytes.size() > 1000);
+    return bytes;
+}
+
+lr_status load(const std::vector<unsigned char>& bytes) {
+    lr_asset* asset = nullptr;
+    // A copy of exactly this size: a read past the end is a fault under AddressSanitizer.
+    const std::unique_ptr<unsigned char[]> exact(new unsigned char[bytes.size() + 1]);
+    std::copy(bytes.begin(), bytes.end(), exact.get() + 1); // odd address
+    const lr_status status = lr_asset_load_memory(exact.get() + 1, bytes.size(), &asset);
+    if ((asset != nullptr) != (status == LR_OK)) FAIL("asset and status do not agree");
+    if (lr_asset_check_memory(exact.get() + 1, bytes.size(), nullptr, nullptr) != status)
+        FAIL("check and load do not agree");
+    lr_asset_release(asset);
+    return status;
+}
+
+bool refused_as_file(lr_status s) {
+    return s == LR_ERROR_ASSET_FORMAT || s == LR_ERROR_ASSET_VERSION || s == LR_ERROR_ASSET_CORRUPT ||
+           s == LR_ERROR_ASSET_INVALID;
+}
+
+struct Fault {
+    uint32_t number;
+    std::string where, what, remedy;
+};
+std::vector<Fault> faults_of(const std::vector<unsigned char>& bytes, lr_status expected) {
+    std::vector<Fault> faults;
+    CHECK(lr_asset_check_memory(
+              bytes.data(), bytes.size(),
+              [](void* user, uint32_t number, const char* where, const char* what, const char* remedy) {
+                  static_cast<std::vector<Fault>*>(user)->push_back({number, where, what, remedy});
+              },
+              &faults) == expected);
+    return faults;
+}
+
+} // namespace
+
+TEST_CASE("a file and its bytes at any alignment are the same asset") {
+    lr_asset* raw = nullptr;
+    REQUIRE(lr_asset_load_file(LR_FIXTURES "/leaf.lrb", &raw) == LR_OK);
+    const Asset from_file(raw);
+    const lr_asset_info info = info_of(from_file);
+    CHECK(std::string(info.name) == "leaf");
+    CHECK(info.format_version == 1);
+    CHECK(info.density == 800.0);
+    CHECK(info.mass == doctest::Approx(800.0 * 4.0 / 3.0 * 3.141592653589793 * 0.04 * 0.01 * 0.0005));
+    CHECK(info.center_of_mass[0] == 0.002);
+    CHECK(info.center_of_buoyancy[0] == -0.002);
+    CHECK((info.flags & LR_ASSET_DIAGONAL) == 0);
+    CHECK(info.turbulence_count == 256);
+    CHECK((info.hull_vertex_count == 42 && info.hull_triangle_count == 80));
+    const std::vector<unsigned char> bytes = fixture("leaf.lrb");
+    for (size_t shift = 0; shift < 9; ++shift) {
+        std::vector<unsigned char> moved(bytes.size() + shift);
+        std::copy(bytes.begin(), bytes.end(), moved.begin() + static_cast<std::ptrdiff_t>(shift));
+        REQUIRE(lr_asset_load_memory(moved.data() + shift, bytes.size(), &raw) == LR_OK);
+        std::fill(moved.begin(), moved.end(), static_cast<unsigned char>(0)); // the bytes are not kept
+        const Asset again(raw);
+        CHECK(info_of(again).content_hash == info.content_hash);
+        CHECK(info_of(again).mass == info.mass);
+    }
+    // The same shape without a file weighs and floats the same.
+    lr_ellipsoid_desc d = ellipsoid(0.04, 0.01, 0.0005, 800.0);
+    d.center_of_mass[0] = 0.002;
+    CHECK(info_of(make(d)).content_hash == info.content_hash);
+    CHECK(info_of(make(d)).format_version == 0);
+}
+
+TEST_CASE("paths that lead nowhere") {
+    lr_asset* asset = nullptr;
+    CHECK(lr_asset_load_file(LR_FIXTURES "/no_such_file.lrb", &asset) == LR_ERROR_FILE_NOT_FOUND);
+    CHECK(lr_asset_load_file("", &asset) == LR_ERROR_FILE_NOT_FOUND);
+    CHECK(lr_asset_load_file(LR_FIXTURES "/leaf.lrb/below", &asset) == LR_ERROR_FILE_NOT_FOUND);
+    CHECK(lr_asset_load_file(LR_FIXTURES, &asset) == LR_ERROR_FILE_READ); // a folder
+    CHECK(asset == nullptr);
+}
+
+TEST_CASE("every truncation of a file is refused") {
+    const std::vector<unsigned char> bytes = fixture("leaf.lrb");
+    uint32_t wrong = 0;
+    for (size_t size = 0; size < bytes.size(); ++size) {
+        const lr_status status = load({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)});
+        const bool expected = size < 16 ? status == LR_ERROR_ASSET_FORMAT : status == LR_ERROR_ASSET_CORRUPT;
+        if (!expected) ++wrong;
+    }
+    CHECK(wrong == 0);
+    std::vector<unsigned char> longer = bytes;
+    longer.push_back(0);
+    CHECK(load(longer) == LR_ERROR_ASSET_CORRUPT);
+}
+
+TEST_CASE("every changed byte of a file is found") {
+    std::vector<unsigned char> bytes = fixture("leaf.lrb");
+#ifdef LR_TEST_QUICK
+    const size_t stride = 7;
+#else
+    const size_t stride = 1;
+#endif
+    uint32_t accepted = 0, odd = 0;
+    for (size_t at = 0; at < bytes.size(); at += stride)
+        for (unsigned char change : {static_cast<unsigned char>(1u << (at % 8)), static_cast<unsigned char>(0xff)}) {
+            bytes[at] ^= change;
+            const lr_status status = load(bytes);
+            accepted += status == LR_OK;
+            odd += status != LR_OK && !refused_as_file(status);
+            bytes[at] ^= change;
+        }
+    CHECK(accepted == 0);
+    CHECK(odd == 0);
+    CHECK(load(bytes) == LR_OK);
+}
+
+TEST_CASE("many changes at once") {
+    const std::vector<unsigned char> good = fixture("leaf.lrb");
+    Random random(3);
+    uint32_t odd = 0;
+    for (int round = 0; round < 3000; ++round) {
+        std::vector<unsigned char> bytes = good;
+        for (uint32_t n = 1 + random.below(8); n > 0; --n) {
+            const size_t at = random.below(static_cast<uint32_t>(bytes.size()));
+            const uint32_t word[] = {0, 0xffffffffu, 0x7fffffffu, 0x80000000u, 1, static_cast<uint32_t>(random.bits())};
+            std::memcpy(bytes.data() + std::min(at, bytes.size() - 4), &word[random.below(6)], 4);
+        }
+        if (bytes != good) odd += !refused_as_file(load(bytes));
+    }
+    CHECK(odd == 0);
+}
+
+TEST_CASE("foreign, newer and impossible files say so, with numbered faults") {
+    CHECK(load({}) == LR_ERROR_ASSET_FORMAT);
+    CHECK(load(std::vector<unsigned char>(4096, 0)) == LR_ERROR_ASSET_FORMAT);
+    CHECK(load(std::vector<unsigned char>(4096, 0xff)) == LR_ERROR_ASSET_FORMAT);
+    std::vector<unsigned char> foreign = fixture("leaf.lrb");
+    foreign[4] = 'G';
+    CHECK(load(foreign) == LR_ERROR_ASSET_FORMAT);
+    Random random(11);
+    std::vector<unsigned char> noise(2000);
+    for (int round = 0; round < 200; ++round) {
+        for (unsigned char& byte : noise) byte = static_cast<unsigned char>(random.bits());
+        if (round % 2) std::memcpy(noise.data() + 4, "LRBA", 4); // past the first gate
+        if (!refused_as_file(load(noise))) FAIL("noise was taken for an asset");
+    }
+
+    CHECK(load(fixture("newer.lrb")) == LR_ERROR_ASSET_VERSION);
+    CHECK(load(fixture("invalid.lrb")) == LR_ERROR_ASSET_INVALID);
+    CHECK(faults_of(fixture("leaf.lrb"), LR_OK).empty());
+    for (const auto& [name, number, status] :
+         {std::tuple{"newer.lrb", 403u, LR_ERROR_ASSET_VERSION}, {"invalid.lrb", 408u, LR_ERROR_ASSET_INVALID}}) {
+        const std::vector<Fault> faults = faults_of(fixture(name), status);
+        REQUIRE(faults.size() >= 1);
+        CHECK(faults[0].number == number);
+        CHECK((!faults[0].where.empty() && !faults[0].what.empty() && !faults[0].remedy.empty()));
+    }
+    lr_asset* asset = nullptr;
+    CHECK(lr_asset_load_file(LR_FIXTURES "/newer.lrb", &asset) == LR_ERROR_ASSET_VERSION);
+    CHECK(lr_asset_load_file(LR_FIXTURES "/invalid.lrb", &asset) == LR_ERROR_ASSET_INVALID);
+    CHECK(asset == nullptr);
+}
+
+TEST_CASE("an asset lives as long as anyone holds it") {
+    const World world = make(world_desc());
+    lr_batch batch = 0;
+    {
+        const Asset asset = leaf();
+        batch = add_batch(world, asset, 10);
+    }
+    const lr_body body = add_body(world, batch, body_desc());
+    steps(world, 5, 0.01f, 4);
+    CHECK(lr_batch_set_turbulence_table(world.get(), batch, nullptr) == LR_OK); // reads the asset
+    CHECK(state_of(world, body).position[1] < 0.0f);
+
+    Asset asset = leaf();
+    const double mass = info_of(asset).mass;
+    for (int i = 0; i < 100; ++i) CHECK(lr_asset_retain(asset.get()) == LR_OK);
+    for (int i = 0; i < 100; ++i) lr_asset_release(asset.get());
+    CHECK(info_of(asset).mass == mass);
+}
+
+TEST_CASE("equal ellipsoids are equal assets, others are not") {
+    const lr_ellipsoid_desc d = ellipsoid(0.04, 0.01, 0.0001, 800.0);
+    const uint64_t hash = info_of(make(d)).content_hash;
+    CHECK(info_of(make(d)).content_hash == hash);
+    for (auto change :
+         {+[](lr_ellipsoid_desc& e) { e.semi_axes[1] *= 1.0 + 1e-15 * 4; },
+          +[](lr_ellipsoid_desc& e) { e.density += 1.0; }, +[](lr_ellipsoid_desc& e) { e.fluid_density += 0.1; },
+          +[](lr_ellipsoid_desc& e) { e.fluid_viscosity *= 2.0; }, +[](lr_ellipsoid_desc& e) { e.intensity = 0.5; },
+          +[](lr_ellipsoid_desc& e) { e.center_of_mass[2] = 1e-6; }}) {
+        lr_ellipsoid_desc other = d;
+        change(other);
+        CHECK(info_of(make(other)).content_hash != hash);
+    }
+}
+
+TEST_CASE("what an ellipsoid asset says of itself") {
+    const lr_asset_info info = info_of(make(in_water(ellipsoid(0.04, 0.02, 0.01, 1200.0))));
+    const double volume = 4.0 / 3.0 * 3.141592653589793 * 8e-6;
+    CHECK(info.volume == doctest::Approx(volume));
+    CHECK(info.mass == doctest::Approx(1200.0 * volume));
+    CHECK(info.inertia[0] == doctest::Approx(info.mass / 5.0 * (4e-4 + 1e-4)));
+    CHECK(info.inertia[4] == doctest::Approx(info.mass / 5.0 * (16e-4 + 1e-4)));
+    CHECK(info.inertia[8] == doctest::Approx(info.mass / 5.0 * (16e-4 + 4e-4)));
+    // Lamb's 4:2:1, with the fluid's density.
+    CHECK(info.added_mass[0] == doctest::Approx(0.12657 * volume * 1000.0).epsilon(5e-5));
+    CHECK(info.added_mass[7] == doctest::Approx(0.39817 * volume * 1000.0).epsilon(5e-5));
+    CHECK(info.added_mass[14] == doctest::Approx(1.51806 * volume * 1000.0).epsilon(5e-5));
+    for (size_t i = 0; i < 6; ++i)
+        for (size_t j = 0; j < 6; ++j)
+            if (i != j) CHECK(info.added_mass[i * 6 + j] == 0.0);
+    CHECK(info.flags == LR_ASSET_DIAGONAL);
+    CHECK(info.length_d == doctest::Approx(0.08));
+    CHECK(info.length_b == doctest::Approx(0.02));
+    CHECK(info.u0 == doctest::Approx(std::sqrt(0.2 * 9.80665 * 0.02)));
+    CHECK(info.reynolds == doctest::Approx(info.u0 * 0.08 / 1e-6));
+    CHECK((info.c0 > 0.0 && info.c0 <= 6.5 && info.turbulence_dt > 0.0 && info.turbulence_count > 1));
+}

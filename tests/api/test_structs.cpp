@@ -1,0 +1,167 @@
+// struct_size of every struct: 0, too small, exact, larger with a zero tail, larger with a tail, absurd.
+#include "support/scene.h"
+
+#include <functional>
+#include <string>
+
+using namespace test;
+
+namespace {
+
+// The struct at the front of a buffer of zeros, which a newer and larger one would fill.
+template <class T> struct Grown {
+    explicit Grown(const T& from) { std::memcpy(static_cast<void*>(&value), &from, sizeof(T)); }
+    T value;
+    unsigned char tail[64] = {};
+};
+
+template <class T> void check_init(lr_status (*init)(T*, uint32_t)) {
+    CHECK(init(nullptr, sizeof(T)) == LR_ERROR_NULL_ARGUMENT);
+    Grown<T> g{T{}};
+    std::memset(static_cast<void*>(&g), 0x5a, sizeof g);
+    const Grown<T> before = g;
+    for (uint32_t size : {0u, 1u, 4u, static_cast<uint32_t>(sizeof(T)) - 1u, 65537u, 0x7fffffffu, 0xffffffffu}) {
+        CAPTURE(size);
+        CHECK(init(&g.value, size) == LR_ERROR_STRUCT_SIZE);
+        CHECK(std::memcmp(&g, &before, sizeof g) == 0);
+    }
+    CHECK(init(&g.value, sizeof(T)) == LR_OK);
+    CHECK(g.value.struct_size == sizeof(T));
+    bool untouched = true;
+    for (unsigned char byte : g.tail) untouched = untouched && byte == 0x5a;
+    CHECK(untouched);
+    // A caller with a newer header: the part that this library does not know becomes zero.
+    CHECK(init(&g.value, sizeof g) == LR_OK);
+    CHECK(g.value.struct_size == sizeof g);
+    bool zero = true;
+    for (unsigned char byte : g.tail) zero = zero && byte == 0;
+    CHECK(zero);
+}
+
+// `use` passes the struct to a function that reads its struct_size.
+template <class T> void check_use(const T& good, const std::function<lr_status(T*)>& use) {
+    for (uint32_t size : {0u, 1u, 4u, static_cast<uint32_t>(sizeof(T)) - 1u, 65537u, 0x7fffffffu, 0xffffffffu}) {
+        // On the heap and no larger than it is: a read past its end is a fault under AddressSanitizer.
+        const auto bad = std::make_unique<T>(good);
+        bad->struct_size = size;
+        CAPTURE(size);
+        CHECK(use(bad.get()) == LR_ERROR_STRUCT_SIZE);
+    }
+    T exact = good;
+    CHECK(use(&exact) == LR_OK);
+    Grown<T> larger(good);
+    larger.value.struct_size = sizeof larger;
+    CHECK(use(&larger.value) == LR_OK);
+    CHECK(larger.value.struct_size == sizeof larger);
+    for (size_t at : {size_t{0}, size_t{1}, sizeof larger.tail - 1}) {
+        Grown<T> used(good);
+        used.value.struct_size = sizeof used;
+        used.tail[at] = 1;
+        CAPTURE(at);
+        CHECK(use(&used.value) == LR_ERROR_STRUCT_SIZE);
+    }
+}
+
+} // namespace
+
+TEST_CASE("every init function takes exact and larger sizes, refuses others, and writes no further") {
+    check_init<lr_ellipsoid_desc>(lr_ellipsoid_desc_init);
+    check_init<lr_asset_info>(lr_asset_info_init);
+    check_init<lr_world_desc>(lr_world_desc_init);
+    check_init<lr_world_info>(lr_world_info_init);
+    check_init<lr_wind_desc>(lr_wind_desc_init);
+    check_init<lr_batch_desc>(lr_batch_desc_init);
+    check_init<lr_turbulence_table>(lr_turbulence_table_init);
+    check_init<lr_batch_view>(lr_batch_view_init);
+    check_init<lr_body_desc>(lr_body_desc_init);
+    check_init<lr_body_state>(lr_body_state_init);
+}
+
+TEST_CASE("initial values are those of the header") {
+    const lr_world_desc w = world_desc();
+    CHECK((w.gravity[0] == 0.0f && w.gravity[1] == -9.81f && w.gravity[2] == 0.0f));
+    CHECK((w.worker_count == 0 && w.seed == 0 && w.fluid_density == 0.0f && w.simd_target == LR_SIMD_AUTO));
+    CHECK((!w.allocator.allocate && !w.allocator.release && !w.log));
+    const lr_batch_desc b = batch_desc();
+    CHECK((b.load_model == LR_LOADS_DEFAULT && b.clock == LR_CLOCK_SPEED && b.table_end == LR_TABLE_CLAMP &&
+           b.integrator == LR_INTEGRATOR_DEFAULT && b.tensor == LR_TENSOR_AUTO));
+    CHECK((b.damping_gain == 1.0f && b.noise_gain == 1.0f && b.asset == nullptr));
+    const lr_body_desc o = body_desc();
+    CHECK((o.orientation[0] == 0.0f && o.orientation[3] == 1.0f && o.scale == 1.0f && o.age == 0.0f && o.key == 0));
+    CHECK(wind_desc().kind == LR_WIND_UNIFORM);
+    CHECK(table_desc().c0 == 6.5f);
+    const lr_ellipsoid_desc e = initialised(lr_ellipsoid_desc_init);
+    CHECK((e.fluid_density == 1.2 && e.fluid_viscosity == 1.5e-5 && e.intensity == 1.0));
+}
+
+TEST_CASE("every function checks struct_size and the tail of a larger struct") {
+    const Asset asset = leaf();
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, asset, 64);
+    const lr_body body = add_body(world, batch, body_desc());
+    lr_world* const w = world.get();
+
+    check_use<lr_ellipsoid_desc>(ellipsoid(0.1, 0.1, 0.1, 500.0), [](lr_ellipsoid_desc* d) {
+        lr_asset* out = nullptr;
+        const lr_status status = lr_asset_create_ellipsoid(d, &out);
+        CHECK((out != nullptr) == (status == LR_OK));
+        lr_asset_release(out);
+        return status;
+    });
+    check_use<lr_world_desc>(world_desc(), [](lr_world_desc* d) {
+        lr_world* out = nullptr;
+        const lr_status status = lr_world_create(d, &out);
+        CHECK((out != nullptr) == (status == LR_OK));
+        lr_world_destroy(out);
+        return status;
+    });
+    lr_batch_desc b = batch_desc();
+    b.asset = asset.get();
+    b.capacity = 1;
+    check_use<lr_batch_desc>(b, [&](lr_batch_desc* d) {
+        lr_batch out = 0;
+        const lr_status status = lr_batch_create(w, d, &out);
+        CHECK((out != 0) == (status == LR_OK));
+        if (out) CHECK(lr_batch_destroy(w, out) == LR_OK);
+        return status;
+    });
+    check_use<lr_wind_desc>(wind_desc(), [&](lr_wind_desc* d) { return lr_world_set_wind(w, d); });
+    const float sample = 1.0f;
+    lr_turbulence_table t = table_desc();
+    t.count = 1;
+    t.chi = t.epsilon = &sample;
+    t.dt = t.u0 = t.l = 1.0f;
+    check_use<lr_turbulence_table>(t,
+                                   [&](lr_turbulence_table* d) { return lr_batch_set_turbulence_table(w, batch, d); });
+    check_use<lr_body_desc>(body_desc(), [&](lr_body_desc* d) { return lr_body_create(w, batch, d, 1, nullptr); });
+    check_use<lr_body_state>(body_state(), [&](lr_body_state* s) { return lr_body_set_state(w, body, s); });
+    check_use<lr_body_state>(body_state(), [&](lr_body_state* s) { return lr_body_get_state(w, body, s); });
+    check_use<lr_asset_info>(initialised(lr_asset_info_init),
+                             [&](lr_asset_info* i) { return lr_asset_get_info(asset.get(), i); });
+    check_use<lr_world_info>(initialised(lr_world_info_init),
+                             [&](lr_world_info* i) { return lr_world_get_info(w, i); });
+    check_use<lr_batch_view>(initialised(lr_batch_view_init),
+                             [&](lr_batch_view* v) { return lr_batch_get_view(w, batch, v); });
+}
+
+TEST_CASE("the struct_size of an array of body descs is its stride") {
+    const Asset asset = leaf();
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, asset, 8);
+    std::vector<Grown<lr_body_desc>> descs;
+    for (int i = 0; i < 3; ++i) {
+        descs.emplace_back(body_desc());
+        descs.back().value.struct_size = sizeof(Grown<lr_body_desc>);
+        descs.back().value.position[1] = static_cast<float>(i);
+    }
+    lr_body ids[3];
+    REQUIRE(lr_body_create(world.get(), batch, &descs[0].value, 3, ids) == LR_OK);
+    for (int i = 0; i < 3; ++i) CHECK(state_of(world, ids[i]).position[1] == static_cast<float>(i));
+    // An element of another size than the first, or with a tail: none is made.
+    descs[2].value.struct_size = sizeof(lr_body_desc);
+    CHECK(lr_body_create(world.get(), batch, &descs[0].value, 3, ids) == LR_ERROR_STRUCT_SIZE);
+    descs[2].value.struct_size = sizeof(Grown<lr_body_desc>);
+    descs[2].tail[5] = 1;
+    CHECK(lr_body_create(world.get(), batch, &descs[0].value, 3, ids) == LR_ERROR_STRUCT_SIZE);
+    CHECK(info_of(world).body_count == 3);
+}

@@ -1,0 +1,144 @@
+// Closed test meshes with known geometry.
+#pragma once
+
+#include "baker/mesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace lr::test {
+
+using baker::Face;
+using baker::Mesh;
+
+inline void apply(Mesh& mesh, const Eigen::Matrix3d& linear, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero()) {
+    for (Eigen::Vector3d& v : mesh.vertices) v = linear * v + shift;
+}
+
+inline Eigen::Matrix3d some_rotation() {
+    return Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+}
+
+// Unit sphere: an icosahedron, each level splitting every triangle in four: 20 * 4^levels triangles.
+inline Mesh icosphere(int levels) {
+    const double g = 0.5 * (1.0 + std::sqrt(5.0));
+    Mesh mesh;
+    mesh.vertices = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                     {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    mesh.faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                  {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                  {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+    for (Eigen::Vector3d& v : mesh.vertices) v.normalize();
+    for (int level = 0; level < levels; ++level) {
+        std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+        const auto middle = [&](uint32_t a, uint32_t b) {
+            const auto [entry, fresh] =
+                middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(mesh.vertices.size()));
+            if (fresh) mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]).normalized());
+            return entry->second;
+        };
+        std::vector<Face> finer;
+        for (const Face& f : mesh.faces) {
+            const uint32_t a = middle(f[0], f[1]), b = middle(f[1], f[2]), c = middle(f[2], f[0]);
+            finer.insert(finer.end(), {{f[0], a, c}, {f[1], b, a}, {f[2], c, b}, {a, b, c}});
+        }
+        mesh.faces = std::move(finer);
+    }
+    return mesh;
+}
+
+inline Mesh ellipsoid(double a, double b, double c, int levels) {
+    Mesh mesh = icosphere(levels);
+    apply(mesh, Eigen::Vector3d(a, b, c).asDiagonal());
+    return mesh;
+}
+
+// Position along an axis at grid line i of n, crowded towards both ends by `grading` in [0, 1] (1: cosine spacing).
+inline double grid_line(int i, int n, double grading) {
+    const double t = static_cast<double>(i) / n;
+    return (1.0 - grading) * t + grading * 0.5 * (1.0 - std::cos(3.14159265358979323846 * t));
+}
+
+// Box centred on the origin, every side cut into n[0] x n[1] x n[2] cells of two triangles each.
+inline Mesh box(const Eigen::Vector3d& size, const std::array<int, 3>& n, double grading = 0.0) {
+    Mesh mesh;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int side = 0; side < 2; ++side) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            const int nu = n[static_cast<std::size_t>(u)], nv = n[static_cast<std::size_t>(v)];
+            const auto base = static_cast<uint32_t>(mesh.vertices.size());
+            for (int i = 0; i <= nu; ++i)
+                for (int j = 0; j <= nv; ++j) {
+                    Eigen::Vector3d p;
+                    p[axis] = (side - 0.5) * size[axis];
+                    p[u] = (grid_line(i, nu, grading) - 0.5) * size[u];
+                    p[v] = (grid_line(j, nv, grading) - 0.5) * size[v];
+                    mesh.vertices.push_back(p);
+                }
+            for (int i = 0; i < nu; ++i)
+                for (int j = 0; j < nv; ++j) {
+                    const auto corner = [&](int di, int dj) {
+                        return base + static_cast<uint32_t>((i + di) * (nv + 1) + j + dj);
+                    };
+                    // Diagonals alternate: one direction throughout would favour a handedness.
+                    std::array<Face, 2> pair = {
+                        {{corner(0, 0), corner(1, 0), corner(1, 1)}, {corner(0, 0), corner(1, 1), corner(0, 1)}}};
+                    if ((i + j) % 2)
+                        pair = {
+                            {{corner(0, 0), corner(1, 0), corner(0, 1)}, {corner(1, 0), corner(1, 1), corner(0, 1)}}};
+                    for (Face f : pair) {
+                        if (side == 0) std::swap(f[1], f[2]);
+                        mesh.faces.push_back(f);
+                    }
+                }
+        }
+    baker::join_identical_vertices(mesh);
+    return mesh;
+}
+
+inline Mesh cube(int n) {
+    return box({1.0, 1.0, 1.0}, {n, n, n});
+}
+
+// A leaf blade: lancet outline, camber across the midrib, closed by a rim; length 2, to be scaled by the caller.
+inline Mesh leaf(int along, int across, double thickness, double camber) {
+    Mesh mesh;
+    const int columns = 2 * across + 1;
+    for (int side = 0; side < 2; ++side)
+        for (int i = 0; i <= along; ++i)
+            for (int j = 0; j < columns; ++j) {
+                const double x = -1.0 + 2.0 * i / along;
+                const double half_width = 0.05 + 0.3 * (1.0 - x * x);
+                const double y = half_width * (j - across) / across;
+                mesh.vertices.emplace_back(x, y, camber * (y * y + 0.3 * x * x) + (side - 0.5) * thickness);
+            }
+    const auto at = [&](int side, int i, int j) {
+        return static_cast<uint32_t>((side * (along + 1) + i) * columns + j);
+    };
+    for (int i = 0; i < along; ++i)
+        for (int j = 0; j + 1 < columns; ++j) {
+            mesh.faces.insert(mesh.faces.end(), {{at(1, i, j), at(1, i + 1, j), at(1, i + 1, j + 1)},
+                                                 {at(1, i, j), at(1, i + 1, j + 1), at(1, i, j + 1)},
+                                                 {at(0, i, j), at(0, i + 1, j + 1), at(0, i + 1, j)},
+                                                 {at(0, i, j), at(0, i, j + 1), at(0, i + 1, j + 1)}});
+        }
+    const auto wall = [&](int i0, int j0, int i1, int j1) { // the solid lies to the left of the walk
+        mesh.faces.push_back({at(0, i0, j0), at(0, i1, j1), at(1, i1, j1)});
+        mesh.faces.push_back({at(0, i0, j0), at(1, i1, j1), at(1, i0, j0)});
+    };
+    for (int i = 0; i < along; ++i) {
+        wall(i, 0, i + 1, 0);
+        wall(i + 1, columns - 1, i, columns - 1);
+    }
+    for (int j = 0; j + 1 < columns; ++j) {
+        wall(0, j + 1, 0, j);
+        wall(along, j, along, j + 1);
+    }
+    return mesh;
+}
+
+} // namespace lr::test

@@ -1,0 +1,152 @@
+#include "baker/convex_hull.h"
+#include "baker/mass_properties.h"
+#include "baker/mesh_check.h"
+#include "mesh_shapes.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace lr;
+using namespace lr::baker;
+
+namespace {
+
+// Closed and outward, a subset of the points, and no point outside any face.
+void check_hull(const std::vector<Eigen::Vector3d>& points, const ConvexHull& hull) {
+    double size = 0.0;
+    for (const Eigen::Vector3d& p : points) size = std::max(size, (p - points[0]).norm());
+    CHECK(hull.slack <= 1e-6 * size);
+    Mesh mesh{hull.vertices, hull.faces, "hull"};
+    Faults faults;
+    CHECK(check_and_repair(mesh, faults));
+    CHECK(faults.empty());
+    CHECK(mesh.faces == hull.faces); // nothing turned
+    double worst = -size;
+    for (const Face& f : hull.faces) {
+        const Eigen::Vector3d& a = hull.vertices[f[0]];
+        const Eigen::Vector3d u = hull.vertices[f[1]] - a, v = hull.vertices[f[2]] - a;
+        const Eigen::Vector3d normal = u.cross(v);
+        // of a sliver between almost collinear points the normal is as uncertain as its width is small
+        const double width = normal.norm() / std::max({u.norm(), v.norm(), (u - v).norm()});
+        if (width < 100.0 * hull.slack) continue;
+        for (const Eigen::Vector3d& p : points)
+            worst = std::max(worst, normal.normalized().dot(p - a) - hull.slack * size / width);
+    }
+    CHECK(worst <= hull.slack);
+    std::size_t next = 0;
+    for (const Eigen::Vector3d& v : hull.vertices) {
+        while (next < points.size() && points[next] != v) ++next;
+        CHECK(next < points.size());
+    }
+}
+
+} // namespace
+
+TEST_CASE("hull of a cut-up box has eight corners, turned or not") {
+    for (const bool turned : {false, true})
+        for (const double thickness : {1.0, 1e-3}) {
+            Mesh mesh = test::box({2.0, 1.0, thickness}, {8, 6, 3}, 0.3);
+            if (turned) test::apply(mesh, 0.05 * test::some_rotation(), {1, 2, 3});
+            ConvexHull hull;
+            Faults faults;
+            REQUIRE(compute_convex_hull(mesh.vertices, hull, faults));
+            CHECK(hull.vertices.size() == 8);
+            CHECK(hull.faces.size() == 12);
+            check_hull(mesh.vertices, hull);
+            const MassProperties p = compute_mass_properties({hull.vertices, hull.faces, ""});
+            CHECK(p.volume == doctest::Approx(2.0 * thickness * (turned ? 0.05 * 0.05 * 0.05 : 1.0)).epsilon(1e-6));
+        }
+}
+
+TEST_CASE("hull of points on a sphere keeps them all; inner points go") {
+    Mesh mesh = test::icosphere(3);
+    std::vector<Eigen::Vector3d> points = mesh.vertices;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(-0.5, 0.5);
+    for (int i = 0; i < 500; ++i) points.emplace_back(uniform(random), uniform(random), uniform(random));
+    ConvexHull hull;
+    Faults faults;
+    REQUIRE(compute_convex_hull(points, hull, faults));
+    CHECK(hull.vertices == mesh.vertices);
+    CHECK(hull.faces.size() == mesh.faces.size());
+    check_hull(points, hull);
+    CHECK(compute_mass_properties({hull.vertices, hull.faces, ""}).volume ==
+          doctest::Approx(compute_mass_properties(mesh).volume));
+}
+
+TEST_CASE("hulls of random, clustered, gridded and thin points") {
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal;
+    for (int round = 0; round < 60; ++round) {
+        std::vector<Eigen::Vector3d> points;
+        const int kind = round % 6;
+        for (int i = 0; i < 200; ++i) {
+            Eigen::Vector3d p(normal(random), normal(random), normal(random));
+            if (kind == 1) p = (p * 2.0).array().round() / 2.0; // many coplanar, collinear and equal
+            if (kind == 2) p.z() *= 1e-4;                       // paper
+            if (kind == 3) p.z() = 1e-9 * p.z() + 0.1 * p.x();  // flat up to rounding
+            if (kind == 4) p = p.normalized() + 1e-7 * p;       // cospherical
+            if (kind == 5) p = p.normalized().array().pow(5);   // spikes
+            points.emplace_back(1e-3 * (test::some_rotation() * p));
+        }
+        ConvexHull hull;
+        Faults faults;
+        CAPTURE(round);
+        REQUIRE(compute_convex_hull(points, hull, faults));
+        if (kind != 3) check_hull(points, hull);
+        ConvexHull again;
+        REQUIRE(compute_convex_hull(points, again, faults));
+        CHECK(again.vertices == hull.vertices);
+        CHECK(again.faces == hull.faces);
+    }
+}
+
+TEST_CASE("a leaf blade's hull") {
+    Mesh mesh = test::leaf(30, 8, 0.0075, 0.1);
+    test::apply(mesh, 0.04 * test::some_rotation());
+    ConvexHull hull;
+    Faults faults;
+    REQUIRE(compute_convex_hull(mesh.vertices, hull, faults));
+    check_hull(mesh.vertices, hull);
+    CHECK(hull.vertices.size() < mesh.vertices.size());
+    CHECK(compute_mass_properties({hull.vertices, hull.faces, ""}).volume > compute_mass_properties(mesh).volume);
+}
+
+TEST_CASE("flat points give a two-sided polygon") {
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i <= 4; ++i)
+        for (int j = 0; j <= 4; ++j) points.emplace_back(test::some_rotation() * Eigen::Vector3d(i, 2 * j, 0));
+    ConvexHull hull;
+    Faults faults;
+    REQUIRE(compute_convex_hull(points, hull, faults));
+    CHECK(hull.vertices.size() == 4);
+    CHECK(hull.faces.size() == 4);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double area = 0.0;
+    for (const Face& f : hull.faces) {
+        const Eigen::Vector3d twice =
+            (hull.vertices[f[1]] - hull.vertices[f[0]]).cross(hull.vertices[f[2]] - hull.vertices[f[0]]);
+        sum += twice;
+        area += 0.5 * twice.norm();
+    }
+    CHECK(sum.norm() < 1e-9);
+    CHECK(area == doctest::Approx(2.0 * 32.0));
+}
+
+TEST_CASE("points without a hull are refused by number") {
+    const auto refused = [](const std::vector<Eigen::Vector3d>& points) {
+        ConvexHull hull;
+        Faults faults;
+        CHECK_FALSE(compute_convex_hull(points, hull, faults));
+        REQUIRE(faults.size() == 1);
+        return faults[0].id;
+    };
+    CHECK(refused({}) == FaultId::mesh_empty);
+    CHECK(refused({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}) == FaultId::mesh_zero_volume);
+    CHECK(refused({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}) == FaultId::mesh_zero_volume);
+    CHECK(refused({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}}) ==
+          FaultId::mesh_not_finite);
+}

@@ -1,0 +1,80 @@
+// Engines and their plug-ins change the rounding mode and flush denormals. A step neither sees that nor leaves a trace.
+#include "support/played_scene.h"
+
+#include <cfenv>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+using namespace test;
+
+namespace {
+
+struct RestoreMode {
+    std::fenv_t saved{};
+    RestoreMode() { std::fegetenv(&saved); }
+    ~RestoreMode() { std::fesetenv(&saved); }
+};
+
+constexpr float frame_dt = 1.0f / 60.0f; // not computed in the mode under test
+
+// A scene in which only the steps run in another mode.
+template <class Change> uint64_t stepped_in(Change&& change, uint32_t workers) {
+    PlayedScene scene = played_scenes()[0];
+    scene.bodies = 1500; // several chunks, also for the workers
+    Play play(scene, {.workers = workers});
+    for (int frame = 0; frame < 10; ++frame) {
+        lr_status status = LR_OK;
+        {
+            const RestoreMode restore;
+            change();
+            status = lr_world_step(play.world.get(), frame_dt, 3);
+        }
+        REQUIRE(status == LR_OK);
+    }
+    return hash_of(play.world);
+}
+
+} // namespace
+
+TEST_CASE("the caller's rounding mode changes no bit of a step, and is there afterwards") {
+    for (uint32_t workers : {0u, 2u}) {
+        const uint64_t expected = stepped_in([] {}, workers);
+        for (int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+            CAPTURE(mode);
+            CHECK(stepped_in([mode] { std::fesetround(mode); }, workers) == expected);
+        }
+    }
+    const World world = make(world_desc());
+    const Asset asset = leaf();
+    add_body(world, add_batch(world, asset, 1), body_desc());
+    const RestoreMode restore;
+    std::fesetround(FE_DOWNWARD);
+    std::feraiseexcept(FE_DIVBYZERO);
+    const lr_status status = lr_world_step(world.get(), 0.01f, 2);
+    const int after = std::fegetround(), raised = std::fetestexcept(FE_ALL_EXCEPT);
+    std::fesetround(FE_TONEAREST);
+    CHECK(status == LR_OK);
+    CHECK(after == FE_DOWNWARD);
+    CHECK((raised & FE_DIVBYZERO) != 0);
+}
+
+#if defined(__SSE2__)
+TEST_CASE("flushed denormals and unmasked traps of the caller change no bit either") {
+    const uint64_t expected = stepped_in([] {}, 0);
+    CHECK(stepped_in([] { _mm_setcsr(_mm_getcsr() | 0x8040u); }, 0) == expected); // flush to zero, denormals are zero
+    CHECK(stepped_in([] { _mm_setcsr(_mm_getcsr() | 0x8040u); }, 2) == expected);
+    // Inexact results would trap at once.
+    CHECK(stepped_in([] { _mm_setcsr(_mm_getcsr() & ~0x1f80u); }, 0) == expected);
+
+    const World world = make(world_desc());
+    const uint32_t saved = _mm_getcsr(), mode = (saved | 0x8040u) & ~0x1000u;
+    _mm_setcsr(mode);
+    const lr_status status = lr_world_step(world.get(), 0.01f, 2);
+    const uint32_t after = _mm_getcsr();
+    _mm_setcsr(saved);
+    CHECK(status == LR_OK);
+    CHECK(after == mode);
+}
+#endif

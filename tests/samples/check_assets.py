@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Checks the meshes in assets: that the script still makes these bytes, and, read anew from the files, that they
+are closed, outward-wound and of the right volume.    usage: check_assets.py ROOT        SPDX-License-Identifier: MIT"""
+import collections
+import filecmp
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+EXPECTED = {  # mm^3: closed forms where there are any, else the size of the sheet
+    "confetti.obj": (7.2, 1e-6), "ellipsoid_leaf.obj": (4.0 / 3.0 * math.pi * 40 * 10 * 0.05, 0.01),
+    "leaf.obj": (515.0, 0.05), "leaf_maple.obj": (460.0, 0.05), "paper_plane.obj": (600.0, 0.05), "petal.obj": (11.8, 0.05),
+}
+
+
+def check(path, expected, tolerance):
+    points, faces = [], []
+    with open(path, encoding="ascii") as file:
+        lines = file.read().split("\n")
+    assert lines[0].startswith("#"), "no header"
+    for line in lines:
+        words = line.split()
+        if words[:1] == ["v"]:
+            points.append(tuple(1e3 * float(x) for x in words[1:]))
+        elif words[:1] == ["f"]:
+            faces.append(tuple(int(w.split("/")[0]) - 1 for w in words[1:]))
+    edges = collections.Counter((f[i], f[(i + 1) % 3]) for f in faces for i in range(3))
+    assert all(n == 1 and edges[b, a] == 1 for (a, b), n in list(edges.items())), "not closed"
+    volume = sum(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+                 for a, b, c in ((points[i] for i in f) for f in faces)) / 6.0
+    assert abs(volume / expected - 1.0) <= tolerance, f"volume {volume} mm^3"
+    size = [max(p[i] for p in points) - min(p[i] for p in points) for i in range(3)]
+    assert size[0] >= size[1] >= size[2], "axes"
+    mirrored = {(x, -y, z) for x, y, z in points}
+    assert mirrored == set(points), "not the same left and right"
+
+
+def main(root):
+    folder = os.path.join(root, "assets")
+    assert sorted(n for n in os.listdir(folder) if n.endswith(".obj")) == sorted(EXPECTED), "other files than expected"
+    with tempfile.TemporaryDirectory() as fresh:
+        subprocess.run([sys.executable, os.path.join(root, "assets", "make_assets.py"), fresh], check=True,
+                       stdout=subprocess.DEVNULL)
+        for name, (volume, tolerance) in EXPECTED.items():
+            assert filecmp.cmp(os.path.join(folder, name), os.path.join(fresh, name), shallow=False), f"{name} differs"
+            try:
+                check(os.path.join(folder, name), volume, tolerance)
+            except AssertionError as error:
+                sys.exit(f"{name}: {error}")
+    print(f"{len(EXPECTED)} meshes are right")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

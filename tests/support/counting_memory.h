@@ -1,0 +1,76 @@
+// Counts what is allocated, remembers each block's size and alignment, and fails on demand.
+#pragma once
+
+#include "langevin_rigid.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+
+namespace test {
+
+class CountingAllocator {
+public:
+    static constexpr uint64_t never = UINT64_MAX;
+
+    lr_allocator callbacks() { return {this, &allocate, &release}; }
+
+    uint64_t calls = 0;       // of allocate
+    uint64_t fail_at = never; // the call that returns null, counted from 0
+    bool fail_after = false;  // and all that follow
+    uint64_t bytes = 0;       // live
+    bool mismatch = false;    // a block came back with another size or alignment, or was not ours
+    size_t live() const { return blocks_; }
+
+private:
+    // What was asked for lies in front of each block, so that counting takes nothing from operator new.
+    struct Block {
+        CountingAllocator* owner;
+        uint64_t size, alignment;
+    };
+    static constexpr uint64_t front = 128;
+
+    static void* allocate(void* user, uint64_t size, uint64_t alignment) {
+        auto& self = *static_cast<CountingAllocator*>(user);
+        const uint64_t call = self.calls++;
+        if (call == self.fail_at || (self.fail_after && call > self.fail_at)) return nullptr;
+        if (size == 0 || alignment == 0 || alignment > front || (alignment & (alignment - 1)) != 0) {
+            self.mismatch = true;
+            return nullptr;
+        }
+        auto* const whole = static_cast<unsigned char*>(std::aligned_alloc(front, (front + size + 127) / 128 * 128));
+        if (!whole) return nullptr;
+        std::memset(whole, 0xa5, front + size); // fresh memory is never zero in the field
+        const Block block{&self, size, alignment};
+        std::memcpy(whole, &block, sizeof block);
+        ++self.blocks_;
+        self.bytes += size;
+        return whole + front;
+    }
+    static void release(void* user, void* memory, uint64_t size, uint64_t alignment) {
+        auto& self = *static_cast<CountingAllocator*>(user);
+        unsigned char* const whole = static_cast<unsigned char*>(memory) - front;
+        Block block;
+        std::memcpy(&block, whole, sizeof block);
+        if (block.owner != &self || block.size != size || block.alignment != alignment) {
+            self.mismatch = true;
+            return;
+        }
+        std::memset(whole, 0x5a, front); // a second release is a mismatch
+        --self.blocks_;
+        self.bytes -= size;
+        std::free(whole);
+    }
+
+    size_t blocks_ = 0;
+};
+
+// Calls of the global operator new in this process, also from inside the library: support/counting_new.cpp.
+extern std::atomic<uint64_t> global_allocations;
+extern std::atomic<uint64_t> global_live;
+// The call of operator new that throws, counted down from here; 0 for none.
+extern std::atomic<uint64_t> global_fail_in;
+
+} // namespace test

@@ -1,0 +1,164 @@
+// Scenes with everything that a world can do, written once, for tests of determinism and for the held hashes.
+#pragma once
+
+#include "support/random.h"
+#include "support/scene.h"
+
+#include <algorithm>
+#include <string>
+
+namespace test {
+
+struct PlayedScene {
+    const char* name;
+    int32_t loads = LR_LOADS_LANGEVIN;
+    int32_t clock = LR_CLOCK_SPEED;
+    int32_t table_end = LR_TABLE_CLAMP;
+    int32_t integrator = LR_INTEGRATOR_DEFAULT;
+    int32_t tensor = LR_TENSOR_AUTO;
+    bool windy = false;
+    bool born_and_dying = false;
+    uint32_t bodies = 300; // in each of two batches: one diagonal, one with its weight off centre
+};
+
+inline std::vector<PlayedScene> played_scenes() {
+    std::vector<PlayedScene> all;
+    const auto add = [&](const char* name) -> PlayedScene& {
+        all.push_back({name});
+        return all.back();
+    };
+    add("speed");
+    add("speed_rk4").integrator = LR_INTEGRATOR_RK4;
+    add("speed_full").tensor = LR_TENSOR_FULL;
+    add("age").clock = LR_CLOCK_AGE;
+    PlayedScene& loop = add("age_loop_rk4");
+    loop.clock = LR_CLOCK_AGE, loop.table_end = LR_TABLE_LOOP, loop.integrator = LR_INTEGRATOR_RK4;
+    add("kirchhoff").loads = LR_LOADS_NONE;
+    PlayedScene& kirchhoff = add("kirchhoff_rk4");
+    kirchhoff.loads = LR_LOADS_NONE, kirchhoff.integrator = LR_INTEGRATOR_RK4;
+    add("wind").windy = true;
+    add("births_and_deaths").born_and_dying = true;
+    PlayedScene& all_at_once = add("storm");
+    all_at_once.windy = all_at_once.born_and_dying = true;
+    all_at_once.bodies = 2500; // more than a chunk of work
+    return all;
+}
+
+// What must not change the outcome.
+struct Circumstances {
+    int32_t simd = LR_SIMD_AUTO;
+    uint32_t workers = 0;
+    bool permuted = false;         // bodies lie in another order
+    bool through_snapshot = false; // half-way into a new world
+};
+
+class Play {
+public:
+    static constexpr int frames = 30;
+
+    Play(const PlayedScene& scene, const Circumstances& how) : scene_(scene), how_(how) {
+        assets_[0] = leaf();
+        assets_[1] = curled_leaf();
+        build();
+        for (size_t b = 0; b < 2; ++b) populate(b);
+    }
+
+    uint64_t run() {
+        for (int frame = 0; frame < frames; ++frame) {
+            if (frame == frames / 2 && how_.through_snapshot) {
+                const std::vector<unsigned char> snapshot = snapshot_of(world);
+                build();
+                REQUIRE(lr_world_snapshot_restore(world.get(), snapshot.data(), snapshot.size()) == LR_OK);
+            }
+            if (scene_.windy && frame % 10 == 5) set_wind(world, 0.1f * static_cast<float>(frame), 0.0f, 1.0f);
+            if (scene_.born_and_dying) turn_over();
+            // Neither a power of two nor an even division: every rounding is there.
+            steps(world, 1, 1.0f / 60.0f, 3);
+        }
+        return hash_of(world);
+    }
+
+    World world;
+    lr_batch batches[2] = {};
+
+private:
+    void build() {
+        lr_world_desc wd = world_desc();
+        wd.seed = 0x1234567890abcdefull;
+        wd.simd_target = how_.simd;
+        wd.worker_count = how_.workers;
+        world = make(wd);
+        for (size_t b = 0; b < 2; ++b) {
+            lr_batch_desc bd = batch_desc();
+            bd.load_model = scene_.loads;
+            bd.clock = scene_.clock;
+            bd.table_end = scene_.table_end;
+            bd.integrator = scene_.integrator;
+            bd.tensor = scene_.tensor;
+            batches[b] = add_batch(world, bd, assets_[b], scene_.bodies + 40);
+        }
+    }
+
+    // The same body for the same key, wherever and whenever it is made.
+    static lr_body_desc body(uint32_t key) {
+        Random random(key);
+        lr_body_desc d = body_desc();
+        d.key = key;
+        for (float& x : d.position) x = random.real(-5.0, 5.0);
+        for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+        for (float& v : d.linear_velocity) v = random.real(-0.5, 0.5);
+        for (float& w : d.angular_velocity) w = random.real(-5.0, 5.0);
+        d.scale = random.real(0.5, 2.0);
+        d.age = random.real(0.0, 0.5);
+        return d;
+    }
+
+    void populate(size_t b) {
+        std::vector<lr_body_desc> descs;
+        const uint32_t first = b == 0 ? 1 : 100001;
+        for (uint32_t i = 0; i < scene_.bodies; ++i) descs.push_back(body(first + i));
+        if (how_.permuted) {
+            // Others live and die first, so that slots and generations are no longer in order either.
+            std::vector<lr_body> ghosts(30);
+            const std::vector<lr_body_desc> ghost(30, body(999));
+            REQUIRE(lr_body_create(world.get(), batches[b], ghost.data(), 30, ghosts.data()) == LR_OK);
+            std::reverse(descs.begin(), descs.end());
+            for (size_t i = 0; i + 7 < descs.size(); i += 5) std::swap(descs[i], descs[i + 7]);
+            const size_t half = descs.size() / 2;
+            REQUIRE(lr_body_create(world.get(), batches[b], descs.data(), static_cast<uint32_t>(half), nullptr) ==
+                    LR_OK);
+            REQUIRE(lr_body_destroy(world.get(), ghosts.data(), 30) == LR_OK);
+            REQUIRE(lr_body_create(world.get(), batches[b], descs.data() + half,
+                                   static_cast<uint32_t>(descs.size() - half), nullptr) == LR_OK);
+        } else {
+            REQUIRE(lr_body_create(world.get(), batches[b], descs.data(), static_cast<uint32_t>(descs.size()),
+                                   nullptr) == LR_OK);
+        }
+        next_key_[b] = first + scene_.bodies;
+    }
+
+    // Bodies with certain keys die, new ones are born: by key, not by place.
+    void turn_over() {
+        for (size_t b = 0; b < 2; ++b) {
+            const lr_batch_view v = view_of(world, batches[b]);
+            std::vector<std::pair<uint32_t, lr_body>> living;
+            for (uint32_t i = 0; i < v.count; ++i) living.emplace_back(v.key[i], v.ids[i]);
+            std::sort(living.begin(), living.end());
+            std::vector<lr_body> dying;
+            for (size_t i = 3; i < living.size() && dying.size() < 10; i += 17) dying.push_back(living[i].second);
+            REQUIRE(lr_body_destroy(world.get(), dying.data(), static_cast<uint32_t>(dying.size())) == LR_OK);
+            for (size_t i = 0; i < dying.size(); ++i) add_body(world, batches[b], body(next_key_[b]++));
+        }
+    }
+
+    PlayedScene scene_;
+    Circumstances how_;
+    Asset assets_[2];
+    uint32_t next_key_[2] = {};
+};
+
+inline uint64_t outcome(const PlayedScene& scene, const Circumstances& how = {}) {
+    return Play(scene, how).run();
+}
+
+} // namespace test

@@ -1,0 +1,137 @@
+// The equations of docs/physics.md sections 2 and 3 for one body, in SI units and double, written down apart from the
+// kernel and integrated in small steps: what the kernel must agree with. Noise is off.
+#pragma once
+
+#include "support/scene.h"
+#include "support/vector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace test {
+
+using Six = std::array<double, 6>;
+using Matrix6 = std::array<Six, 6>;
+
+inline Six operator*(const Matrix6& m, const Six& t) {
+    Six out{};
+    for (size_t i = 0; i < 6; ++i)
+        for (size_t j = 0; j < 6; ++j) out[i] += m[i][j] * t[j];
+    return out;
+}
+inline Vec upper(const Six& t) {
+    return {t[0], t[1], t[2]};
+}
+inline Vec lower(const Six& t) {
+    return {t[3], t[4], t[5]};
+}
+inline Six join(Vec a, Vec b) {
+    return {a[0], a[1], a[2], b[0], b[1], b[2]};
+}
+
+inline Matrix6 inverse(Matrix6 m) {
+    Matrix6 out{};
+    for (size_t i = 0; i < 6; ++i) out[i][i] = 1.0;
+    for (size_t c = 0; c < 6; ++c) {
+        size_t pivot = c;
+        for (size_t r = c; r < 6; ++r)
+            if (std::abs(m[r][c]) > std::abs(m[pivot][c])) pivot = r;
+        std::swap(m[c], m[pivot]);
+        std::swap(out[c], out[pivot]);
+        const double scale = 1.0 / m[c][c];
+        for (size_t j = 0; j < 6; ++j) m[c][j] *= scale, out[c][j] *= scale;
+        for (size_t r = 0; r < 6; ++r) {
+            const double factor = m[r][c];
+            if (r == c || factor == 0.0) continue;
+            for (size_t j = 0; j < 6; ++j) m[r][j] -= factor * m[c][j], out[r][j] -= factor * out[c][j];
+        }
+    }
+    return out;
+}
+
+class ReferenceBody {
+public:
+    // Body and fluid together: momenta are mass * twist.
+    Matrix6 mass{};
+    Matrix6 dragged{};      // rho (V I + A), rho D with its viscous floor
+    double weight = 0.0;    // m - rho V, kg
+    double displaced = 0.0; // rho V, kg
+    Vec buoyancy_arm{};     // m
+    Vec gravity{0.0, -9.81, 0.0}, wind{};
+    // alpha, 1/s, at a speed through the fluid and an age.
+    std::function<double(double, double)> alpha = [](double, double) { return 0.0; };
+
+    // The floor under the damping of spin: docs/physics.md, "Viscous floor".
+    static constexpr double viscous_floor = 0.02;
+
+    explicit ReferenceBody(const lr_asset_info& info, double scale = 1.0) {
+        const double s3 = scale * scale * scale;
+        const auto power = [&](size_t i, size_t j) { return s3 * (i < 3 ? 1.0 : scale) * (j < 3 ? 1.0 : scale); };
+        displaced = info.fluid_density * info.volume * s3;
+        weight = info.mass * s3 - displaced;
+        double broadside = 0.0;
+        for (size_t i = 0; i < 3; ++i) broadside = std::max(broadside, info.added_mass[i * 7]);
+        const double floor = viscous_floor * (info.fluid_density * info.volume + broadside) / info.mass;
+        for (size_t i = 0; i < 6; ++i)
+            for (size_t j = 0; j < 6; ++j) {
+                const double own = i < 3 || j < 3 ? (i == j ? info.mass : 0.0) : info.inertia[(i - 3) * 3 + j - 3];
+                const double added = info.added_mass[i * 6 + j];
+                mass[i][j] = power(i, j) * (own + added);
+                if ((i < 3) == (j < 3))
+                    dragged[i][j] = power(i, j) *
+                                    (added + (i < 3 ? (i == j ? info.fluid_density * info.volume : 0.0) : floor * own));
+            }
+        for (size_t i = 0; i < 3; ++i) buoyancy_arm[i] = scale * info.center_of_buoyancy[i];
+        inverse_mass_ = inverse(mass);
+    }
+
+    struct State {
+        Vec x;
+        Quat q;
+        Six twist; // body frame, velocity through the fluid
+        double age;
+    };
+
+    State begin(const lr_body_desc& d) const {
+        const Quat q = normalised(quat(d.orientation));
+        return {vec(d.position), q,
+                join(to_body(q, vec(d.linear_velocity) - wind), to_body(q, vec(d.angular_velocity))), wide(d.age)};
+    }
+    State run(State s, double time, int count) const {
+        const double h = time / count;
+        for (int i = 0; i < count; ++i) {
+            const State k1 = rate(s), k2 = rate(moved(s, k1, h / 2)), k3 = rate(moved(s, k2, h / 2)),
+                        k4 = rate(moved(s, k3, h));
+            s = moved(moved(moved(moved(s, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
+            s.q = normalised(s.q);
+        }
+        return s;
+    }
+    Vec velocity(const State& s) const { return to_world(s.q, upper(s.twist)) + wind; }
+    Vec spin(const State& s) const { return to_world(s.q, lower(s.twist)); }
+
+private:
+    State rate(const State& s) const {
+        const Vec v = upper(s.twist), w = lower(s.twist), g = to_body(s.q, gravity);
+        const Six momentum = mass * s.twist, drag = dragged * s.twist;
+        const double a = alpha(length(v), s.age);
+        const Vec p = upper(momentum), l = lower(momentum);
+        const Vec force = cross(p, w) + weight * g - a * upper(drag);
+        const Vec torque = cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag);
+        const Quat turning = product(s.q, {0.5 * w[0], 0.5 * w[1], 0.5 * w[2], 0.0});
+        return {to_world(s.q, v) + wind, turning, inverse_mass_ * join(force, torque), 1.0};
+    }
+    static State moved(State s, const State& rate, double h) {
+        for (size_t i = 0; i < 3; ++i) s.x[i] += h * rate.x[i];
+        for (size_t i = 0; i < 4; ++i) s.q[i] += h * rate.q[i];
+        for (size_t i = 0; i < 6; ++i) s.twist[i] += h * rate.twist[i];
+        s.age += h * rate.age;
+        return s;
+    }
+
+    Matrix6 inverse_mass_{};
+};
+
+} // namespace test

@@ -1,0 +1,180 @@
+// Assets, worlds and bodies for tests, through the public API only.
+#pragma once
+
+#include "langevin_rigid.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+namespace test {
+
+inline double wide(float x) {
+    return static_cast<double>(x);
+}
+inline float narrow(double x) {
+    return static_cast<float>(x);
+}
+
+struct ReleaseAsset {
+    void operator()(lr_asset* a) const { lr_asset_release(a); }
+};
+struct DestroyWorld {
+    void operator()(lr_world* w) const { lr_world_destroy(w); }
+};
+using Asset = std::unique_ptr<lr_asset, ReleaseAsset>;
+using World = std::unique_ptr<lr_world, DestroyWorld>;
+
+template <class T> T initialised(lr_status (*init)(T*, uint32_t)) {
+    T desc;
+    REQUIRE(init(&desc, sizeof(T)) == LR_OK);
+    return desc;
+}
+inline lr_world_desc world_desc() {
+    return initialised(lr_world_desc_init);
+}
+inline lr_batch_desc batch_desc() {
+    return initialised(lr_batch_desc_init);
+}
+inline lr_body_desc body_desc() {
+    return initialised(lr_body_desc_init);
+}
+inline lr_body_state body_state() {
+    return initialised(lr_body_state_init);
+}
+inline lr_wind_desc wind_desc() {
+    return initialised(lr_wind_desc_init);
+}
+inline lr_turbulence_table table_desc() {
+    return initialised(lr_turbulence_table_init);
+}
+
+// In air unless told otherwise.
+inline lr_ellipsoid_desc ellipsoid(double a, double b, double c, double density) {
+    lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
+    d.semi_axes[0] = a, d.semi_axes[1] = b, d.semi_axes[2] = c;
+    d.density = density;
+    return d;
+}
+inline lr_ellipsoid_desc in_water(lr_ellipsoid_desc d) {
+    d.fluid_density = 1000.0;
+    d.fluid_viscosity = 1e-6;
+    return d;
+}
+inline Asset make(const lr_ellipsoid_desc& d) {
+    lr_asset* asset = nullptr;
+    REQUIRE(lr_asset_create_ellipsoid(&d, &asset) == LR_OK);
+    return Asset(asset);
+}
+// The paper's leaf, and the same with its weight off centre: a diagonal and a full 6x6.
+inline Asset leaf() {
+    return make(ellipsoid(0.04, 0.01, 0.00005, 800.0));
+}
+inline Asset curled_leaf() {
+    lr_ellipsoid_desc d = ellipsoid(0.03, 0.02, 0.0005, 400.0);
+    d.center_of_mass[0] = 0.004, d.center_of_mass[1] = -0.002, d.center_of_mass[2] = 0.0001;
+    return make(d);
+}
+
+inline World make(const lr_world_desc& d) {
+    lr_world* world = nullptr;
+    REQUIRE(lr_world_create(&d, &world) == LR_OK);
+    return World(world);
+}
+inline World weightless(uint64_t seed = 0) {
+    lr_world_desc d = world_desc();
+    d.seed = seed;
+    d.gravity[1] = 0.0f;
+    return make(d);
+}
+
+inline lr_batch add_batch(const World& w, lr_batch_desc d, const Asset& asset, uint32_t capacity) {
+    d.asset = asset.get();
+    d.capacity = capacity;
+    lr_batch batch = 0;
+    REQUIRE(lr_batch_create(w.get(), &d, &batch) == LR_OK);
+    return batch;
+}
+inline lr_batch add_batch(const World& w, const Asset& asset, uint32_t capacity) {
+    return add_batch(w, batch_desc(), asset, capacity);
+}
+inline lr_body add_body(const World& w, lr_batch batch, const lr_body_desc& d) {
+    lr_body body = 0;
+    REQUIRE(lr_body_create(w.get(), batch, &d, 1, &body) == LR_OK);
+    return body;
+}
+inline lr_body_state state_of(const World& w, lr_body body) {
+    lr_body_state s = body_state();
+    REQUIRE(lr_body_get_state(w.get(), body, &s) == LR_OK);
+    return s;
+}
+inline uint64_t hash_of(const World& w) {
+    uint64_t hash = 0;
+    REQUIRE(lr_world_hash(w.get(), &hash) == LR_OK);
+    return hash;
+}
+inline lr_asset_info info_of(const Asset& asset) {
+    lr_asset_info info = initialised(lr_asset_info_init);
+    REQUIRE(lr_asset_get_info(asset.get(), &info) == LR_OK);
+    return info;
+}
+inline lr_world_info info_of(const World& w) {
+    lr_world_info info = initialised(lr_world_info_init);
+    REQUIRE(lr_world_get_info(w.get(), &info) == LR_OK);
+    return info;
+}
+inline lr_batch_view view_of(const World& w, lr_batch batch) {
+    lr_batch_view view = initialised(lr_batch_view_init);
+    REQUIRE(lr_batch_get_view(w.get(), batch, &view) == LR_OK);
+    return view;
+}
+// Doctest's checks cost a microsecond or so: one for the whole run.
+inline void steps(const World& w, int count, float dt, uint32_t substeps = 1) {
+    lr_status status = LR_OK;
+    for (int i = 0; i < count && status == LR_OK; ++i) status = lr_world_step(w.get(), dt, substeps);
+    REQUIRE(status == LR_OK);
+}
+inline void set_wind(const World& w, float x, float y, float z) {
+    lr_wind_desc d = wind_desc();
+    d.velocity[0] = x, d.velocity[1] = y, d.velocity[2] = z;
+    REQUIRE(lr_world_set_wind(w.get(), &d) == LR_OK);
+}
+// The same turbulence at every age; for the SPEED clock, that of a body as fast as u0.
+inline void set_constant_table(const World& w, lr_batch batch, double chi, double epsilon, double c0, double u0 = 1.0,
+                               double l = 0.01) {
+    const float chis[1] = {narrow(chi)}, epsilons[1] = {narrow(epsilon)};
+    lr_turbulence_table t = table_desc();
+    t.count = 1;
+    t.chi = chis;
+    t.epsilon = epsilons;
+    t.dt = 1.0f;
+    t.u0 = narrow(u0);
+    t.l = narrow(l);
+    t.c0 = narrow(c0);
+    REQUIRE(lr_batch_set_turbulence_table(w.get(), batch, &t) == LR_OK);
+}
+inline std::vector<unsigned char> snapshot_of(const World& w) {
+    std::vector<unsigned char> bytes(lr_world_snapshot_size(w.get()));
+    uint64_t written = 0;
+    REQUIRE(lr_world_snapshot_save(w.get(), bytes.data(), bytes.size(), &written) == LR_OK);
+    REQUIRE(written == bytes.size());
+    return bytes;
+}
+inline std::vector<int32_t> simd_targets() {
+    uint32_t count = 0;
+    REQUIRE(lr_simd_targets(nullptr, 0, &count) == LR_OK);
+    std::vector<int32_t> targets(count);
+    REQUIRE(lr_simd_targets(targets.data(), count, &count) == LR_OK);
+    REQUIRE(count == targets.size());
+    return targets;
+}
+inline bool same_bits(const lr_body_state& a, const lr_body_state& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+} // namespace test
