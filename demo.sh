@@ -22,7 +22,7 @@ cmake --build build/demo-samples
 
 mkdir -p demo
 step "Bake the leaf"
-build/demo/install/bin/lr_bake mesh assets/leaf.obj -o demo/leaf.lrb --unit m --density 400 --report demo/leaf.json
+build/demo/install/bin/lr_bake mesh assets/leaf.obj -o demo/leaf.lrb --unit m --density 350 --report demo/leaf.json
 
 step "A first body: samples/hello.c"
 build/demo-samples/hello

@@ -33,7 +33,7 @@ configure build/samples -S samples -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_P
 cmake --build build/samples
 build/samples/hello
 python3 tests/samples/check_assets.py .
-"$prefix/bin/lr_bake" mesh assets/leaf.obj -o build/samples/leaf.lrb --density 400 --quiet
+"$prefix/bin/lr_bake" mesh assets/leaf.obj -o build/samples/leaf.lrb --density 350 --quiet
 python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples/leaf.lrb assets/leaf.obj
 
 if [ "${1:-}" != --quick ]; then

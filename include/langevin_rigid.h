@@ -269,8 +269,8 @@ LR_API lr_status lr_world_info_init(lr_world_info* info, uint32_t struct_size);
 /* LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_world_get_info(const lr_world* world, lr_world_info* info);
 
-/* Takes effect with the next step. gravity: m/s^2, 3 values.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE. */
+/* Takes effect with the next step. gravity: m/s^2, 3 values, each up to 1e4 in magnitude.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_set_gravity(lr_world* world, const float* gravity);
 
 /* Changes the instruction set from the next step on; results do not change.
@@ -294,15 +294,15 @@ LR_API lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size);
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
-/* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 4 suit
- * leaves and paper of some centimetres, 8 to 16 petals and confetti (docs/numerics.md). Allocates nothing. The
- * floating-point mode of the calling thread is saved, set and restored. LR_OK, LR_ERROR_NULL_ARGUMENT,
- * LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS. */
+/* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit
+ * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). Allocates nothing. The
+ * floating-point mode of the calling thread is saved, set and restored.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
 /* A hash of the state of all bodies and the time index. Independent of the order of bodies in memory, of the processor
- * and of worker_count; equal hashes mean equal motion from here on, given equal worlds. LR_OK, LR_ERROR_NULL_ARGUMENT.
- */
+ * and of worker_count; equal hashes mean equal motion from here on, given equal worlds.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT. */
 LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
@@ -403,8 +403,8 @@ typedef struct lr_batch_view {
 
 LR_API lr_status lr_batch_view_init(lr_batch_view* view, uint32_t struct_size);
 
-/* view: initialised, or with struct_size set. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH,
- * LR_ERROR_STRUCT_SIZE. */
+/* view: initialised, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view);
 
 #define LR_TRANSFORM_POSITION_QUATERNION 0       /* 7 floats: position, quaternion x y z w */
@@ -469,7 +469,8 @@ LR_API lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_
 
 /* Sets everything but the key. The quaternion is normalised. Positions up to 1e9 m, velocities up to 1e6 m/s and rad/s
  * are taken, here and by lr_body_create. For many bodies a frame, prefer forces and wind: this breaks the physics by
- * design. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * design.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state);
 

@@ -89,7 +89,8 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
     app.add_option("--dt", options.dt, "time of one step, s (1/60)")->check(within(1e-6, 1.0, "from 1e-6 to 1 s"));
     app.add_option("--substeps", options.substeps, "substeps in each step")
         ->check(within(1, LR_MAX_SUBSTEPS, "from 1 to 65536"));
-    app.add_option("--threads", options.threads, "threads in all")->check(within(1, 65, "from 1 to 65"));
+    app.add_option("--threads", options.threads, "threads in all; 0 and 1 are the caller alone")
+        ->check(within(0, 65, "from 0 to 65"));
     app.add_option("--wind", wind, "velocity of the air, m/s; y is up")
         ->expected(3)
         ->delimiter(',')
@@ -102,6 +103,10 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->type_name("NAME")
         ->default_str("speed")
         ->transform(one_of({{"speed", LR_CLOCK_SPEED}, {"age", LR_CLOCK_AGE}}));
+    app.add_option("--integrator", options.integrator, "splitting: stable at any step; rk4: the paper's")
+        ->type_name("NAME")
+        ->default_str("splitting")
+        ->transform(one_of({{"splitting", LR_INTEGRATOR_SPLITTING}, {"rk4", LR_INTEGRATOR_RK4}}));
     app.add_option("--simd", options.simd,
                    "instruction set, by default the best: emulated, ssse3, sse4, avx2, avx512, neon; same results")
         ->type_name("NAME")

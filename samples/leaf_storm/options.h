@@ -21,6 +21,7 @@ struct Options {
     float noise = 1.0f;
     std::int32_t simd = LR_SIMD_AUTO;
     std::int32_t clock = LR_CLOCK_SPEED;
+    std::int32_t integrator = LR_INTEGRATOR_SPLITTING;
     std::string png, csv, json, tracks;
     std::uint32_t track_count = 40;
     double track_seconds = 1.5;

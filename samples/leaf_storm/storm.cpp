@@ -30,7 +30,7 @@ WorldPointer create_world(const Options& options, const float* wind) {
     lr_world_desc desc;
     check(lr_world_desc_init(&desc, sizeof desc), "lr_world_desc_init", "header and library differ: build again");
     desc.seed = options.seed;
-    desc.worker_count = options.threads - 1;
+    desc.worker_count = options.threads > 0 ? options.threads - 1 : 0;
     desc.simd_target = options.simd;
     desc.log = [](void*, std::int32_t level, const char* message) {
         if (level <= LR_LOG_WARNING) std::fprintf(stderr, "langevin_rigid: %s\n", message);
@@ -55,6 +55,7 @@ lr_batch create_batch(lr_world* world, const lr_asset* asset, std::uint32_t capa
     desc.capacity = capacity;
     desc.noise_gain = options.noise;
     desc.clock = options.clock;
+    desc.integrator = options.integrator;
     lr_batch batch = 0;
     check(lr_batch_create(world, &desc, &batch), "cannot create a batch of " + std::to_string(capacity) + " bodies",
           "try a smaller --count");

@@ -83,13 +83,22 @@ bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyCons
         for (size_t j = 0; j < 3; ++j) translation[i * 6 + j] = mass[i * 6 + j];
     if (!invert_spd(translation, inverse_translation)) return false;
     n = 0;
-    for (size_t i = 0; i < 3; ++i) {
-        for (size_t j = i; j < 3; ++j, ++n) {
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = i; j < 3; ++j, ++n)
             out.inverse_translation[n] = static_cast<float>(inverse_translation[i * 6 + j]);
-            out.rotation_mass[n] = static_cast<float>(mass[(i + 3) * 6 + j + 3]);
+    double slip[3][3] = {};
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) {
+            for (size_t k = 0; k < 3; ++k) slip[i][j] += mass[k * 6 + i + 3] * inverse_translation[k * 6 + j];
+            out.slip[i * 3 + j] = static_cast<float>(slip[i][j]);
         }
-        for (size_t j = 0; j < 3; ++j) out.coupling[i * 3 + j] = static_cast<float>(mass[i * 6 + j + 3]);
-    }
+    n = 0;
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = i; j < 3; ++j, ++n) {
+            double reduced = mass[(i + 3) * 6 + j + 3];
+            for (size_t k = 0; k < 3; ++k) reduced -= slip[i][k] * mass[k * 6 + j + 3];
+            out.reduced_rotation[n] = static_cast<float>(reduced);
+        }
     out.noise_spin = 2.0f;
     out.diagonal = diagonal;
     return true;

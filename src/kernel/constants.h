@@ -29,9 +29,9 @@ struct BodyConstants {
     // Splitting scheme. Rates of decay for alpha = 1: along the axes, or along modes that make mass 1 and damping
     // diagonal.
     float rate[6];
-    float to_modes[36], from_modes[36];  // full path
-    float inverse_translation[6];        // full path: inverse of the mass matrix' block of v
-    float coupling[9], rotation_mass[6]; // full path: its other blocks
+    float to_modes[36], from_modes[36]; // full path
+    float inverse_translation[6];       // full path: inverse of the mass matrix' block of v
+    float slip[9], reduced_rotation[6]; // full path: C = M12^T M11^-1, S = M22 - C M12
 
     // LANGEVIN with the SPEED clock: alpha = speed_alpha |v_r|/(d s), beta^2 = speed_beta |v_r|^3/(d s).
     float speed_alpha, speed_beta;

@@ -91,7 +91,7 @@ HWY_INLINE void load_half(const StepInput& in, const BodyConstants& c, const Hel
     const Twist tau_f = scale(tau, force_to_modes<kFull>(c, f));
     const Twist y = to_modes<kFull>(c, b.t);
     if constexpr (kLoads == Loads::none) {
-        b.t = from_modes<kFull>(c, add(y, tau_f));
+        b.t = add(b.t, from_modes<kFull>(c, tau_f));
         return;
     }
     const Twist rate = broadcast6(c.rate);
@@ -125,11 +125,16 @@ HWY_INLINE void load_half(const StepInput& in, const BodyConstants& c, const Hel
         kick = force_to_modes<kFull>(c, dragged<kFull>(c, {scale(beta, Vec3{gauss[0], gauss[1], gauss[2]}),
                                                            scale(spin_beta, Vec3{gauss[3], gauss[4], gauss[5]})}));
     }
-    b.t = from_modes<kFull>(
-        c, {{relax<kNoise>(y.v.x, x.v.x, tau_f.v.x, kick.v.x), relax<kNoise>(y.v.y, x.v.y, tau_f.v.y, kick.v.y),
-             relax<kNoise>(y.v.z, x.v.z, tau_f.v.z, kick.v.z)},
-            {relax<kNoise>(y.u.x, x.u.x, tau_f.u.x, kick.u.x), relax<kNoise>(y.u.y, x.u.y, tau_f.u.y, kick.u.y),
-             relax<kNoise>(y.u.z, x.u.z, tau_f.u.z, kick.u.z)}});
+    const Twist relaxed{
+        {relax<kNoise>(y.v.x, x.v.x, tau_f.v.x, kick.v.x), relax<kNoise>(y.v.y, x.v.y, tau_f.v.y, kick.v.y),
+         relax<kNoise>(y.v.z, x.v.z, tau_f.v.z, kick.v.z)},
+        {relax<kNoise>(y.u.x, x.u.x, tau_f.u.x, kick.u.x), relax<kNoise>(y.u.y, x.u.y, tau_f.u.y, kick.u.y),
+         relax<kNoise>(y.u.z, x.u.z, tau_f.u.z, kick.u.z)}};
+    // The full path adds the change only: to modes and back costs a rounding each time.
+    if constexpr (kFull)
+        b.t = add(b.t, from_modes<true>(c, {sub(relaxed.v, y.v), sub(relaxed.u, y.u)}));
+    else
+        b.t = relaxed;
 }
 
 struct Matrix3 {
@@ -145,15 +150,52 @@ HWY_INLINE Vec3 solve(const Matrix3& m, Vec3 r) {
     return scale(inverse, Vec3{dot(r, c12), dot(r, cross(c2, c0)), dot(r, cross(c0, c1))});
 }
 
-// Twist in the middle of a step of M z' = S(mu) z, S skew: (M - h/2 S) z = M z0. Its energy is kept whatever mu is.
-// p, l: the momenta mu. g: h/2 over the length d s. Translation is eliminated first.
-template <bool kFull>
-HWY_INLINE Twist middle_twist(const BodyConstants& c, Twist start, Twist start_momentum, Twist mu, VF g) {
+// M11^-1 y.
+template <bool kFull> HWY_INLINE Vec3 mobility(const BodyConstants& c, Vec3 y) {
+    if constexpr (kFull) return symmetric3(c.inverse_translation, y);
+    return scaled_by(c.inverse_mass, y);
+}
+// C x and C^T x, C = M12^T M11^-1, full path only.
+HWY_INLINE Vec3 slip(const BodyConstants& c, Vec3 x) {
+    return {dot(broadcast(c.slip), x), dot(broadcast(c.slip + 3), x), dot(broadcast(c.slip + 6), x)};
+}
+HWY_INLINE Vec3 slip_transposed(const BodyConstants& c, Vec3 x) {
+    return add(scale(x.x, broadcast(c.slip)),
+               add(scale(x.y, broadcast(c.slip + 3)), scale(x.z, broadcast(c.slip + 6))));
+}
+
+// The three columns of a x for the unit vectors x.
+struct Columns {
+    Vec3 x, y, z;
+};
+HWY_INLINE Columns cross_columns(Vec3 a) {
+    const VF zero = hn::Zero(DF());
+    return {{zero, a.z, hn::Neg(a.y)}, {hn::Neg(a.z), zero, a.x}, {a.y, hn::Neg(a.x), zero}};
+}
+// S = M22 - C M12.
+template <bool kFull> HWY_INLINE Columns reduced_rotation(const BodyConstants& c) {
+    const VF zero = hn::Zero(DF());
+    if constexpr (!kFull)
+        return {{constant(c.spin_mass[0]), zero, zero},
+                {zero, constant(c.spin_mass[1]), zero},
+                {zero, zero, constant(c.spin_mass[2])}};
+    const float* const m = c.reduced_rotation;
+    return {{constant(m[0]), constant(m[1]), constant(m[2])},
+            {constant(m[1]), constant(m[3]), constant(m[4])},
+            {constant(m[2]), constant(m[4]), constant(m[5])}};
+}
+
+// How far the middle of a step of M z' = S(mu) z, S skew, lies from its start: (M - h/2 S) dz = h/2 S z0. Energy is kept
+// whatever mu is. p, l: the momenta mu. g: h/2 over the length d s. With dv = M11^-1 p x u - C^T du
+//   (S - [l]x - [p]x M11^-1 [p]x + C [p]x + [p]x C^T) du = l x u0 + p x (v0 + M11^-1 p x u0) - C p x u0.
+// An increment, and not the middle itself: over many steps its rounding would show as a drift of energy.
+template <bool kFull> HWY_INLINE Twist middle_increment(const BodyConstants& c, Twist start, Twist mu, VF g) {
     const Vec3 p = scale(g, mu.v), l = scale(g, mu.u);
+    const Vec3 pu = cross(p, start.u);
+    Vec3 r = add(cross(l, start.u), cross(p, add(start.v, mobility<kFull>(c, pu))));
     if constexpr (!kFull) {
         const VF a = constant(c.inverse_mass[0]), b = constant(c.inverse_mass[1]), d = constant(c.inverse_mass[2]);
         const VF xx = hn::Mul(p.x, p.x), yy = hn::Mul(p.y, p.y), zz = hn::Mul(p.z, p.z);
-        // J - [l]x - [p]x M^-1 [p]x
         const VF kxy = hn::Mul(d, hn::Mul(p.x, p.y)), kxz = hn::Mul(b, hn::Mul(p.x, p.z)),
                  kyz = hn::Mul(a, hn::Mul(p.y, p.z));
         const Matrix3 m{
@@ -161,37 +203,60 @@ HWY_INLINE Twist middle_twist(const BodyConstants& c, Twist start, Twist start_m
              {hn::Neg(hn::Add(kxy, l.z)), mul_add(a, zz, mul_add(d, xx, constant(c.spin_mass[1]))), hn::Sub(l.x, kyz)},
              {hn::Sub(l.y, kxz), hn::Neg(hn::Add(kyz, l.x)),
               mul_add(a, yy, mul_add(b, xx, constant(c.spin_mass[2])))}}};
-        const Vec3 u = solve(m, add(start_momentum.u, cross(p, start.v)));
-        return {add(start.v, scaled_by(c.inverse_mass, cross(p, u))), u};
+        const Vec3 du = solve(m, r);
+        return {scaled_by(c.inverse_mass, add(pu, cross(p, du))), du};
     } else {
-        // G = M12 - [p]x, H^T = M12^T - [p]x; (M22 - [l]x - H^T M11^-1 G) u = l0 - H^T M11^-1 p0; v = M11^-1 (p0 - G u)
-        const float* const m12 = c.coupling;
-        const Vec3 columns[3] = {{constant(m12[0]), hn::Sub(constant(m12[3]), p.z), hn::Add(constant(m12[6]), p.y)},
-                                 {hn::Add(constant(m12[1]), p.z), constant(m12[4]), hn::Sub(constant(m12[7]), p.x)},
-                                 {hn::Sub(constant(m12[2]), p.y), hn::Add(constant(m12[5]), p.x), constant(m12[8])}};
-        const Vec3 rows[3] = {{constant(m12[0]), hn::Add(constant(m12[3]), p.z), hn::Sub(constant(m12[6]), p.y)},
-                              {hn::Sub(constant(m12[1]), p.z), constant(m12[4]), hn::Add(constant(m12[7]), p.x)},
-                              {hn::Add(constant(m12[2]), p.y), hn::Sub(constant(m12[5]), p.x), constant(m12[8])}};
-        Vec3 solved[3];
-        for (int j = 0; j < 3; ++j) solved[j] = symmetric3(c.inverse_translation, columns[j]);
-        const float* const m22 = c.rotation_mass;
-        const VF zero = hn::Zero(DF());
-        const VF skew[3][3] = {{zero, l.z, hn::Neg(l.y)}, {hn::Neg(l.z), zero, l.x}, {l.y, hn::Neg(l.x), zero}};
-        static constexpr int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
-        Matrix3 m;
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                m.a[i][j] = hn::Sub(hn::Add(constant(m22[at[i][j]]), skew[i][j]), dot(rows[i], solved[j]));
-        const Vec3 free = symmetric3(c.inverse_translation, start_momentum.v);
-        const Vec3 u = solve(m, sub(start_momentum.u, {dot(rows[0], free), dot(rows[1], free), dot(rows[2], free)}));
-        return {sub(free, add(scale(u.x, solved[0]), add(scale(u.y, solved[1]), scale(u.z, solved[2])))), u};
+        r = sub(r, slip(c, pu));
+        const Columns s = reduced_rotation<true>(c), lx = cross_columns(l), px = cross_columns(p);
+        const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const float* ct) HWY_ATTR {
+            const Vec3 turned = cross(p, sub(broadcast(ct), mobility<true>(c, pe)));
+            return add(add(sub(se, le), slip(c, pe)), turned);
+        };
+        const Vec3 c0 = column(s.x, lx.x, px.x, c.slip), c1 = column(s.y, lx.y, px.y, c.slip + 3),
+                   c2 = column(s.z, lx.z, px.z, c.slip + 6);
+        const Vec3 du = solve({{{c0.x, c1.x, c2.x}, {c0.y, c1.y, c2.y}, {c0.z, c1.z, c2.z}}}, r);
+        return {sub(mobility<true>(c, add(pu, cross(p, du))), slip_transposed(c, du)), du};
     }
 }
 
-// Solves of the implicit midpoint. Each is of second order and keeps the energy whatever the last one found; |p| and
-// p.l are kept only as far as the solves have converged, and with them the tumbling. Two solves are stable too, but
-// lose a third of a tumbling leaf's spin at 4 ms; four are within 3 % of the limit (docs/numerics.md).
-inline constexpr int midpoint_solves = 4;
+// One Newton step for the implicit midpoint M (z - z0) = g f(z), f = (P x u, L x u + P x v), from the estimate z.
+// With y = dP for unknown and N = (1 + [g u]x)^-1: y = N (r_v + g P x du), dv = M11^-1 y - C^T du, dL = C y + S du,
+// where C = M12^T M11^-1 and S = M22 - C M12; what is left is three equations for du.
+template <bool kFull> HWY_INLINE Twist newton_step(const BodyConstants& c, Twist start_momentum, Twist z, VF g) {
+    const Twist mu = momentum<kFull>(c, z);
+    const Vec3 a = scale(g, z.u), b = scale(g, z.v), p = scale(g, mu.v), l = scale(g, mu.u);
+    const Vec3 rv = add(sub(start_momentum.v, mu.v), cross(p, z.u));
+    const Vec3 ru = add(sub(start_momentum.u, mu.u), add(cross(l, z.u), cross(p, z.v)));
+
+    const VF inverse = hn::Div(constant(1.0f), hn::Add(constant(1.0f), dot(a, a)));
+    const auto n = [&](Vec3 x) HWY_ATTR { return scale(inverse, sub(add_scaled(x, dot(a, x), a), cross(a, x))); };
+    // What momentum y adds to the three equations.
+    const auto coupled = [&](Vec3 y) HWY_ATTR {
+        const Vec3 sum = sub(cross(b, y), cross(p, mobility<kFull>(c, y)));
+        if constexpr (!kFull) return sum;
+        const Vec3 cy = slip(c, y);
+        return add(sum, add(cy, cross(a, cy)));
+    };
+    // A column of the matrix for du: S e + a x S e - l x e + p x C^T e + coupled(N (p x e)).
+    const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const float* ct) HWY_ATTR {
+        const Vec3 sum = add(sub(add(se, cross(a, se)), le), coupled(n(pe)));
+        if constexpr (kFull) return add(sum, cross(p, broadcast(ct)));
+        return sum;
+    };
+    const Columns s = reduced_rotation<kFull>(c), lx = cross_columns(l), px = cross_columns(p);
+    const Vec3 c0 = column(s.x, lx.x, px.x, c.slip), c1 = column(s.y, lx.y, px.y, c.slip + 3),
+               c2 = column(s.z, lx.z, px.z, c.slip + 6);
+    const Vec3 du = solve({{{c0.x, c1.x, c2.x}, {c0.y, c1.y, c2.y}, {c0.z, c1.z, c2.z}}}, sub(ru, coupled(n(rv))));
+    const Vec3 y = n(add(rv, cross(p, du)));
+    Vec3 dv = mobility<kFull>(c, y);
+    if constexpr (kFull) dv = sub(dv, slip_transposed(c, du));
+    return {add(z.v, dv), add(z.u, du)};
+}
+
+HWY_INLINE Twist choose(hn::Mask<DF> m, Twist a, Twist b) {
+    return {{hn::IfThenElse(m, a.v.x, b.v.x), hn::IfThenElse(m, a.v.y, b.v.y), hn::IfThenElse(m, a.v.z, b.v.z)},
+            {hn::IfThenElse(m, a.u.x, b.u.x), hn::IfThenElse(m, a.u.y, b.u.y), hn::IfThenElse(m, a.u.z, b.u.z)}};
+}
 
 // A body that moves by more than this many of its lengths in half a step turns more often than can be seen or resolved:
 // it is turned by less, with the same energy. Beyond a hundred, single precision would lose that too.
@@ -205,8 +270,15 @@ HWY_INLINE void free_step(const StepInput& in, const BodyConstants& c, const Hel
     const VF energy = hn::Add(dot(b.t.v, start.v), dot(b.t.u, start.u)); // twice it, over the mass unit
     const VF lengths = hn::Mul(full_g, hn::Sqrt(energy));
     const VF g = hn::Div(full_g, hn::Max(hn::Mul(lengths, constant(1.0f / most_lengths)), constant(1.0f)));
-    Twist t = middle_twist<kFull>(c, b.t, start, start, g);
-    for (int i = 1; i < midpoint_solves; ++i) t = middle_twist<kFull>(c, b.t, start, momentum<kFull>(c, t), g);
+    const Twist first = newton_step<kFull>(c, start, b.t, g);
+    const Twist second = newton_step<kFull>(c, start, first, g);
+    // The true middle has no more energy than the ends. Newton's steps may miss it by far where the step is too long to
+    // resolve: then the momenta of the start are better.
+    const Twist second_mu = momentum<kFull>(c, second);
+    const auto sound =
+        hn::Le(hn::Add(dot(second.v, second_mu.v), dot(second.u, second_mu.u)), hn::Mul(energy, constant(1.5f)));
+    const Twist dz = middle_increment<kFull>(c, b.t, choose(sound, second_mu, start), g);
+    const Twist t = add(b.t, dz);
 
     // Orientation by Cayley's map of h w, on the group; half of it is the middle orientation.
     const Vec3 half_turn = scale(g, t.u);
@@ -215,7 +287,7 @@ HWY_INLINE void free_step(const StepInput& in, const BodyConstants& c, const Hel
         normalised({hn::Add(b.q.x, q1.x), hn::Add(b.q.y, q1.y), hn::Add(b.q.z, q1.z), hn::Add(b.q.w, q1.w)});
     b.x = add_scaled(b.x, constant(in.h), to_world(middle, t.v));
     b.q = q1;
-    b.t = {sub(add(t.v, t.v), b.t.v), sub(add(t.u, t.u), b.t.u)};
+    b.t = add(b.t, add(dz, dz));
 }
 
 template <bool kFull, Loads kLoads>

@@ -9,7 +9,8 @@ namespace {
 constexpr uint32_t mark_bit = 1u << 31; // above every generation
 
 uint32_t padded(uint32_t count) {
-    return (count + lane_block - 1) / lane_block * lane_block;
+    constexpr auto block = static_cast<uint32_t>(lane_block);
+    return (count + block - 1) / block * block;
 }
 
 } // namespace

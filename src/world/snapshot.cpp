@@ -127,7 +127,7 @@ public:
             const uint32_t generation = word(generations + s);
             if (generation == 0 || generation > max_generation) return false;
         }
-        if (used != h.count) return false;
+        if (used != h.count || h.first_generation > max_generation || h.last_generation > max_generation) return false;
         for (uint32_t i = 0; i < h.capacity - h.count; ++i) {
             const uint32_t slot = word(ring + (uint64_t{h.free_head} + i) % h.capacity);
             if (slot >= h.capacity || word(dense + slot) != max_capacity || (seen[slot / 32] >> slot % 32 & 1u))

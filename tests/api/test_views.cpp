@@ -104,8 +104,8 @@ TEST_CASE("setting the state that was read changes nothing but rounding, and nev
         CHECK(vec(after.position) == vec(before.position));
         CHECK((after.scale == before.scale && after.age == before.age));
         for (size_t k = 0; k < 4; ++k) CHECK(std::abs(after.orientation[k] - before.orientation[k]) < 1.5e-7f);
-        CHECK(largest_difference(vec(before.linear_velocity), vec(after.linear_velocity)) < 4e-7);
-        CHECK(largest_difference(vec(before.angular_velocity), vec(after.angular_velocity)) < 4e-7);
+        CHECK(largest_difference(vec(before.linear_velocity), vec(after.linear_velocity)) < 1e-6);
+        CHECK(largest_difference(vec(before.angular_velocity), vec(after.angular_velocity)) < 1e-6);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "baker/text.h"
 #include "format/asset_file.h"
 #include "format/checksum.h"
+#include "format/coupling.h"
 #include "mesh_shapes.h"
 #include "scratch.h"
 #include "shape/ellipsoid.h"

@@ -60,6 +60,31 @@ TEST_CASE("the caller's rounding mode changes no bit of a step, and is there aft
     CHECK((raised & FE_DIVBYZERO) != 0);
 }
 
+// Threads inherit the mode of the one that starts them.
+TEST_CASE("a world created in another mode steps in its own") {
+    const auto run = [](int mode, uint32_t workers) {
+        lr_world_desc d = world_desc();
+        d.worker_count = workers;
+        lr_world* raw = nullptr;
+        {
+            const RestoreMode restore;
+            std::fesetround(mode);
+            lr_world_create(&d, &raw);
+        }
+        REQUIRE(raw != nullptr);
+        const World world(raw);
+        const Asset asset = leaf();
+        const lr_batch batch = add_batch(world, asset, 20000); // chunks enough for every worker
+        const std::vector<lr_body_desc> descs(20000, body_desc());
+        REQUIRE(lr_body_create(raw, batch, descs.data(), 20000, nullptr) == LR_OK);
+        steps(world, 5, frame_dt, 3);
+        return hash_of(world);
+    };
+    const uint64_t expected = run(FE_TONEAREST, 0);
+    for (int mode : {FE_UPWARD, FE_DOWNWARD})
+        for (uint32_t workers : {0u, 2u}) CHECK(run(mode, workers) == expected);
+}
+
 #if defined(__SSE2__)
 TEST_CASE("flushed denormals and unmasked traps of the caller change no bit either") {
     const uint64_t expected = stepped_in([] {}, 0);

@@ -32,8 +32,8 @@ TEST_CASE("held hashes") {
         held[line.substr(0, space)] = std::strtoull(line.c_str() + space, nullptr, 16);
     }
     REQUIRE(held.size() == got.size());
-    for (const auto& [name, hash] : got) {
-        CAPTURE(name);
-        CHECK(hash == held[name]);
+    for (const auto& scene : got) {
+        CAPTURE(scene.first);
+        CHECK(scene.second == held[scene.first]);
     }
 }

@@ -115,6 +115,46 @@ TEST_CASE("the stationary variance does not depend on the step, in the default s
     }
 }
 
+// From rest and before the damping acts: a random walk of each velocity and spin about the body's own axes, pushed by
+// rho (V + A) beta and rho D beta/ell on body and added mass together, ell half the largest extent.
+TEST_CASE("the noise kicks each axis by its own weights") {
+    const double chi = 1.0, epsilon = 0.5, c0 = 2.0, beta = std::sqrt(c0 * epsilon), ell = 0.04;
+    const Asset asset = make(in_water(ellipsoid(0.04, 0.02, 0.01, 1300.0)));
+    const lr_asset_info info = info_of(asset);
+    const double displaced = info.fluid_density * info.volume;
+    for (int32_t integrator : integrators)
+        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+            const World world = weightless(12);
+            lr_batch_desc d = batch_desc();
+            d.clock = LR_CLOCK_AGE;
+            d.integrator = integrator;
+            d.tensor = tensor;
+            const lr_batch batch = add_batch(world, d, asset, crowd);
+            set_constant_table(world, batch, chi, epsilon, c0);
+            const std::vector<lr_body> ids = add_crowd(world, batch, crowd);
+            const double time = 4e-4;
+            steps(world, 1, narrow(time), 4);
+            Vec v_squared{}, w_squared{};
+            for (lr_body id : ids) {
+                const lr_body_state s = state_of(world, id);
+                for (size_t i = 0; i < 3; ++i) {
+                    v_squared[i] += std::pow(wide(s.linear_velocity[i]), 2.0) / crowd;
+                    w_squared[i] += std::pow(wide(s.angular_velocity[i]), 2.0) / crowd;
+                }
+            }
+            const double floor =
+                0.02 * (displaced + info.added_mass[14]) / info.mass; // docs/physics.md, "Viscous floor"
+            const double bound = 5.0 * std::sqrt(2.0 / crowd) + 2e-3;
+            CAPTURE(integrator);
+            for (size_t i = 0; i < 3; ++i) {
+                const double a = info.added_mass[i * 7], b = info.added_mass[(i + 3) * 7], j = info.inertia[i * 4];
+                const double v = (displaced + a) / (info.mass + a) * beta, w = (b + floor * j) / (j + b) * beta / ell;
+                CHECK(v_squared[i] / (v * v * time) == doctest::Approx(1.0).epsilon(bound));
+                CHECK(w_squared[i] / (w * w * time) == doctest::Approx(1.0).epsilon(bound));
+            }
+        }
+}
+
 TEST_CASE("the noise gain multiplies the noise's amplitude, and a seed or a key changes it") {
     const Asset sphere = make(in_water(ellipsoid(0.02, 0.02, 0.02, 1000.0)));
     const auto end = [&](float gain, uint64_t seed, uint32_t key) {

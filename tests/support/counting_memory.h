@@ -67,7 +67,13 @@ private:
     size_t blocks_ = 0;
 };
 
-// Calls of the global operator new in this process, also from inside the library: support/counting_new.cpp.
+// Calls of the global operator new in this process, also from inside the library: support/counting_new.cpp. Sanitizers
+// bring their own operator new, which stays in place.
+#ifdef LR_TEST_QUICK
+inline constexpr bool counts_global = false;
+#else
+inline constexpr bool counts_global = true;
+#endif
 extern std::atomic<uint64_t> global_allocations;
 extern std::atomic<uint64_t> global_live;
 // The call of operator new that throws, counted down from here; 0 for none.

@@ -8,6 +8,7 @@ std::atomic<uint64_t> global_live{0};
 std::atomic<uint64_t> global_fail_in{0};
 } // namespace test
 
+#ifndef LR_TEST_QUICK
 namespace {
 
 void* counted(size_t size, size_t alignment) {
@@ -45,3 +46,4 @@ void operator delete(void* memory, std::align_val_t) noexcept {
 void operator delete(void* memory, size_t, std::align_val_t) noexcept {
     discounted(memory);
 }
+#endif

@@ -120,3 +120,20 @@ TEST_CASE("a free slot listed twice is refused") {
     seal(bytes);
     CHECK(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) == LR_ERROR_SNAPSHOT_FORMAT);
 }
+
+// The next batch in its place would begin with generation 0, and with a body whose id is 0.
+TEST_CASE("a generation beyond the last is refused") {
+    const Scene scene;
+    std::vector<unsigned char> bytes = snapshot_of(scene.world);
+    // The first batch's header follows the world's 88 bytes; first and last generation lie 24 and 28 bytes into it.
+    for (size_t at : {size_t{88 + 24}, size_t{88 + 28}}) {
+        uint32_t generation = 0;
+        std::memcpy(&generation, bytes.data() + at, 4);
+        REQUIRE((generation == 1 || generation == 2));
+        const uint32_t forged = UINT32_MAX;
+        std::memcpy(bytes.data() + at, &forged, 4);
+        seal(bytes);
+        CHECK(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) == LR_ERROR_SNAPSHOT_FORMAT);
+        std::memcpy(bytes.data() + at, &generation, 4);
+    }
+}
