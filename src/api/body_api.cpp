@@ -7,9 +7,9 @@ namespace {
 
 using namespace lr::api;
 
-constexpr float least_scale = 1e-3f, most_scale = 1e3f;
-constexpr float most_speed = 1e6f; // m/s and rad/s: far beyond physics, far below overflow
-constexpr float most_place = 1e9f; // m
+constexpr double least_scale = static_cast<double>(1e-3f), most_scale = 1e3;
+constexpr double most_speed = 1e6; // m/s and rad/s: far beyond physics, far below overflow
+constexpr double most_place = 1e9; // m
 
 struct Vector {
     double v[3];

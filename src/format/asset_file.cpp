@@ -31,6 +31,13 @@ size_t checksum_offset(const format::Asset& asset, const uint8_t* bytes) {
     return at ? static_cast<size_t>(at - bytes) : 0;
 }
 
+// FlatBuffers' verifier looks after the bounds of vectors and structs, not after the alignment of eight-byte values.
+bool check_alignment(const void* at, size_t alignment, const char* field, Faults& faults) {
+    if (reinterpret_cast<uintptr_t>(at) % alignment == 0) return true;
+    fail(faults, FaultId::asset_corrupt, field, "The field is not aligned.");
+    return false;
+}
+
 template <size_t N>
 bool copy_array(const flatbuffers::Vector<double>* from, std::array<double, N>& to, const char* field, Faults& faults) {
     if (!from) {
@@ -42,13 +49,15 @@ bool copy_array(const flatbuffers::Vector<double>* from, std::array<double, N>& 
              "It has " + std::to_string(from->size()) + " values, not " + std::to_string(N) + ".");
         return false;
     }
+    if (!check_alignment(from->Data(), alignof(double), field, faults)) return false;
     for (uint32_t i = 0; i < N; ++i) to[i] = from->Get(i);
     return true;
 }
 
-template <class T, class U> void copy_vector(const flatbuffers::Vector<T>* from, std::vector<U>& to) {
+template <class T, class U>
+void copy_vector(const flatbuffers::Vector<T>* from, std::vector<U>& to, const char* field, Faults& faults) {
     to.clear();
-    if (!from) return;
+    if (!from || !check_alignment(from->Data(), alignof(T), field, faults)) return;
     to.reserve(from->size());
     for (uint32_t i = 0; i < from->size(); ++i) to.push_back(from->Get(i));
 }
@@ -61,7 +70,7 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     const size_t before = faults.size();
     const auto need = [&](const void* field, const char* name) {
         if (!field) fail(faults, FaultId::asset_missing_field, name, "The field is missing.");
-        return field != nullptr;
+        return field && check_alignment(field, alignof(double), name, faults);
     };
     out.name = text(a.name());
     out.mass = a.mass();
@@ -86,11 +95,13 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     }
     out.projected_area = a.projected_area();
     out.u0 = a.u0();
-    if (need(a.turbulence(), "turbulence")) {
+    if (!a.turbulence()) {
+        fail(faults, FaultId::asset_missing_field, "turbulence", "The field is missing.");
+    } else {
         const format::Turbulence& t = *a.turbulence();
         out.turbulence.dt = t.dt();
-        copy_vector(t.chi(), out.turbulence.chi);
-        copy_vector(t.epsilon(), out.turbulence.epsilon);
+        copy_vector(t.chi(), out.turbulence.chi, "turbulence.chi", faults);
+        copy_vector(t.epsilon(), out.turbulence.epsilon, "turbulence.epsilon", faults);
         out.turbulence.stationary = t.stationary();
         out.turbulence.c0 = t.c0();
         out.turbulence.intensity = t.intensity();
@@ -98,8 +109,8 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
             for (uint32_t i = 0; i < 3; ++i) out.turbulence.cells[i] = t.cells()->Get(i);
     }
     if (a.hull()) {
-        copy_vector(a.hull()->vertices(), out.hull.vertices);
-        copy_vector(a.hull()->triangles(), out.hull.triangles);
+        copy_vector(a.hull()->vertices(), out.hull.vertices, "hull.vertices", faults);
+        copy_vector(a.hull()->triangles(), out.hull.triangles, "hull.triangles", faults);
     }
     if (a.provenance()) {
         const format::Provenance& p = *a.provenance();

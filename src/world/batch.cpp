@@ -148,14 +148,16 @@ uint32_t Batch::padded_count() const {
 bool Batch::set_table(const TableView& t) {
     Buffer<float> table;
     if (!table.allocate(*allocator_, size_t{2} * t.count)) return false;
+    const auto chi = [&](uint32_t i) { return static_cast<double>(t.chi[i]); };
+    const auto epsilon = [&](uint32_t i) { return static_cast<double>(t.epsilon[i]); };
     for (uint32_t i = 0; i < t.count; ++i) {
-        table[i] = static_cast<float>(langevin_alpha(t.chi[i], t.c0, settings_.gains));
-        table[t.count + i] = static_cast<float>(langevin_beta_squared(t.epsilon[i], t.c0, settings_.gains));
+        table[i] = static_cast<float>(langevin_alpha(chi(i), t.c0, settings_.gains));
+        table[t.count + i] = static_cast<float>(langevin_beta_squared(epsilon(i), t.c0, settings_.gains));
     }
     table_.swap(table);
     step.table = {table_.data(), table_.data() + t.count, static_cast<float>(1.0 / t.dt),
                   static_cast<float>(t.count - 1), settings_.loop};
-    set_speed_turbulence({t.chi[t.stationary], t.epsilon[t.stationary], t.u0, t.l, t.c0}, settings_.gains, step.body);
+    set_speed_turbulence({chi(t.stationary), epsilon(t.stationary), t.u0, t.l, t.c0}, settings_.gains, step.body);
     return true;
 }
 

@@ -134,6 +134,12 @@ public:
                 return false;
             seen[slot / 32] |= 1u << slot % 32;
         }
+        const uint64_t table = ring + even(h.capacity);
+        for (uint64_t i = 0; i < 2 * even(h.table_count); ++i) {
+            float v; // alpha or beta^2, or the padding after them
+            std::memcpy(&v, body + 4 * (table + i), 4);
+            if (!(v >= 0.0f) || !std::isfinite(v)) return false;
+        }
         // Other fields may hold anything: a body that left physics must not make its world unrestorable.
         for (uint32_t i = 0; i < h.count; ++i)
             for (size_t f : {field_scale, field_age}) {
@@ -226,7 +232,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
     for (float v : header.wind)
         if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
-    if (!std::isfinite(header.time)) return LR_ERROR_SNAPSHOT_FORMAT;
+    if (!std::isfinite(header.time) || header.next_key == 0) return LR_ERROR_SNAPSHOT_FORMAT;
     if (header.batch_slots != w.batch_slots) return LR_ERROR_SNAPSHOT_MISMATCH;
 
     // First pass: everything is checked, and tables of another length get their memory.

@@ -105,7 +105,7 @@ TEST_CASE("force-free motion keeps energy, momentum, p.l, and the impulse and it
             d.integrator = integrator;
             d.tensor = c.tensor;
             const Drift worst = drift(c.asset, d, count, 1.0f / 30.0f, 64, c.scale);
-            const double bound = integrator == LR_INTEGRATOR_RK4 ? 1e-4 : 1e-2;
+            const double bound = 1e-4; // rounding over 20,000 substeps and more
             CHECK(worst.energy < bound);
             CHECK(worst.p < bound);
             CHECK(worst.p_dot_l < bound);
