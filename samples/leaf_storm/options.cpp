@@ -99,6 +99,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->check(within(-1000, 1000, "from -1000 to 1000 m/s"));
     app.add_option("--seed", options.seed, "of the births and of the turbulence");
     app.add_option("--noise", options.noise, "multiplies the turbulent noise")->check(within(0, 100, "from 0 to 100"));
+    app.add_flag("--same-size", options.same_size, "all at the size of their asset, instead of 0.7 to 1.3 times it");
     app.add_option("--clock", options.clock, "speed: turbulence by present speed; age: by the baked table in time")
         ->type_name("NAME")
         ->default_str("speed")

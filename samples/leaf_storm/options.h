@@ -20,6 +20,7 @@ struct Options {
     std::uint64_t seed = 1;
     float noise = 1.0f;
     std::int32_t simd = LR_SIMD_AUTO;
+    bool same_size = false;
     std::int32_t clock = LR_CLOCK_SPEED;
     std::int32_t integrator = LR_INTEGRATOR_SPLITTING;
     std::string png, csv, json, tracks;

@@ -77,7 +77,9 @@ Storm::Storm(const Options& options) : options_(options), world_(create_world(op
     std::uint64_t first = 0;
     for (Kind& kind : kinds_) {
         kind.batch = create_batch(world_.get(), kind.asset.get(), kind.count, options);
-        const auto bodies = storm::births(box_, options.seed, first, kind.count, options.wind);
+        auto bodies = storm::births(box_, options.seed, first, kind.count, options.wind);
+        if (options.same_size)
+            for (lr_body_desc& body : bodies) body.scale = 1.0f;
         check(lr_body_create(world_.get(), kind.batch, bodies.data(), kind.count, nullptr), "cannot create the bodies",
               "try a smaller --count");
         reentries_.emplace_back(box_);

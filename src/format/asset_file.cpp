@@ -57,7 +57,7 @@ bool copy_array(const flatbuffers::Vector<double>* from, std::array<double, N>& 
 template <class T, class U>
 void copy_vector(const flatbuffers::Vector<T>* from, std::vector<U>& to, const char* field, Faults& faults) {
     to.clear();
-    if (!from || !check_alignment(from->Data(), alignof(T), field, faults)) return;
+    if (!from || from->size() == 0 || !check_alignment(from->Data(), alignof(T), field, faults)) return;
     to.reserve(from->size());
     for (uint32_t i = 0; i < from->size(); ++i) to.push_back(from->Get(i));
 }
