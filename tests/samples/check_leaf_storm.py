@@ -56,7 +56,7 @@ def main(asset, mesh):
 
         for bad in ([], ["--asset", path("none.lrb")], [*storm, "--dt", "nan"], [*storm, "--dt", "0"], [*storm, "--substeps", "0"],
                     [*storm, "--wind", "1,2"], [*storm, "--wind", "1,inf,2"], [*storm, "--count", "0"],
-                    [*storm, "--simd", "mmx"], [*storm, "--threads", "0"], [*storm, "--what"],
+                    [*storm, "--simd", "mmx"], [*storm, "--threads", "99"], [*storm, "--what"],
                     [*storm, "--csv", path("x"), "--json", path("x")], [*storm, "--csv", asset]):
             assert run(*bad, code=1).stderr, bad
         with open(path("bad.lrb"), "wb") as file:
