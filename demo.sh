@@ -8,6 +8,7 @@ step() { printf '\n== %s\n' "$*"; }
 step "Set-up"
 scripts/setup.sh build
 
+mkdir -p build demo
 step "Build and install the library and the baker"
 cmake --preset release -DLR_BUILD_TESTS=OFF -B build/demo >build/demo-configure.log 2>&1 ||
     { cat build/demo-configure.log; exit 1; }
@@ -20,7 +21,6 @@ cmake -S samples -B build/demo-samples -G Ninja -DCMAKE_BUILD_TYPE=Release \
     { cat build/demo-samples-configure.log; exit 1; }
 cmake --build build/demo-samples
 
-mkdir -p demo
 step "Bake the leaf"
 build/demo/install/bin/lr_bake mesh assets/leaf.obj -o demo/leaf.lrb --unit m --density 350 --report demo/leaf.json
 
