@@ -11,7 +11,7 @@ mkdir -p "$work"
 check() {
     at=$1
     name=$2
-    cmake -S "$here" -B "$work/$name" -DCMAKE_PREFIX_PATH="$at" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; return 1; }
+    cmake -G Ninja -S "$here" -B "$work/$name" -DCMAKE_PREFIX_PATH="$at" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; return 1; }
     cmake --build "$work/$name" >> "$work/$name.log" 2>&1 || { cat "$work/$name.log"; return 1; }
     grep -q "langevin_rigid_DIR:PATH=$at" "$work/$name/CMakeCache.txt" || { echo "another package was found"; return 1; }
     in_c=$("$work/$name/in_c")
