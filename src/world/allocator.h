@@ -57,8 +57,9 @@ public:
     T* data() { return data_; }
     const T* data() const { return data_; }
     size_t size() const { return size_; }
-    T& operator[](size_t i) { return data_[i]; }
-    const T& operator[](size_t i) const { return data_[i]; }
+    // i < size(), so that data_ is not null: the analyzer cannot know.
+    T& operator[](size_t i) { return data_[i]; }             // NOLINT(clang-analyzer-core.uninitialized.UndefReturn)
+    const T& operator[](size_t i) const { return data_[i]; } // NOLINT(clang-analyzer-core.uninitialized.UndefReturn)
 
 private:
     Allocator* allocator_ = nullptr;

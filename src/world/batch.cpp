@@ -146,6 +146,7 @@ uint32_t Batch::padded_count() const {
 }
 
 bool Batch::set_table(const TableView& t) {
+    if (t.count == 0 || !t.chi || !t.epsilon) return false;
     Buffer<float> table;
     if (!table.allocate(*allocator_, size_t{2} * t.count)) return false;
     const auto chi = [&](uint32_t i) { return static_cast<double>(t.chi[i]); };
