@@ -1,6 +1,7 @@
 #include "baker/mesh.h"
 
 #include "baker/assimp_reader.h"
+#include "baker/collada_check.h"
 #include "baker/obj_reader.h"
 #include "baker/ply_reader.h"
 #include "baker/text.h"
@@ -262,7 +263,8 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
         } else if (file.extension == "ply") {
             read = parse_ply(text, soup, faults);
         } else {
-            read = read_with_assimp(file, soup, faults);
+            const bool collada = file.extension == "dae" || is_collada(text);
+            read = (!collada || check_collada(text, faults)) && read_with_assimp(file, soup, faults);
             if (read && options.mesh && file.extension == "dae" && !has_name(soup, *options.mesh)) {
                 PolygonSoup by_id;
                 file.collada_ids = true;

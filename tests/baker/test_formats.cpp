@@ -12,6 +12,9 @@
 
 #include <Eigen/LU>
 
+#include <cstring>
+#include <random>
+
 using namespace lr;
 using namespace lr::baker;
 using doctest::Approx;
@@ -191,6 +194,57 @@ TEST_CASE("formats: PLY has no names to select by") {
     Faults faults;
     CHECK_FALSE(read_mesh(ply, options, mesh, faults));
     CHECK(count(faults, FaultId::parameter_unknown) == 1);
+}
+
+TEST_CASE("formats: Collada that would make assimp read out of bounds or never end is refused") {
+    const std::string good = test::collada(test::tetrahedron(), {{"Body"}}, "");
+    Mesh mesh;
+    Faults faults;
+    CHECK(read_mesh_memory(good.data(), good.size(), "dae", MeshReadOptions{}, mesh, faults));
+    const std::pair<const char*, const char*> damages[] = {
+        {"<p>0 ", "<p>x "},
+        {"id=\"pa\" count", "id=\"pa\" coumt"},
+        {"count=\"12\"", "count=\"13\""},
+        {"stride=\"3\"", "stride=\"4\""},
+        {"stride=\"3\"", "stride=\"1\""},
+        {"source=\"#pa\"", "source=\"#px\""},
+        {"count=\"4\"", "count=\"5\""},
+        {"</COLLADA>", "</COLLADA"},
+    };
+    for (const auto& [before, after] : damages) {
+        CAPTURE(after);
+        std::string text = good;
+        REQUIRE(contains(text, before));
+        text.replace(text.find(before), std::strlen(before), after);
+        faults.clear();
+        CHECK_FALSE(read_mesh_memory(text.data(), text.size(), "dae", MeshReadOptions{}, mesh, faults));
+        REQUIRE(faults.size() == 1);
+        CHECK(faults[0].id == FaultId::mesh_unreadable);
+        CHECK(contains(faults[0].where, "line "));
+    }
+}
+
+TEST_CASE("formats: truncated and damaged scenes are read or refused, with a number") {
+    const Mesh body = test::tetrahedron();
+    const auto nodes = test::nested_nodes();
+    std::mt19937 random(11);
+    for (const auto& [extension, text] :
+         {std::pair{"dae", test::collada(body, nodes, "<unit meter=\"0.01\"/>")},
+          std::pair{"fbx", test::fbx(body, nodes, test::fbx_unit(1.0))}, std::pair{"glb", test::glb(body, nodes)},
+          std::pair{"stl", test::binary_stl(body)}})
+        for (int i = 0; i < 100; ++i) {
+            std::string damaged = text;
+            if (i % 2)
+                damaged.resize(random() % damaged.size());
+            else
+                for (int k = 0; k < 3; ++k) damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+            Mesh mesh;
+            Faults faults;
+            const bool good =
+                read_mesh_memory(damaged.data(), damaged.size(), extension, MeshReadOptions{}, mesh, faults) &&
+                check_and_repair(mesh, faults);
+            CHECK(good != has_error(faults));
+        }
 }
 
 TEST_CASE("--up turns by a proper rotation, and the inertia with it") {
