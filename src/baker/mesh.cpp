@@ -262,9 +262,12 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
             read = parse_obj(text, soup, faults);
         } else if (file.extension == "ply") {
             read = parse_ply(text, soup, faults);
+        } else if (file.extension == "zae") {
+            report(faults, FaultId::mesh_unreadable, Severity::error, file.where, "This is packed Collada.",
+                   "Unpack it (it is a zip archive) and bake the .dae inside.");
         } else {
-            const bool collada = file.extension == "dae" || is_collada(text);
-            read = (!collada || check_collada(text, faults)) && read_with_assimp(file, soup, faults);
+            if (is_collada(text)) file.extension = "dae"; // assimp would know it by any name
+            read = (file.extension != "dae" || check_collada(text, faults)) && read_with_assimp(file, soup, faults);
             if (read && options.mesh && file.extension == "dae" && !has_name(soup, *options.mesh)) {
                 PolygonSoup by_id;
                 file.collada_ids = true;

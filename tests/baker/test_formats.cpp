@@ -201,6 +201,11 @@ TEST_CASE("formats: Collada that would make assimp read out of bounds or never e
     Mesh mesh;
     Faults faults;
     CHECK(read_mesh_memory(good.data(), good.size(), "dae", MeshReadOptions{}, mesh, faults));
+    CHECK_FALSE(read_mesh_memory("PK", 2, "zae", MeshReadOptions{}, mesh, faults));
+    CHECK(count(faults, FaultId::mesh_unreadable) == 1);
+    const std::string inches = test::collada(test::tetrahedron(), {{"Body"}}, "<unit meter=\"0.0254\"/>");
+    REQUIRE(read_mesh_memory(inches.data(), inches.size(), "xml", in_unit(1.0), mesh, faults));
+    CHECK(compute_mass_properties(mesh).volume == Approx(1.0)); // Collada by another name: not scaled twice
     const std::pair<const char*, const char*> damages[] = {
         {"<p>0 ", "<p>x "},
         {"id=\"pa\" count", "id=\"pa\" coumt"},
