@@ -131,7 +131,11 @@ private:
         std::vector<uint8_t> bytes;
         if (!read_file(options_.mesh_path, max_mesh_bytes, bytes, faults_)) return false;
         input_.add(bytes.data(), bytes.size());
-        if (!read_mesh(options_.mesh_path, 1.0 / units_per_metre(options_.unit), mesh_, faults_)) return false;
+        MeshReadOptions how;
+        if (options_.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(options_.unit);
+        how.up = options_.up;
+        how.mesh = options_.mesh;
+        if (!read_mesh(options_.mesh_path, how, mesh_, faults_)) return false;
         const std::filesystem::path path(std::u8string(options_.mesh_path.begin(), options_.mesh_path.end()));
         out_.name = utf8(path.stem());
         out_.provenance.source = utf8(path.filename());
@@ -292,11 +296,12 @@ private:
 } // namespace
 
 double units_per_metre(Unit unit) {
-    return unit == Unit::m ? 1.0 : unit == Unit::cm ? 100.0 : 1000.0;
+    return unit == Unit::cm ? 100.0 : unit == Unit::mm ? 1000.0 : 1.0;
 }
 
 const char* unit_name(Unit unit) {
-    return unit == Unit::m ? "m" : unit == Unit::cm ? "cm" : "mm";
+    const char* const names[] = {"m", "cm", "mm", "file"};
+    return names[static_cast<std::size_t>(unit)];
 }
 
 std::string canonical_options(const BakeOptions& o) {
@@ -314,7 +319,10 @@ std::string canonical_options(const BakeOptions& o) {
     if (o.semi_axes)
         for (const double a : *o.semi_axes) add_one("", a);
     text += " --unit ";
-    text += unit_name(o.unit);
+    const bool same_as_metres = o.unit == Unit::file && (o.semi_axes || !declares_unit(o.mesh_path));
+    text += unit_name(same_as_metres ? Unit::m : o.unit);
+    if (!o.semi_axes && o.up != UpAxis::z) text += std::string(" --up ") + up_name(o.up);
+    if (!o.semi_axes && o.mesh) text += " --mesh " + valid_utf8(*o.mesh);
     add_one(" --density", o.density);
     add(" --fluid", std::array{o.fluid_density, o.fluid_viscosity});
     add(" --grid", o.cells);

@@ -1,6 +1,7 @@
 // The whole bake: from a mesh file or three semi-axes to an asset.
 #pragma once
 
+#include "baker/mesh.h"
 #include "format/asset_data.h"
 #include "format/fault.h"
 
@@ -14,7 +15,8 @@
 
 namespace lr::baker {
 
-enum class Unit { m, cm, mm };
+// file: what a mesh file says about itself (Collada, FBX), else m.
+enum class Unit { m, cm, mm, file };
 
 double units_per_metre(Unit unit);
 const char* unit_name(Unit unit);
@@ -23,13 +25,15 @@ struct BakeOptions {
     // Either a mesh file, or an ellipsoid when there are semi-axes.
     std::string mesh_path;                          // UTF-8
     std::optional<std::array<double, 3>> semi_axes; // in `unit`
-    Unit unit = Unit::m;                            // of the mesh and of every length here
+    Unit unit = Unit::file;                         // of the mesh and of every length here, which `file` leaves in m
+    UpAxis up = UpAxis::z;                          // axis of the mesh that becomes +z
+    std::optional<std::string> mesh;                // only what has this name in the file
     double density = 800.0;                         // kg/m^3; leaf, paper
     double fluid_density = 1.2;                     // kg/m^3; air
     double fluid_viscosity = 1.5e-5;                // m^2/s
     std::array<uint32_t, 3> cells{32, 32, 16};      // of the turbulence grid
     double intensity = 1.0;                         // of the turbulence in k0 = 3/2 (I U0)^2
-    // In `unit`, frame of the mesh. A ballasted body: the inertia stays that of the uniform solid about its own
+    // In `unit`, frame of the mesh (turned by `up`). A ballasted body: the inertia stays that of the uniform solid about its own
     // centroid, everything else is about this point. Without it the centre is that of the uniform solid.
     std::optional<std::array<double, 3>> center_of_mass;
     std::optional<std::string> name; // instead of the file name without its extension

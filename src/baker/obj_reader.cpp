@@ -82,12 +82,28 @@ private:
         if (keyword == "v") return parse_vertex(line);
         if (keyword == "f") return parse_face(line);
         if (keyword == "p" || keyword == "l") ++soup_.ignored_points;
-        if (keyword == "o") part_open_ = false;
+        if (keyword == "o" || keyword == "g") begin_part(keyword == "o", line);
         // Free-form surfaces would silently be lost: say so instead.
         if (keyword == "surf" || keyword == "curv" || keyword == "cstype")
             return fail(FaultId::mesh_unreadable, "The file holds free-form curves or surfaces.",
                         "Export the surface as polygons.");
         return true;
+    }
+
+    // Groups lie inside an object and are no objects of their own: many exporters make one for every material.
+    void begin_part(bool is_object, std::string_view names) {
+        while (!names.empty() && is_space(names.front())) names.remove_prefix(1);
+        while (!names.empty() && is_space(names.back())) names.remove_suffix(1);
+        part_open_ = false;
+        group_names_.clear();
+        if (is_object) {
+            ++object_;
+            object_name_ = names;
+            return;
+        }
+        group_names_.emplace_back(names);
+        for (std::string_view word = next_word(names); !word.empty(); word = next_word(names))
+            if (word != group_names_.front()) group_names_.emplace_back(word);
     }
 
     bool parse_vertex(std::string_view line) {
@@ -118,9 +134,12 @@ private:
         }
         if (polygon.size() < 3)
             return fail(FaultId::mesh_degenerate_face, "A face has fewer than three corners.", "Delete this face.");
-        soup_.polygons.push_back(std::move(polygon));
-        if (!part_open_) ++soup_.parts;
+        if (!part_open_) {
+            const std::string group = group_names_.empty() ? std::string() : group_names_.front();
+            soup_.parts.push_back({soup_.polygons.size(), object_, {object_name_, group}, group_names_});
+        }
         part_open_ = true;
+        soup_.polygons.push_back(std::move(polygon));
         return true;
     }
 
@@ -133,6 +152,9 @@ private:
     Faults& faults_;
     std::size_t line_ = 0;
     bool part_open_ = false;
+    std::size_t object_ = 0;
+    std::string object_name_;
+    std::vector<std::string> group_names_;
 };
 
 double cross2(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {

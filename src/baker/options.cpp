@@ -39,29 +39,56 @@ template <class Number, std::size_t N> std::array<Number, N> parse_list(std::str
 }
 
 struct Texts {
-    std::string unit = "m", density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
+    std::string unit, up = "z", mesh, density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
     std::string center_of_mass, name;
     std::string semi_axis[3];
 };
+
+void add_mesh_options(CLI::App& command, Texts& texts) {
+    command
+        .add_option("--unit", texts.unit,
+                    "unit of the mesh and of every length given: m, cm or mm; file: what the file says (Collada, FBX), "
+                    "else m")
+        ->default_str("file")
+        ->type_name("UNIT");
+    command.add_option("--up", texts.up, "axis of the mesh that is turned to +z: x, y, z, -x, -y or -z")
+        ->capture_default_str()
+        ->type_name("AXIS");
+    command.add_option("--mesh", texts.mesh, "only the mesh, node or object of this name, instead of all as one body")
+        ->type_name("NAME");
+}
 
 void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
     command.add_option("-o,--output", line.output, "asset file to write")->required()->type_name("OUT.lrb");
     const auto add = [&](const char* option, std::string& text, const char* help, const char* type) {
         command.add_option(option, text, help)->capture_default_str()->type_name(type);
     };
-    add("--unit", texts.unit, "unit of every length given: m, cm or mm", "UNIT");
     add("--density", texts.density, "of the body, kg/m^3", "KG_M3");
     add("--fluid", texts.fluid, "air (1.2,1.5e-5), water (998,1e-6), or density in kg/m^3 and viscosity in m^2/s",
         "air|water|RHO,NU");
     add("--grid", texts.grid, "cells of the turbulence grid: stream, across, up", "X,Y,Z");
     add("--intensity", texts.intensity, "of the turbulence; 1 is the paper's 100 %", "I");
     command
-        .add_option("--center-of-mass", texts.center_of_mass,
-                    "in the unit and frame of the mesh (of the ellipsoid: its centre), for a ballasted body")
+        .add_option(
+            "--center-of-mass", texts.center_of_mass,
+            "in the unit and frame of the mesh, after --up (of the ellipsoid: its centre), for a ballasted body")
         ->type_name("X,Y,Z");
     command.add_option("--name", texts.name, "name in the asset, instead of the file's")->type_name("NAME");
     command.add_option("--report", line.report, "JSON report to write")->type_name("R.json");
     command.add_flag("--quiet", line.quiet, "print errors only");
+}
+
+void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    bool known = false;
+    for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_x, UpAxis::minus_y, UpAxis::minus_z})
+        if (texts.up == up_name(up)) {
+            o.up = up;
+            known = true;
+        }
+    if (!known) throw CLI::ValidationError("--up", "'" + texts.up + "' is not x, y, z, -x, -y or -z");
+    if (command.count("--mesh") == 0) return;
+    if (texts.mesh.empty()) throw CLI::ValidationError("--mesh", "the name is empty");
+    o.mesh = texts.mesh;
 }
 
 void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
@@ -71,6 +98,8 @@ void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions&
         o.unit = Unit::cm;
     else if (texts.unit == "mm")
         o.unit = Unit::mm;
+    else if ((texts.unit == "file" && !o.semi_axes) || command.count("--unit") == 0)
+        o.unit = Unit::file;
     else
         throw CLI::ValidationError("--unit", "'" + texts.unit + "' is not m, cm or mm");
     o.density = parse_number<double>(texts.density, "--density");
@@ -104,14 +133,19 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     app.require_subcommand(1);
     app.footer("Exit code: 0 good; 1 a numbered fault (docs/format.md says what each means); 2 wrong usage.");
 
-    CLI::App* mesh = app.add_subcommand("mesh", "bake a closed triangle mesh (OBJ, STL, PLY, glTF, ...)");
+    CLI::App* mesh =
+        app.add_subcommand("mesh", "bake a closed triangle mesh (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...)");
     mesh->add_option("IN", line.bake.mesh_path, "mesh file")->required()->type_name("");
+    add_mesh_options(*mesh, texts);
     add_bake_options(*mesh, texts, line);
 
     CLI::App* ellipsoid = app.add_subcommand("ellipsoid", "bake a solid ellipsoid from closed forms");
     const char* const axis_names[] = {"A", "B", "C"};
     for (std::size_t i = 0; i < 3; ++i)
         ellipsoid->add_option(axis_names[i], texts.semi_axis[i], "semi-axis, in the unit")->required()->type_name("");
+    ellipsoid->add_option("--unit", texts.unit, "unit of every length given: m, cm or mm")
+        ->default_str("m")
+        ->type_name("UNIT");
     add_bake_options(*ellipsoid, texts, line);
 
     CLI::App* info = app.add_subcommand("info", "print what an asset says");
@@ -135,6 +169,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
         if (line.output.empty()) throw CLI::ValidationError("--output", "the file name is empty");
         if (line.report.empty() && (mesh->count("--report") > 0 || ellipsoid->count("--report") > 0))
             throw CLI::ValidationError("--report", "the file name is empty");
+        if (mesh->parsed()) read_mesh_options(*mesh, texts, line.bake);
         read_bake_options(mesh->parsed() ? *mesh : *ellipsoid, texts, line.bake);
         return line;
     } catch (const CLI::ParseError& error) {

@@ -49,7 +49,7 @@ public:
         for (const Element& element : elements_)
             for (uint64_t i = 0; i < element.size; ++i)
                 if (!parse_item(element, i)) return false;
-        if (!soup_.polygons.empty()) soup_.parts = 1;
+        if (!soup_.polygons.empty()) soup_.parts.emplace_back();
         return true;
     }
 

@@ -34,6 +34,7 @@ enum class FaultId : uint32_t {
     mesh_merged_vertices = 215,
     mesh_several_meshes = 216,
     mesh_ill_conditioned = 217,
+    mesh_turned_or_scaled = 218,
     // 3xx: a parameter of the bake
     parameter_out_of_range = 301,
     parameter_unknown = 302,
