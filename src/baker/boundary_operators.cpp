@@ -142,25 +142,29 @@ private:
         };
         std::vector<Disc> discs(n);
         for (std::size_t i = 0; i < n; ++i) discs[i] = {panels[order[i]].centroid, panels[order[i]].radius};
-        level_.assign(n, 0);
-        std::size_t first = 0;
+        std::vector<double> smallest(n);
+        for (std::size_t i = 0; i < n; ++i) smallest[i] = discs[i].radius;
         for (std::size_t i = 0; i < n; ++i) {
             const Disc& self = discs[i];
-            std::vector<NearPair>& list = near_[order[i]];
-            double smallest = self.radius;
-            // With the largest radius of all on both sides the start of the slice only moves forward.
-            while (self.centre[axis] - discs[first].centre[axis] > 2.0 * near_ratio * largest) ++first;
             const double end = self.centre[axis] + near_ratio * (self.radius + largest);
-            for (std::size_t j = first; j < n && discs[j].centre[axis] <= end; ++j) {
+            for (std::size_t j = i + 1; j < n && discs[j].centre[axis] <= end; ++j) {
                 const double reach = self.radius + discs[j].radius;
                 const double square = (self.centre - discs[j].centre).squaredNorm();
-                if (j == i || square > near_ratio * near_ratio * reach * reach) continue;
-                list.push_back({order[j], 0.0});
-                if (square < reach * reach) smallest = std::min(smallest, discs[j].radius);
+                if (square > near_ratio * near_ratio * reach * reach) continue;
+                near_[order[i]].push_back({order[j], 0.0});
+                near_[order[j]].push_back({order[i], 0.0});
+                if (square < reach * reach) {
+                    smallest[i] = std::min(smallest[i], discs[j].radius);
+                    smallest[j] = std::min(smallest[j], self.radius);
+                }
             }
+        }
+        level_.resize(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            std::vector<NearPair>& list = near_[order[i]];
             std::sort(list.begin(), list.end(), [](const NearPair& a, const NearPair& b) { return a.panel < b.panel; });
             // The outer rule must see the hat functions of much finer neighbours.
-            const double ratio = self.radius / smallest;
+            const double ratio = discs[i].radius / smallest[i];
             level_[order[i]] = ratio > 3.0 ? 2 : (ratio > 1.5 ? 1 : 0);
         }
     }
@@ -232,14 +236,11 @@ private:
     }
 
     // The value whose outer rule is on the smaller panel, where the inner potential varies least.
-    double near_single_layer(std::size_t t, const NearPair& pair) const {
-        const std::vector<NearPair>& others = near_[pair.panel];
-        const auto mirror = std::lower_bound(others.begin(), others.end(), t,
-                                             [](const NearPair& p, std::size_t panel) { return p.panel < panel; });
+    double near_single_layer(std::size_t t, const NearPair& pair, const NearPair& mirror) const {
         const double ratio = out_.panels[t].radius / out_.panels[pair.panel].radius;
         if (ratio < 0.7) return pair.single_layer;
-        if (ratio > 1.0 / 0.7) return mirror->single_layer;
-        return 0.5 * (pair.single_layer + mirror->single_layer);
+        if (ratio > 1.0 / 0.7) return mirror.single_layer;
+        return 0.5 * (pair.single_layer + mirror.single_layer);
     }
 
     VertexFans find_fans() const {
@@ -279,6 +280,7 @@ private:
         const VertexFans fans = find_fans();
         out_.hypersingular = Eigen::MatrixXd::Zero(vertices, vertices);
         std::vector<double> values(n * near_batch);
+        std::vector<std::size_t> mirrors(n, 0); // lists are sorted: panels find themselves there in their own order
         for (std::size_t first = 0; first < n; first += near_batch) {
             const std::size_t lanes = std::min(near_batch, n - first);
             std::array<std::size_t, near_batch> targets;
@@ -294,10 +296,12 @@ private:
                 }
             }
             far_single_layer(records.data(), n, targets, values.data());
-            for (std::size_t lane = 0; lane < near_batch; ++lane) {
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
                 const std::size_t t = targets[lane];
-                for (const NearPair& pair : near_[t])
-                    values[pair.panel * near_batch + lane] = near_single_layer(t, pair) / four_pi;
+                for (const NearPair& pair : near_[t]) {
+                    const NearPair& mirror = near_[pair.panel][mirrors[pair.panel]++];
+                    values[pair.panel * near_batch + lane] = near_single_layer(t, pair, mirror) / four_pi;
+                }
                 values[t * near_batch + lane] = out_.self[t];
             }
             add_currents(fans, values.data(), curls.data(), columns, lanes);
