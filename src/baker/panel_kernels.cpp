@@ -43,27 +43,32 @@ HWY_INLINE Vec3 mean(const Vec3& a, const Vec3& b) {
     return {hn::Mul(half, hn::Add(a.x, b.x)), hn::Mul(half, hn::Add(a.y, b.y)), hn::Mul(half, hn::Add(a.z, b.z))};
 }
 
-// log(p / q) for positive normal p and q, to 1e-15. The series of 2 atanh(s) / s in s^2 for a ratio within sqrt(2) of
-// one, interpolated at Chebyshev nodes.
-HWY_INLINE V log_ratio(V p, V q) {
+// p / q = 2^exponent (1 + s) / (1 - s) with the ratio without its exponent within sqrt(2) of one; s = over / under.
+struct Ratio {
+    V exponent, over, under;
+};
+HWY_INLINE Ratio reduce_ratio(V p, V q) {
     const D d;
     const DI di;
     const auto mantissa = hn::Set(di, 0x000fffffffffffffLL), one = hn::Set(di, 0x3ff0000000000000LL);
-    // 2^52 + k as a double has the bits of k at its end: exact, and no conversion from 64 bits, which few sets have.
-    const V magic = constant(4503599627370496.0);
-    const auto magic_bits = hn::BitCast(di, magic);
     const auto p_bits = hn::BitCast(di, p), q_bits = hn::BitCast(di, q);
-    const V p_exponent = hn::Sub(hn::BitCast(d, hn::Or(hn::ShiftRight<52>(p_bits), magic_bits)), magic);
-    const V q_exponent = hn::Sub(hn::BitCast(d, hn::Or(hn::ShiftRight<52>(q_bits), magic_bits)), magic);
-    V exponent = hn::Sub(p_exponent, q_exponent);
+    // 3 2^51 + k as a double ends in the bits of k: exact, and no conversion from 64 bits, which few sets have.
+    const V magic = constant(6755399441055744.0);
+    const auto difference = hn::Sub(hn::ShiftRight<52>(p_bits), hn::ShiftRight<52>(q_bits));
+    V exponent = hn::Sub(hn::BitCast(d, hn::Add(difference, hn::BitCast(di, magic))), magic);
     V a = hn::BitCast(d, hn::Or(hn::And(p_bits, mantissa), one));
     V b = hn::BitCast(d, hn::Or(hn::And(q_bits, mantissa), one));
-    const V root2 = constant(1.4142135623730951), unit = constant(1.0), two = constant(2.0);
+    const V root2 = constant(1.4142135623730951), unit = constant(1.0);
     const auto high = hn::Gt(a, hn::Mul(root2, b)), low = hn::Gt(b, hn::Mul(root2, a));
     exponent = hn::Add(exponent, hn::Sub(hn::IfThenElseZero(high, unit), hn::IfThenElseZero(low, unit)));
-    b = hn::IfThenElse(high, hn::Mul(b, two), b);
-    a = hn::IfThenElse(low, hn::Mul(a, two), a);
-    const V s = hn::Div(hn::Sub(a, b), hn::Add(a, b)), z = hn::Mul(s, s);
+    b = hn::Add(b, hn::IfThenElseZero(high, b));
+    a = hn::Add(a, hn::IfThenElseZero(low, a));
+    return {exponent, hn::Sub(a, b), hn::Add(a, b)};
+}
+
+// Its logarithm from s, to 1e-15: the series of 2 atanh(s) / s in s^2, interpolated at Chebyshev nodes.
+HWY_INLINE V log_ratio(V exponent, V s) {
+    const V z = hn::Mul(s, s);
     V y = constant(0.1480971294959388);
     y = mul_add(y, z, constant(0.15312527900804804));
     y = mul_add(y, z, constant(0.1818363168947327));
@@ -126,13 +131,21 @@ HWY_NOINLINE void near_panels(const OuterRule& outer, const double* sources, dou
             const auto out_of_plane = hn::Ge(hn::Abs(height), field(F::in_plane));
             const V angle =
                 hn::IfThenElseZero(out_of_plane, hn::Mul(constant(-2.0), arc_tangent(numerator, denominator)));
-            const auto line = [&](V from, V to, V length) HWY_ATTR {
+            const auto ratio = [&](V from, V to, V length) HWY_ATTR {
                 const V sum = hn::Add(from, to), excess = hn::Sub(sum, length);
+                // On the edge itself the integral is infinite, but e and height are zero there and win.
                 const auto off = hn::Gt(excess, hn::Mul(constant(1e-14), sum));
-                return hn::IfThenElseZero(off, log_ratio(hn::Add(sum, length), hn::IfThenElse(off, excess, sum)));
+                const V above = hn::Add(sum, length);
+                return reduce_ratio(above, hn::IfThenElse(off, excess, above));
             };
-            const V l0 = line(r0, r1, field(F::edge_length)), l1 = line(r1, r2, field(F::edge_length + 1)),
-                    l2 = line(r2, r0, field(F::edge_length + 2));
+            const Ratio q0 = ratio(r0, r1, field(F::edge_length)), q1 = ratio(r1, r2, field(F::edge_length + 1)),
+                        q2 = ratio(r2, r0, field(F::edge_length + 2));
+            // one division for the three
+            const V u01 = hn::Mul(q0.under, q1.under);
+            const V inverse = hn::Div(constant(1.0), hn::Mul(u01, q2.under)), inverse2 = hn::Mul(inverse, q2.under);
+            const V l0 = log_ratio(q0.exponent, hn::Mul(q0.over, hn::Mul(q1.under, inverse2))),
+                    l1 = log_ratio(q1.exponent, hn::Mul(q1.over, hn::Mul(q0.under, inverse2))),
+                    l2 = log_ratio(q2.exponent, hn::Mul(q2.over, hn::Mul(u01, inverse)));
             const V e0 = dot(load(sources, F::edge_normal, at), to0),
                     e1 = dot(load(sources, F::edge_normal + 3, at), to1),
                     e2 = dot(load(sources, F::edge_normal + 6, at), to2);
@@ -236,33 +249,48 @@ HWY_NOINLINE void currents(const VertexFans& fans, const double* values, const d
                            const std::array<double*, 3 * near_batch>& columns, size_t lanes) {
     const D d;
     const size_t vertices = fans.start.size() - 1;
-    HWY_ALIGN double entry[3 * near_batch];
-    std::array<double*, 3 * near_batch> used;
-    std::array<size_t, 3 * near_batch> from;
-    size_t count = 0;
-    for (size_t k = 0; k < 3; ++k)
-        for (size_t lane = 0; lane < lanes; ++lane, ++count) {
-            used[count] = columns[k * near_batch + lane];
-            from[count] = k * near_batch + lane;
+    const auto entries = [&](size_t v, size_t at, V* out) HWY_ATTR {
+        V x = hn::Zero(d), y = x, z = x;
+        for (size_t i = fans.start[v]; i < fans.start[v + 1]; ++i) {
+            const V value = hn::LoadU(d, values + fans.panel[i] * near_batch + at);
+            x = mul_add(value, constant(fans.curl[3 * i]), x);
+            y = mul_add(value, constant(fans.curl[3 * i + 1]), y);
+            z = mul_add(value, constant(fans.curl[3 * i + 2]), z);
         }
-    for (size_t v = 0; v < vertices; ++v) {
+        for (size_t k = 0; k < 3; ++k) out[k] = dot(load(curls, 3 * k, at), {x, y, z});
+    };
+    size_t v = 0;
+    HWY_ALIGN double lower[3 * near_batch];
+#if HWY_TARGET != HWY_SCALAR
+    // two vertices at a time, so that a column takes pairs
+    const hn::FixedTag<double, 2> pair;
+    HWY_ALIGN double upper[3 * near_batch];
+    for (; lanes == near_batch && v + 2 <= vertices; v += 2) {
         for (size_t at = 0; at < near_batch; at += hn::Lanes(d)) {
-            V x = hn::Zero(d), y = x, z = x;
-            for (size_t i = fans.start[v]; i < fans.start[v + 1]; ++i) {
-                const V value = hn::LoadU(d, values + fans.panel[i] * near_batch + at);
-                x = mul_add(value, constant(fans.curl[3 * i]), x);
-                y = mul_add(value, constant(fans.curl[3 * i + 1]), y);
-                z = mul_add(value, constant(fans.curl[3 * i + 2]), z);
-            }
+            V first[3], second[3];
+            entries(v, at, first);
+            entries(v + 1, at, second);
             for (size_t k = 0; k < 3; ++k) {
-                const Vec3 curl = load(curls, 3 * k, at);
-                hn::Store(dot(curl, {x, y, z}), d, entry + k * near_batch + at);
+                hn::Store(hn::InterleaveLower(d, first[k], second[k]), d, lower + k * near_batch + at);
+                hn::Store(hn::InterleaveUpper(d, first[k], second[k]), d, upper + k * near_batch + at);
             }
         }
-        if (count == 3 * near_batch)
-            for (size_t j = 0; j < 3 * near_batch; ++j) columns[j][v] += entry[j];
-        else
-            for (size_t j = 0; j < count; ++j) used[j][v] += entry[from[j]];
+        for (size_t j = 0; j < 3 * near_batch; j += 2) {
+            double *const even = columns[j] + v, *const odd = columns[j + 1] + v;
+            hn::StoreU(hn::Add(hn::LoadU(pair, even), hn::Load(pair, lower + j)), pair, even);
+            hn::StoreU(hn::Add(hn::LoadU(pair, odd), hn::Load(pair, upper + j)), pair, odd);
+        }
+    }
+#endif
+    for (; v < vertices; ++v) {
+        for (size_t at = 0; at < near_batch; at += hn::Lanes(d)) {
+            V values_of[3];
+            entries(v, at, values_of);
+            for (size_t k = 0; k < 3; ++k) hn::Store(values_of[k], d, lower + k * near_batch + at);
+        }
+        for (size_t k = 0; k < 3; ++k)
+            for (size_t lane = 0; lane < lanes; ++lane)
+                columns[k * near_batch + lane][v] += lower[k * near_batch + lane];
     }
 }
 
