@@ -25,6 +25,7 @@ Mode normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal
 
 struct NearPair {
     uint32_t panel;
+    bool touching;       // circles around both panels meet
     double single_layer; // double integral of 1/r, outer rule on the row's panel
 };
 
@@ -151,9 +152,10 @@ private:
                 const double reach = self.radius + discs[j].radius;
                 const double square = (self.centre - discs[j].centre).squaredNorm();
                 if (square > near_ratio * near_ratio * reach * reach) continue;
-                near_[order[i]].push_back({order[j], 0.0});
-                near_[order[j]].push_back({order[i], 0.0});
-                if (square < reach * reach) {
+                const bool touching = square < reach * reach;
+                near_[order[i]].push_back({order[j], touching, 0.0});
+                near_[order[j]].push_back({order[i], touching, 0.0});
+                if (touching) {
                     smallest[i] = std::min(smallest[i], discs[j].radius);
                     smallest[j] = std::min(smallest[j], self.radius);
                 }
@@ -169,12 +171,26 @@ private:
         }
     }
 
-    // Outer quadrature on panel t, closed forms on the panels around it. One set of outer points for all of them: the
+    // Outer quadrature on panel t, closed forms on the panels around it. One set of outer points for all that touch: the
     // double layer of a single panel of a thin body is nearly a step, only the sum over neighbours is smooth.
     // q is linear on a panel, so that all modes follow from integrals with the barycentric coordinates of t.
     void integrate_near(std::size_t t) {
         const Panel& outer = out_.panels[t];
-        const TriangleRule& rule = rules_[level_[t]];
+        std::array<Mode, 3> velocity;
+        for (std::size_t k = 0; k < 3; ++k) velocity[k] = normal_velocity(outer.corner[k], outer.normal);
+        for (std::size_t k = 0; k < 3; ++k)
+            out_.moments.row(mesh_.faces[t][k]) +=
+                outer.area / 12.0 * (velocity[0] + velocity[1] + velocity[2] + velocity[k]).transpose();
+        for (const bool touching : {true, false}) {
+            batch_.clear();
+            for (NearPair& pair : near_[t])
+                if ((pair.touching || level_[t] > 0) == touching) batch_.push_back(&pair);
+            integrate_pairs(t, touching ? rules_[level_[t]] : apart_rule_, velocity);
+        }
+    }
+
+    void integrate_pairs(std::size_t t, const TriangleRule& rule, const std::array<Mode, 3>& velocity) {
+        const Panel& outer = out_.panels[t];
         points_.clear();
         weights_.clear();
         for (std::size_t g = 0; g < rule.weights.size(); ++g) {
@@ -186,29 +202,21 @@ private:
             }
         }
         std::array<double, 9> middles{};
-        std::array<Mode, 3> velocity;
-        for (std::size_t k = 0; k < 3; ++k) {
-            velocity[k] = normal_velocity(outer.corner[k], outer.normal);
+        for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t c = 0; c < 3; ++c)
                 middles[3 * k + c] = middle_[panel_edges_[t][k]][static_cast<Eigen::Index>(c)];
-        }
-        for (std::size_t k = 0; k < 3; ++k)
-            out_.moments.row(mesh_.faces[t][k]) +=
-                outer.area / 12.0 * (velocity[0] + velocity[1] + velocity[2] + velocity[k]).transpose();
-
         const OuterRule outer_rule{points_.data(), weights_.data(), rule.weights.size(), middles.data()};
         std::array<double, NearFields::count * near_batch> sources;
         std::array<double, NearResult::count * near_batch> results;
-        std::vector<NearPair>& pairs = near_[t];
-        for (std::size_t first = 0; first < pairs.size(); first += near_batch) {
-            const std::size_t lanes = std::min(near_batch, pairs.size() - first);
+        for (std::size_t first = 0; first < batch_.size(); first += near_batch) {
+            const std::size_t lanes = std::min(near_batch, batch_.size() - first);
             for (std::size_t lane = 0; lane < near_batch; ++lane) {
-                const auto& fields = fields_[pairs[first + std::min(lane, lanes - 1)].panel];
+                const auto& fields = fields_[batch_[first + std::min(lane, lanes - 1)]->panel];
                 for (std::size_t f = 0; f < NearFields::count; ++f) sources[f * near_batch + lane] = fields[f];
             }
             integrate_near_panels(outer_rule, sources.data(), results.data());
             for (std::size_t lane = 0; lane < lanes; ++lane) {
-                NearPair& pair = pairs[first + lane];
+                NearPair& pair = *batch_[first + lane];
                 pair.single_layer = outer.area * results[NearResult::single_layer * near_batch + lane];
                 add_near_double_layer(outer, velocity, pair.panel, &results[lane]);
             }
@@ -317,7 +325,9 @@ private:
     std::vector<Eigen::Vector3d> middle_;
     std::vector<std::vector<NearPair>> near_;
     std::vector<std::size_t> level_;
-    std::vector<TriangleRule> rules_;
+    std::vector<TriangleRule> rules_; // of panels that touch, by level
+    TriangleRule apart_rule_ = six_point_rule();
+    std::vector<NearPair*> batch_;                              // pairs at work
     std::vector<std::array<double, NearFields::count>> fields_; // of each panel
     std::vector<double> points_, weights_;                      // of the outer rule at work
 };
