@@ -143,6 +143,7 @@ private:
         };
         std::vector<Disc> discs(n);
         for (std::size_t i = 0; i < n; ++i) discs[i] = {panels[order[i]].centroid, panels[order[i]].radius};
+        for (std::vector<NearPair>& list : near_) list.reserve(48);
         std::vector<double> smallest(n);
         for (std::size_t i = 0; i < n; ++i) smallest[i] = discs[i].radius;
         for (std::size_t i = 0; i < n; ++i) {
