@@ -182,15 +182,20 @@ private:
         for (std::size_t k = 0; k < 3; ++k)
             out_.moments.row(mesh_.faces[t][k]) +=
                 outer.area / 12.0 * (velocity[0] + velocity[1] + velocity[2] + velocity[k]).transpose();
-        for (const bool touching : {true, false}) {
-            batch_.clear();
-            for (NearPair& pair : near_[t])
-                if ((pair.touching || level_[t] > 0) == touching) batch_.push_back(&pair);
-            integrate_pairs(t, touching ? rules_[level_[t]] : apart_rule_, velocity);
-        }
+        batch_.clear();
+        apart_.clear();
+        for (NearPair& pair : near_[t]) (pair.touching || level_[t] > 0 ? batch_ : apart_).push_back(&pair);
+        // Lanes left over cost nothing.
+        const std::size_t spare = std::min((near_batch - batch_.size() % near_batch) % near_batch, apart_.size());
+        batch_.insert(batch_.end(), apart_.end() - static_cast<std::ptrdiff_t>(spare), apart_.end());
+        apart_.resize(apart_.size() - spare);
+        integrate_pairs(t, rules_[level_[t]], batch_, velocity);
+        integrate_pairs(t, apart_rule_, apart_, velocity);
     }
 
-    void integrate_pairs(std::size_t t, const TriangleRule& rule, const std::array<Mode, 3>& velocity) {
+    void integrate_pairs(std::size_t t, const TriangleRule& rule, const std::vector<NearPair*>& pairs,
+                         const std::array<Mode, 3>& velocity) {
+        if (pairs.empty()) return;
         const Panel& outer = out_.panels[t];
         points_.clear();
         weights_.clear();
@@ -209,15 +214,15 @@ private:
         const OuterRule outer_rule{points_.data(), weights_.data(), rule.weights.size(), middles.data()};
         std::array<double, NearFields::count * near_batch> sources;
         std::array<double, NearResult::count * near_batch> results;
-        for (std::size_t first = 0; first < batch_.size(); first += near_batch) {
-            const std::size_t lanes = std::min(near_batch, batch_.size() - first);
+        for (std::size_t first = 0; first < pairs.size(); first += near_batch) {
+            const std::size_t lanes = std::min(near_batch, pairs.size() - first);
             for (std::size_t lane = 0; lane < near_batch; ++lane) {
-                const auto& fields = fields_[batch_[first + std::min(lane, lanes - 1)]->panel];
+                const auto& fields = fields_[pairs[first + std::min(lane, lanes - 1)]->panel];
                 for (std::size_t f = 0; f < NearFields::count; ++f) sources[f * near_batch + lane] = fields[f];
             }
             integrate_near_panels(outer_rule, sources.data(), results.data());
             for (std::size_t lane = 0; lane < lanes; ++lane) {
-                NearPair& pair = *batch_[first + lane];
+                NearPair& pair = *pairs[first + lane];
                 pair.single_layer = outer.area * results[NearResult::single_layer * near_batch + lane];
                 add_near_double_layer(outer, velocity, pair.panel, &results[lane]);
             }
@@ -328,7 +333,7 @@ private:
     std::vector<std::size_t> level_;
     std::vector<TriangleRule> rules_; // of panels that touch, by level
     TriangleRule apart_rule_ = six_point_rule();
-    std::vector<NearPair*> batch_;                              // pairs at work
+    std::vector<NearPair*> batch_, apart_;                      // pairs at work
     std::vector<std::array<double, NearFields::count>> fields_; // of each panel
     std::vector<double> points_, weights_;                      // of the outer rule at work
 };

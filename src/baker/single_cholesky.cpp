@@ -137,13 +137,22 @@ HWY_NOINLINE void substitute(const float* l, float* x, size_t n) {
     const hn::CappedTag<float, right_sides> d;
     for (size_t lane = 0; lane < right_sides; lane += hn::Lanes(d)) {
         float* const y = x + lane;
-        for (size_t j = 0; j < n; ++j) {
+        // four columns at a time: n is a multiple
+        for (size_t j = 0; j < n; j += 4) {
             const float* const column = l + j * n;
-            const auto value = hn::Mul(hn::LoadU(d, y + j * right_sides), hn::Set(d, 1.0f / column[j]));
-            hn::StoreU(value, d, y + j * right_sides);
-            for (size_t i = j + 1; i < n; ++i) {
+            hn::Vec<decltype(d)> value[4];
+            for (size_t q = 0; q < 4; ++q) {
+                value[q] = hn::LoadU(d, y + (j + q) * right_sides);
+                for (size_t p = 0; p < q; ++p)
+                    value[q] = hn::Sub(value[q], hn::Mul(value[p], hn::Set(d, column[p * n + j + q])));
+                value[q] = hn::Mul(value[q], hn::Set(d, 1.0f / column[q * n + j + q]));
+                hn::StoreU(value[q], d, y + (j + q) * right_sides);
+            }
+            for (size_t i = j + 4; i < n; ++i) {
                 float* const at = y + i * right_sides;
-                hn::StoreU(hn::Sub(hn::LoadU(d, at), hn::Mul(value, hn::Set(d, column[i]))), d, at);
+                auto sum = hn::LoadU(d, at);
+                for (size_t q = 0; q < 4; ++q) sum = hn::Sub(sum, hn::Mul(value[q], hn::Set(d, column[q * n + i])));
+                hn::StoreU(sum, d, at);
             }
         }
         for (size_t j = n; j-- > 0;) {
