@@ -232,11 +232,10 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     BoundaryOperators op = assemble_boundary_operators(unit, report);
     // For translations the interior potential is x itself, so W x = (1/2 - K') n up to quadrature: a check that is
     // free.
-    RigidModes position(op.moments.rows(), 6);
-    position.setZero();
+    Eigen::MatrixXd position(op.moments.rows(), 3);
     for (std::size_t i = 0; i < unit.vertices.size(); ++i)
-        position.row(static_cast<Eigen::Index>(i)).head<3>() = unit.vertices[i].transpose();
-    const Eigen::MatrixXd defect = (op.hypersingular.selfadjointView<Eigen::Lower>() * position).leftCols(3) -
+        position.row(static_cast<Eigen::Index>(i)) = unit.vertices[i].transpose();
+    const Eigen::MatrixXd defect = op.hypersingular.selfadjointView<Eigen::Lower>() * position -
                                    op.moments.leftCols(3) - op.right_side.leftCols(3);
 
     Eigen::MatrixXd& matrix = op.hypersingular;
