@@ -12,7 +12,7 @@ packages=(
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev   # pictures without a display
 )
 if [ "${1:-build}" = test ]; then
-    packages+=(doctest-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
+    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
 fi
 
 missing=()

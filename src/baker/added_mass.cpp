@@ -1,6 +1,7 @@
 #include "baker/added_mass.h"
 
 #include "baker/boundary_operators.h"
+#include "baker/single_cholesky.h"
 #include "baker/surface_correction.h"
 
 #include <Eigen/Cholesky>
@@ -143,6 +144,63 @@ Matrix6 entry_scale(const Matrix6& matrix) {
     return scale * scale.transpose();
 }
 
+struct Solution {
+    Eigen::MatrixXd value;
+    double condition = 0.0, residual = 0.0;
+};
+
+// Largest norm of a column of the inverse, from below and nearly always close (Hager 1984, SIAM J. Sci. Stat. Comput. 5).
+double inverse_norm(const SingleCholesky& factor, Eigen::Index size) {
+    Eigen::MatrixXd x = Eigen::MatrixXd::Constant(size, 1, 1.0 / static_cast<double>(size));
+    double norm = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        Eigen::MatrixXd y = x;
+        factor.solve(y);
+        norm = std::max(norm, y.lpNorm<1>());
+        Eigen::MatrixXd z = y.unaryExpr([](double v) { return v < 0.0 ? -1.0 : 1.0; });
+        factor.solve(z);
+        Eigen::Index row = 0;
+        if (z.col(0).cwiseAbs().maxCoeff(&row) <= std::abs(z.col(0).dot(x.col(0)))) break;
+        x.setZero();
+        x(row, 0) = 1.0;
+    }
+    return norm;
+}
+
+// Iterative refinement: each round divides the residual by about 1e7 over the condition, until rounding in the residual
+// itself stops it.
+bool solve_refined(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, Solution& out) {
+    constexpr int max_rounds = 8;
+    constexpr double good = 1e-12, enough = 1e-10;
+    SingleCholesky factor;
+    if (!factor.factorise(matrix)) return false;
+    out.value = right;
+    factor.solve(out.value);
+    double last = 1.0;
+    for (int i = 0; i < max_rounds; ++i) {
+        Eigen::MatrixXd rest = right - matrix.selfadjointView<Eigen::Lower>() * out.value;
+        out.residual = rest.norm() / right.norm();
+        if (out.residual < good || (out.residual < enough && out.residual > 0.5 * last)) {
+            const double norm = matrix.colwise().lpNorm<1>().maxCoeff();
+            out.condition = norm * inverse_norm(factor, matrix.rows());
+            return true;
+        }
+        last = out.residual;
+        factor.solve(rest);
+        out.value += rest;
+    }
+    return false;
+}
+
+bool solve_in_double(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, Solution& out) {
+    const Eigen::LLT<Eigen::MatrixXd> solver(matrix);
+    if (solver.info() != Eigen::Success) return false;
+    out.value = solver.solve(right);
+    out.residual = (matrix.selfadjointView<Eigen::Lower>() * out.value - right).norm() / right.norm();
+    out.condition = 1.0 / std::max(solver.rcond(), 1e-300);
+    return true;
+}
+
 } // namespace
 
 bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
@@ -174,31 +232,31 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     BoundaryOperators op = assemble_boundary_operators(unit, report);
     // For translations the interior potential is x itself, so W x = (1/2 - K') n up to quadrature: a check that is
     // free.
-    RigidModes position(op.moments.rows(), 6);
-    position.setZero();
+    Eigen::MatrixXd position(op.moments.rows(), 3);
     for (std::size_t i = 0; i < unit.vertices.size(); ++i)
-        position.row(static_cast<Eigen::Index>(i)).head<3>() = unit.vertices[i].transpose();
-    const Eigen::MatrixXd defect = (op.hypersingular.selfadjointView<Eigen::Lower>() * position).leftCols(3) -
+        position.row(static_cast<Eigen::Index>(i)) = unit.vertices[i].transpose();
+    const Eigen::MatrixXd defect = op.hypersingular.selfadjointView<Eigen::Lower>() * position -
                                    op.moments.leftCols(3) - op.right_side.leftCols(3);
 
     Eigen::MatrixXd& matrix = op.hypersingular;
     fix_constants(unit, op.panels, matrix);
     const Eigen::VectorXd scaling = matrix.diagonal().cwiseSqrt().cwiseInverse();
     const bool scalable = scaling.allFinite();
-    if (scalable) matrix = scaling.asDiagonal() * matrix * scaling.asDiagonal();
+    if (scalable)
+        for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+            matrix.col(column).array() *= scaling.array() * scaling[column];
     report(0.85);
-    const Eigen::LLT<Eigen::MatrixXd> solver(matrix);
-    if (!scalable || solver.info() != Eigen::Success) {
+    const Eigen::MatrixXd right = scaling.asDiagonal() * op.right_side;
+    Solution solution;
+    if (!scalable || !(solve_refined(matrix, right, solution) || solve_in_double(matrix, right, solution))) {
         faults.push_back({FaultId::mesh_ill_conditioned, Severity::error, "mesh",
                           "The equations for the added mass are singular.",
                           "Look for faces that cross or touch each other and for needle-shaped faces; remesh."});
         return false;
     }
-    const Eigen::MatrixXd right = scaling.asDiagonal() * op.right_side;
-    const Eigen::MatrixXd scaled = solver.solve(right);
-    const RigidModes phi = scaling.asDiagonal() * scaled;
-    out.residual = (matrix.selfadjointView<Eigen::Lower>() * scaled - right).norm() / right.norm();
-    out.condition_estimate = 1.0 / std::max(solver.rcond(), 1e-300);
+    const RigidModes phi = scaling.asDiagonal() * solution.value;
+    out.residual = solution.residual;
+    out.condition_estimate = solution.condition;
 
     const Matrix6 raw = -(phi.transpose() * op.moments);
     Matrix6 value = 0.5 * (raw + raw.transpose());

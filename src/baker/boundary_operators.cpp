@@ -1,10 +1,12 @@
 #include "baker/boundary_operators.h"
 
+#include "baker/panel_kernels.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace lr::baker {
 namespace {
@@ -23,6 +25,7 @@ Mode normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal
 
 struct NearPair {
     uint32_t panel;
+    bool touching;       // circles around both panels meet
     double single_layer; // double integral of 1/r, outer rule on the row's panel
 };
 
@@ -42,9 +45,10 @@ public:
         add_far_double_layer();
         for (int levels = 0; levels < 3; ++levels) rules_.push_back(dunavant_rule(levels));
         find_near_pairs();
+        for (const Panel& panel : out_.panels) fields_.push_back(near_fields(panel));
         for (std::size_t t = 0; t < out_.panels.size(); ++t) {
             integrate_near(t);
-            if (t % 64 == 0) progress_(0.1 + 0.4 * static_cast<double>(t) / static_cast<double>(out_.panels.size()));
+            if (t % 64 == 0) progress_(0.2 + 0.2 * static_cast<double>(t) / static_cast<double>(out_.panels.size()));
         }
         out_.right_side -= 0.5 * out_.moments;
         assemble_hypersingular();
@@ -78,190 +82,244 @@ private:
         }
     }
 
-    // Every pair of edge middles, also of near panels; integrate_near takes those out again. Structure of arrays, and
-    // the inner loop has no sum across lanes.
+    // Every pair of edge middles, also of near panels; integrate_near takes those out again.
     void add_far_double_layer() {
-        const std::size_t n = edges_.size();
+        const std::size_t n = edges_.size(), padded = (n + near_batch - 1) / near_batch * near_batch;
+        DoubletArrays arrays;
+        for (std::size_t k = 0; k < 3; ++k) {
+            arrays.position[k].assign(padded, 0.0);
+            arrays.normal[k].assign(padded, 0.0);
+        }
+        for (std::size_t m = 0; m < 6; ++m) {
+            arrays.moment[m].assign(padded, 0.0);
+            arrays.sum[m].assign(padded, 0.0);
+        }
         std::vector<Mode> flux(n, Mode::Zero());
-        std::array<std::vector<double>, 3> position, normal;
-        std::array<std::vector<double>, 6> sum;
-        for (auto& axis : position) axis.resize(n);
-        for (auto& axis : normal) axis.assign(n, 0.0);
-        for (auto& mode : sum) mode.assign(n, 0.0);
-        for (std::size_t e = 0; e < n; ++e)
-            for (std::size_t k = 0; k < 3; ++k) position[k][e] = middle_[e][static_cast<Eigen::Index>(k)];
         for (std::size_t t = 0; t < out_.panels.size(); ++t) {
             const Panel& panel = out_.panels[t];
             for (const uint32_t e : panel_edges_[t]) {
                 flux[e] += panel.area / 3.0 * normal_velocity(middle_[e], panel.normal);
                 for (std::size_t k = 0; k < 3; ++k)
-                    normal[k][e] += panel.area / 3.0 * panel.normal[static_cast<Eigen::Index>(k)];
+                    arrays.normal[k][e] += panel.area / 3.0 * panel.normal[static_cast<Eigen::Index>(k)];
             }
         }
-        std::vector<double> kernel(n);
         for (std::size_t e = 0; e < n; ++e) {
-            const double x = position[0][e], y = position[1][e], z = position[2][e];
-            const double *px = position[0].data(), *py = position[1].data(), *pz = position[2].data();
-            const double *nx = normal[0].data(), *ny = normal[1].data(), *nz = normal[2].data();
-            for (std::size_t s = 0; s < n; ++s) {
-                const double dx = x - px[s], dy = y - py[s], dz = z - pz[s];
-                const double square = dx * dx + dy * dy + dz * dz;
-                const double cube = square * std::sqrt(square);
-                kernel[s] = cube > 0.0 ? (nx[s] * dx + ny[s] * dy + nz[s] * dz) / cube : 0.0;
-            }
-            for (std::size_t m = 0; m < 6; ++m) {
-                const double q = flux[e][static_cast<Eigen::Index>(m)];
-                double* const target = sum[m].data();
-                for (std::size_t s = 0; s < n; ++s) target[s] += q * kernel[s];
-            }
-            if (e % 256 == 0) progress_(0.1 * static_cast<double>(e) / static_cast<double>(n));
+            for (std::size_t k = 0; k < 3; ++k) arrays.position[k][e] = middle_[e][static_cast<Eigen::Index>(k)];
+            for (std::size_t m = 0; m < 6; ++m) arrays.moment[m][e] = flux[e][static_cast<Eigen::Index>(m)];
+        }
+        constexpr std::size_t stride = 256;
+        for (std::size_t e = 0; e < padded; e += stride) {
+            sum_doublets(arrays, e, std::min(e + stride, padded));
+            progress_(0.2 * static_cast<double>(e) / static_cast<double>(padded));
         }
         // Both hat functions of an edge are 1/2 in its middle, the third of the triangle is 0.
         for (std::size_t e = 0; e < n; ++e)
             for (const uint32_t vertex : edges_[e])
                 for (std::size_t m = 0; m < 6; ++m)
-                    out_.right_side(vertex, static_cast<Eigen::Index>(m)) -= 0.5 / four_pi * sum[m][e];
+                    out_.right_side(vertex, static_cast<Eigen::Index>(m)) -= 0.5 / four_pi * arrays.sum[m][e];
     }
 
+    // Sorted along the longest axis, so that each panel looks at a slice only.
     void find_near_pairs() {
         const std::vector<Panel>& panels = out_.panels;
-        level_.assign(panels.size(), 0);
-        for (std::size_t t = 0; t < panels.size(); ++t) {
-            double smallest = panels[t].radius;
-            for (std::size_t s = 0; s < panels.size(); ++s) {
-                const double reach = panels[t].radius + panels[s].radius;
-                const double square = (panels[t].centroid - panels[s].centroid).squaredNorm();
-                if (s == t || square > near_ratio * near_ratio * reach * reach) continue;
-                near_[t].push_back({static_cast<uint32_t>(s), 0.0});
-                if (square < reach * reach) smallest = std::min(smallest, panels[s].radius);
+        const std::size_t n = panels.size();
+        Eigen::AlignedBox3d bounds;
+        double largest = 0.0;
+        for (const Panel& panel : panels) {
+            bounds.extend(panel.centroid);
+            largest = std::max(largest, panel.radius);
+        }
+        Eigen::Index axis = 0;
+        bounds.sizes().maxCoeff(&axis);
+        std::vector<uint32_t> order(n);
+        std::iota(order.begin(), order.end(), 0U);
+        std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+            const double x = panels[a].centroid[axis], y = panels[b].centroid[axis];
+            return x != y ? x < y : a < b;
+        });
+        struct Disc {
+            Eigen::Vector3d centre;
+            double radius;
+        };
+        std::vector<Disc> discs(n);
+        for (std::size_t i = 0; i < n; ++i) discs[i] = {panels[order[i]].centroid, panels[order[i]].radius};
+        for (std::vector<NearPair>& list : near_) list.reserve(48);
+        std::vector<double> smallest(n);
+        for (std::size_t i = 0; i < n; ++i) smallest[i] = discs[i].radius;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Disc& self = discs[i];
+            const double end = self.centre[axis] + near_ratio * (self.radius + largest);
+            for (std::size_t j = i + 1; j < n && discs[j].centre[axis] <= end; ++j) {
+                const double reach = self.radius + discs[j].radius;
+                const double square = (self.centre - discs[j].centre).squaredNorm();
+                if (square > near_ratio * near_ratio * reach * reach) continue;
+                const bool touching = square < reach * reach;
+                near_[order[i]].push_back({order[j], touching, 0.0});
+                near_[order[j]].push_back({order[i], touching, 0.0});
+                if (touching) {
+                    smallest[i] = std::min(smallest[i], discs[j].radius);
+                    smallest[j] = std::min(smallest[j], self.radius);
+                }
             }
+        }
+        level_.resize(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            std::vector<NearPair>& list = near_[order[i]];
+            std::sort(list.begin(), list.end(), [](const NearPair& a, const NearPair& b) { return a.panel < b.panel; });
             // The outer rule must see the hat functions of much finer neighbours.
-            const double ratio = panels[t].radius / smallest;
-            level_[t] = ratio > 3.0 ? 2 : (ratio > 1.5 ? 1 : 0);
+            const double ratio = discs[i].radius / smallest[i];
+            level_[order[i]] = ratio > 3.0 ? 2 : (ratio > 1.5 ? 1 : 0);
         }
     }
 
-    // Outer quadrature on panel t, closed forms on the panels around it. One set of outer points for all of them: the
+    // Outer quadrature on panel t, closed forms on the panels around it. One set of outer points for all that touch: the
     // double layer of a single panel of a thin body is nearly a step, only the sum over neighbours is smooth.
+    // q is linear on a panel, so that all modes follow from integrals with the barycentric coordinates of t.
     void integrate_near(std::size_t t) {
         const Panel& outer = out_.panels[t];
-        const TriangleRule& rule = rules_[level_[t]];
-        std::vector<Eigen::Vector3d> points;
-        std::vector<Mode> velocities;
-        for (std::size_t g = 0; g < rule.weights.size(); ++g) {
-            const Eigen::Vector3d& node = rule.nodes[g];
-            points.emplace_back(node[0] * outer.corner[0] + node[1] * outer.corner[1] + node[2] * outer.corner[2]);
-            velocities.emplace_back(rule.weights[g] * outer.area * normal_velocity(points.back(), outer.normal));
-            for (std::size_t k = 0; k < 3; ++k)
-                out_.moments.row(mesh_.faces[t][k]) +=
-                    node[static_cast<Eigen::Index>(k)] * velocities.back().transpose();
-        }
-        for (NearPair& pair : near_[t]) {
-            const Panel& inner = out_.panels[pair.panel];
-            std::array<Mode, 3> sum = {Mode::Zero(), Mode::Zero(), Mode::Zero()};
-            for (std::size_t g = 0; g < points.size(); ++g) {
-                const PanelPotential potential = panel_potential(inner, points[g]);
-                pair.single_layer += rule.weights[g] * outer.area * potential.single_layer;
-                for (std::size_t k = 0; k < 3; ++k) sum[k] += potential.double_layer[k] * velocities[g];
-            }
-            subtract_far(t, pair.panel, sum);
-            for (std::size_t k = 0; k < 3; ++k)
-                out_.right_side.row(mesh_.faces[pair.panel][k]) -= sum[k].transpose() / four_pi;
-        }
-        std::array<Mode, 3> sum = {Mode::Zero(), Mode::Zero(), Mode::Zero()};
-        subtract_far(t, t, sum);
-        for (std::size_t k = 0; k < 3; ++k) out_.right_side.row(mesh_.faces[t][k]) -= sum[k].transpose() / four_pi;
+        std::array<Mode, 3> velocity;
+        for (std::size_t k = 0; k < 3; ++k) velocity[k] = normal_velocity(outer.corner[k], outer.normal);
+        for (std::size_t k = 0; k < 3; ++k)
+            out_.moments.row(mesh_.faces[t][k]) +=
+                outer.area / 12.0 * (velocity[0] + velocity[1] + velocity[2] + velocity[k]).transpose();
+        batch_.clear();
+        apart_.clear();
+        for (NearPair& pair : near_[t]) (pair.touching || level_[t] > 0 ? batch_ : apart_).push_back(&pair);
+        // Lanes left over cost nothing.
+        const std::size_t spare = std::min((near_batch - batch_.size() % near_batch) % near_batch, apart_.size());
+        batch_.insert(batch_.end(), apart_.end() - static_cast<std::ptrdiff_t>(spare), apart_.end());
+        apart_.resize(apart_.size() - spare);
+        integrate_pairs(t, rules_[level_[t]], batch_, velocity);
+        integrate_pairs(t, apart_rule_, apart_, velocity);
     }
 
-    void subtract_far(std::size_t t, std::size_t s, std::array<Mode, 3>& sum) const {
-        const Panel &outer = out_.panels[t], &inner = out_.panels[s];
-        for (std::size_t b = 0; b < 3; ++b) {
-            const Eigen::Vector3d& source = middle_[panel_edges_[s][b]];
-            Mode flux = Mode::Zero();
-            for (const uint32_t a : panel_edges_[t]) {
-                const Eigen::Vector3d d = middle_[a] - source;
-                const double square = d.squaredNorm();
-                const double cube = square * std::sqrt(square);
-                if (cube > 0.0) flux += inner.normal.dot(d) / cube * normal_velocity(middle_[a], outer.normal);
+    void integrate_pairs(std::size_t t, const TriangleRule& rule, const std::vector<NearPair*>& pairs,
+                         const std::array<Mode, 3>& velocity) {
+        if (pairs.empty()) return;
+        const Panel& outer = out_.panels[t];
+        points_.clear();
+        weights_.clear();
+        for (std::size_t g = 0; g < rule.weights.size(); ++g) {
+            const Eigen::Vector3d& node = rule.nodes[g];
+            const Eigen::Vector3d x = node[0] * outer.corner[0] + node[1] * outer.corner[1] + node[2] * outer.corner[2];
+            for (Eigen::Index k = 0; k < 3; ++k) {
+                points_.push_back(x[k]);
+                weights_.push_back(rule.weights[g] * node[k]);
             }
-            flux *= 0.5 * outer.area / 3.0 * inner.area / 3.0;
-            sum[b] -= flux;
-            sum[(b + 1) % 3] -= flux;
+        }
+        std::array<double, 9> middles{};
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t c = 0; c < 3; ++c)
+                middles[3 * k + c] = middle_[panel_edges_[t][k]][static_cast<Eigen::Index>(c)];
+        const OuterRule outer_rule{points_.data(), weights_.data(), rule.weights.size(), middles.data()};
+        std::array<double, NearFields::count * near_batch> sources;
+        std::array<double, NearResult::count * near_batch> results;
+        for (std::size_t first = 0; first < pairs.size(); first += near_batch) {
+            const std::size_t lanes = std::min(near_batch, pairs.size() - first);
+            for (std::size_t lane = 0; lane < near_batch; ++lane) {
+                const auto& fields = fields_[pairs[first + std::min(lane, lanes - 1)]->panel];
+                for (std::size_t f = 0; f < NearFields::count; ++f) sources[f * near_batch + lane] = fields[f];
+            }
+            integrate_near_panels(outer_rule, sources.data(), results.data());
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                NearPair& pair = *pairs[first + lane];
+                pair.single_layer = outer.area * results[NearResult::single_layer * near_batch + lane];
+                add_near_double_layer(outer, velocity, pair.panel, &results[lane]);
+            }
+        }
+    }
+
+    void add_near_double_layer(const Panel& outer, const std::array<Mode, 3>& velocity, uint32_t s,
+                               const double* results) {
+        const Panel& inner = out_.panels[s];
+        const double share = 0.5 * inner.area / 9.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t edge = (k + 1) % 3; // opposite; the hat of k is 1/2 in the middle of edges k and k - 1
+            const double slope = inner.edge_length[edge] / (2.0 * inner.area);
+            Mode sum = Mode::Zero();
+            for (std::size_t a = 0; a < 3; ++a) {
+                const auto at = [&](std::size_t field, std::size_t row) {
+                    return results[(field + 3 * row + a) * near_batch];
+                };
+                sum += (slope * at(NearResult::double_layer, edge) -
+                        share * (at(NearResult::middles, k) + at(NearResult::middles, (k + 2) % 3))) *
+                       velocity[a];
+            }
+            out_.right_side.row(mesh_.faces[s][k]) -= outer.area / four_pi * sum.transpose();
         }
     }
 
     // The value whose outer rule is on the smaller panel, where the inner potential varies least.
-    double near_single_layer(std::size_t t, const NearPair& pair) const {
-        const std::vector<NearPair>& others = near_[pair.panel];
-        const auto mirror = std::lower_bound(others.begin(), others.end(), t,
-                                             [](const NearPair& p, std::size_t panel) { return p.panel < panel; });
+    double near_single_layer(std::size_t t, const NearPair& pair, const NearPair& mirror) const {
         const double ratio = out_.panels[t].radius / out_.panels[pair.panel].radius;
         if (ratio < 0.7) return pair.single_layer;
-        if (ratio > 1.0 / 0.7) return mirror->single_layer;
-        return 0.5 * (pair.single_layer + mirror->single_layer);
+        if (ratio > 1.0 / 0.7) return mirror.single_layer;
+        return 0.5 * (pair.single_layer + mirror.single_layer);
     }
 
+    VertexFans find_fans() const {
+        VertexFans fans;
+        fans.start.assign(mesh_.vertices.size() + 1, 0);
+        for (const Face& f : mesh_.faces)
+            for (const uint32_t v : f) ++fans.start[v + 1];
+        std::partial_sum(fans.start.begin(), fans.start.end(), fans.start.begin());
+        fans.panel.resize(fans.start.back());
+        fans.curl.resize(3 * fans.start.back());
+        std::vector<std::size_t> next(fans.start.begin(), fans.start.end() - 1);
+        for (uint32_t t = 0; t < mesh_.faces.size(); ++t)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t at = next[mesh_.faces[t][k]]++;
+                const Eigen::Vector3d curl = hat_curl(out_.panels[t], k);
+                fans.panel[at] = t;
+                std::copy_n(curl.data(), 3, &fans.curl[3 * at]);
+            }
+        return fans;
+    }
+
+    // near_batch columns of the single layer at a time: far panels by centroids and second moments, with an error of
+    // third order in size over distance.
     void assemble_hypersingular() {
         const std::size_t n = out_.panels.size();
         const auto vertices = static_cast<Eigen::Index>(mesh_.vertices.size());
-        std::array<std::vector<double>, 3> centroid;
-        std::array<std::vector<double>, 6> moment; // second moments over the area: xx yy zz xy yz zx
-        std::vector<double> area(n), single_layer(n);
-        for (auto& axis : centroid) axis.resize(n);
-        for (auto& component : moment) component.resize(n);
-        std::vector<std::array<Eigen::Vector3d, 3>> curls(n);
-        for (std::size_t t = 0; t < n; ++t) {
-            const Panel& panel = out_.panels[t];
+        std::vector<double> records;
+        records.reserve(far_fields * n);
+        for (const Panel& panel : out_.panels) {
             Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Eigen::Vector3d p = panel.corner[k] - panel.centroid;
-                second += p * p.transpose() / 12.0;
-                centroid[k][t] = panel.centroid[static_cast<Eigen::Index>(k)];
-                curls[t][k] = hat_curl(panel, k);
-            }
-            area[t] = panel.area;
-            const std::array<double, 6> parts = {second(0, 0), second(1, 1), second(2, 2),
-                                                 second(0, 1), second(1, 2), second(2, 0)};
-            for (std::size_t k = 0; k < 6; ++k) moment[k][t] = parts[k];
+            for (const Eigen::Vector3d& corner : panel.corner)
+                second += (corner - panel.centroid) * (corner - panel.centroid).transpose() / 12.0;
+            records.insert(records.end(),
+                           {panel.centroid[0], panel.centroid[1], panel.centroid[2], second(0, 0), second(1, 1),
+                            second(2, 2), second(0, 1), second(1, 2), second(2, 0), panel.area / four_pi});
         }
+        const VertexFans fans = find_fans();
         out_.hypersingular = Eigen::MatrixXd::Zero(vertices, vertices);
-        Eigen::Matrix<double, 3, Eigen::Dynamic> currents(3, vertices);
-        for (std::size_t t = 0; t < n; ++t) {
-            far_single_layer(t, centroid, moment, area, single_layer);
-            for (const NearPair& pair : near_[t]) single_layer[pair.panel] = near_single_layer(t, pair) / four_pi;
-            single_layer[t] = out_.self[t];
-            currents.setZero();
-            for (std::size_t s = 0; s < n; ++s)
-                for (std::size_t k = 0; k < 3; ++k) currents.col(mesh_.faces[s][k]) += single_layer[s] * curls[s][k];
-            for (std::size_t k = 0; k < 3; ++k)
-                out_.hypersingular.col(mesh_.faces[t][k]).noalias() += currents.transpose() * curls[t][k];
-            if (t % 64 == 0) progress_(0.5 + 0.3 * static_cast<double>(t) / static_cast<double>(n));
-        }
-    }
-
-    // Double integral of G with panel t, by centroids and second moments: error of third order in size over distance.
-    static void far_single_layer(std::size_t t, const std::array<std::vector<double>, 3>& centroid,
-                                 const std::array<std::vector<double>, 6>& moment, const std::vector<double>& area,
-                                 std::vector<double>& result) {
-        const double x = centroid[0][t], y = centroid[1][t], z = centroid[2][t], scale = area[t] / four_pi;
-        const double mxx = moment[0][t], myy = moment[1][t], mzz = moment[2][t];
-        const double mxy = moment[3][t], myz = moment[4][t], mzx = moment[5][t];
-        const double *px = centroid[0].data(), *py = centroid[1].data(), *pz = centroid[2].data();
-        const double *sxx = moment[0].data(), *syy = moment[1].data(), *szz = moment[2].data();
-        const double *sxy = moment[3].data(), *syz = moment[4].data(), *szx = moment[5].data();
-        const double* const a = area.data();
-        double* const out = result.data();
-        const std::size_t n = area.size();
-        for (std::size_t s = 0; s < n; ++s) {
-            const double dx = x - px[s], dy = y - py[s], dz = z - pz[s];
-            const double square = dx * dx + dy * dy + dz * dz;
-            const double inverse = 1.0 / std::sqrt(square); // infinite for s = t, which the caller replaces
-            const double inverse2 = inverse * inverse;
-            const double xx = mxx + sxx[s], yy = myy + syy[s], zz = mzz + szz[s];
-            const double twice_mixed =
-                2.0 * ((mxy + sxy[s]) * dx * dy + (myz + syz[s]) * dy * dz + (mzx + szx[s]) * dz * dx);
-            const double along = (xx * dx * dx + yy * dy * dy + zz * dz * dz + twice_mixed) * inverse2;
-            out[s] = scale * a[s] * inverse * (1.0 + 0.5 * inverse2 * (3.0 * along - (xx + yy + zz)));
+        std::vector<double> values(n * near_batch);
+        std::vector<std::size_t> mirrors(n, 0); // lists are sorted: panels find themselves there in their own order
+        for (std::size_t first = 0; first < n; first += near_batch) {
+            const std::size_t lanes = std::min(near_batch, n - first);
+            std::array<std::size_t, near_batch> targets;
+            std::array<double, 9 * near_batch> curls{};
+            std::array<double*, 3 * near_batch> columns{};
+            for (std::size_t lane = 0; lane < near_batch; ++lane) {
+                const std::size_t t = targets[lane] = first + std::min(lane, lanes - 1);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    columns[k * near_batch + lane] = out_.hypersingular.col(mesh_.faces[t][k]).data();
+                    const Eigen::Vector3d curl = hat_curl(out_.panels[t], k);
+                    for (std::size_t c = 0; c < 3; ++c)
+                        curls[(3 * k + c) * near_batch + lane] = curl[static_cast<Eigen::Index>(c)];
+                }
+            }
+            far_single_layer(records.data(), n, targets, values.data());
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                const std::size_t t = targets[lane];
+                for (const NearPair& pair : near_[t]) {
+                    const NearPair& mirror = near_[pair.panel][mirrors[pair.panel]++];
+                    values[pair.panel * near_batch + lane] = near_single_layer(t, pair, mirror) / four_pi;
+                }
+                values[t * near_batch + lane] = out_.self[t];
+            }
+            add_currents(fans, values.data(), curls.data(), columns, lanes);
+            if (first % 64 == 0) progress_(0.4 + 0.4 * static_cast<double>(first) / static_cast<double>(n));
         }
     }
 
@@ -273,7 +331,11 @@ private:
     std::vector<Eigen::Vector3d> middle_;
     std::vector<std::vector<NearPair>> near_;
     std::vector<std::size_t> level_;
-    std::vector<TriangleRule> rules_;
+    std::vector<TriangleRule> rules_; // of panels that touch, by level
+    TriangleRule apart_rule_ = six_point_rule();
+    std::vector<NearPair*> batch_, apart_;                      // pairs at work
+    std::vector<std::array<double, NearFields::count>> fields_; // of each panel
+    std::vector<double> points_, weights_;                      // of the outer rule at work
 };
 
 } // namespace

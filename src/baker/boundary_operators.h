@@ -8,7 +8,8 @@
 
 namespace lr::baker {
 
-using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, 6>; // one column for each of vx vy vz wx wy wz
+// One column for each of vx vy vz wx wy wz.
+using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 
 // With hat functions psi_i at the vertices, G = 1/(4 pi r), n outward, and the normal velocity q_m of rigid mode m
 // about the origin: n for the translations, x cross n for the rotations.

@@ -82,6 +82,14 @@ double self_interaction(const Panel& panel) {
 
 namespace {
 
+void add_triple(TriangleRule& rule, double a, double weight) {
+    const double b = 1.0 - 2.0 * a;
+    for (const Eigen::Vector3d& node : {Eigen::Vector3d(b, a, a), Eigen::Vector3d(a, b, a), Eigen::Vector3d(a, a, b)}) {
+        rule.nodes.push_back(node);
+        rule.weights.push_back(weight);
+    }
+}
+
 void add_parts(const TriangleRule& rule, const Eigen::Matrix3d& corners, double share, int levels, TriangleRule& out) {
     if (levels == 0) {
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
@@ -108,14 +116,8 @@ TriangleRule dunavant_rule(int levels) {
         rule.nodes.emplace_back(a, b, c);
         rule.weights.push_back(weight);
     };
-    const std::array<std::array<double, 2>, 2> triples = {
-        {{0.249286745170910421, 0.116786275726379366}, {0.063089014491502228, 0.050844906370206817}}};
-    for (const auto& [a, weight] : triples) {
-        const double b = 1.0 - 2.0 * a;
-        add(b, a, a, weight);
-        add(a, b, a, weight);
-        add(a, a, b, weight);
-    }
+    add_triple(rule, 0.249286745170910421, 0.116786275726379366);
+    add_triple(rule, 0.063089014491502228, 0.050844906370206817);
     const double a = 0.310352451033784405, b = 0.053145049844816947, weight = 0.082851075618373575;
     const double c = 1.0 - a - b;
     add(a, b, c, weight);
@@ -127,6 +129,13 @@ TriangleRule dunavant_rule(int levels) {
     TriangleRule result;
     add_parts(rule, Eigen::Matrix3d::Identity(), 1.0, levels, result);
     return result;
+}
+
+TriangleRule six_point_rule() {
+    TriangleRule rule;
+    add_triple(rule, 0.445948490915964886, 0.223381589678011466);
+    add_triple(rule, 0.091576213509770743, 0.109951743655321868);
+    return rule;
 }
 
 } // namespace lr::baker

@@ -42,4 +42,7 @@ struct TriangleRule {
 // Exact to degree 6 (Dunavant 1985, 12 points), on 4^levels equal parts of the triangle.
 TriangleRule dunavant_rule(int levels);
 
+// Exact to degree 4 (Dunavant 1985, 6 points).
+TriangleRule six_point_rule();
+
 } // namespace lr::baker
