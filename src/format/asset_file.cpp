@@ -68,9 +68,9 @@ std::string text(const flatbuffers::String* s) {
 
 bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     const size_t before = faults.size();
-    const auto need = [&](const void* field, const char* name) {
+    const auto need = [&](const void* field, const char* name, size_t alignment = alignof(double)) {
         if (!field) fail(faults, FaultId::asset_missing_field, name, "The field is missing.");
-        return field && check_alignment(field, alignof(double), name, faults);
+        return field && check_alignment(field, alignment, name, faults);
     };
     out.name = text(a.name());
     out.mass = a.mass();
@@ -95,9 +95,7 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     }
     out.projected_area = a.projected_area();
     out.u0 = a.u0();
-    if (!a.turbulence()) {
-        fail(faults, FaultId::asset_missing_field, "turbulence", "The field is missing.");
-    } else {
+    if (need(a.turbulence(), "turbulence", alignof(flatbuffers::soffset_t))) {
         const format::Turbulence& t = *a.turbulence();
         out.turbulence.dt = t.dt();
         copy_vector(t.chi(), out.turbulence.chi, "turbulence.chi", faults);

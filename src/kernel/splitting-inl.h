@@ -137,17 +137,16 @@ HWY_INLINE void load_half(const StepInput& in, const BodyConstants& c, const Hel
         b.t = relaxed;
 }
 
-struct Matrix3 {
-    VF a[3][3];
+// A 3x3 matrix by its columns.
+struct Columns {
+    Vec3 x, y, z;
 };
 
-// Cramer's rule. The matrices here are positive definite plus skew: never singular.
-HWY_INLINE Vec3 solve(const Matrix3& m, Vec3 r) {
-    const Vec3 c0{m.a[0][0], m.a[1][0], m.a[2][0]}, c1{m.a[0][1], m.a[1][1], m.a[2][1]},
-        c2{m.a[0][2], m.a[1][2], m.a[2][2]};
-    const Vec3 c12 = cross(c1, c2);
-    const VF inverse = hn::Div(constant(1.0f), dot(c0, c12));
-    return scale(inverse, Vec3{dot(r, c12), dot(r, cross(c2, c0)), dot(r, cross(c0, c1))});
+// Cramer's rule. Positive definite plus skew is never singular; a Newton step's matrix may be, and is then found unsound.
+HWY_INLINE Vec3 solve(Columns m, Vec3 r) {
+    const Vec3 yz = cross(m.y, m.z);
+    const VF inverse = hn::Div(constant(1.0f), dot(m.x, yz));
+    return scale(inverse, Vec3{dot(r, yz), dot(r, cross(m.z, m.x)), dot(r, cross(m.x, m.y))});
 }
 
 // M11^-1 y.
@@ -165,9 +164,6 @@ HWY_INLINE Vec3 slip_transposed(const BodyConstants& c, Vec3 x) {
 }
 
 // The three columns of a x for the unit vectors x.
-struct Columns {
-    Vec3 x, y, z;
-};
 HWY_INLINE Columns cross_columns(Vec3 a) {
     const VF zero = hn::Zero(DF());
     return {{zero, a.z, hn::Neg(a.y)}, {hn::Neg(a.z), zero, a.x}, {a.y, hn::Neg(a.x), zero}};
@@ -198,11 +194,10 @@ template <bool kFull> HWY_INLINE Twist middle_increment(const BodyConstants& c, 
         const VF xx = hn::Mul(p.x, p.x), yy = hn::Mul(p.y, p.y), zz = hn::Mul(p.z, p.z);
         const VF kxy = hn::Mul(d, hn::Mul(p.x, p.y)), kxz = hn::Mul(b, hn::Mul(p.x, p.z)),
                  kyz = hn::Mul(a, hn::Mul(p.y, p.z));
-        const Matrix3 m{
-            {{mul_add(b, zz, mul_add(d, yy, constant(c.spin_mass[0]))), hn::Sub(l.z, kxy), hn::Neg(hn::Add(kxz, l.y))},
-             {hn::Neg(hn::Add(kxy, l.z)), mul_add(a, zz, mul_add(d, xx, constant(c.spin_mass[1]))), hn::Sub(l.x, kyz)},
-             {hn::Sub(l.y, kxz), hn::Neg(hn::Add(kyz, l.x)),
-              mul_add(a, yy, mul_add(b, xx, constant(c.spin_mass[2])))}}};
+        const Columns m{
+            {mul_add(b, zz, mul_add(d, yy, constant(c.spin_mass[0]))), hn::Neg(hn::Add(kxy, l.z)), hn::Sub(l.y, kxz)},
+            {hn::Sub(l.z, kxy), mul_add(a, zz, mul_add(d, xx, constant(c.spin_mass[1]))), hn::Neg(hn::Add(kyz, l.x))},
+            {hn::Neg(hn::Add(kxz, l.y)), hn::Sub(l.x, kyz), mul_add(a, yy, mul_add(b, xx, constant(c.spin_mass[2])))}};
         const Vec3 du = solve(m, r);
         return {scaled_by(c.inverse_mass, add(pu, cross(p, du))), du};
     } else {
@@ -212,9 +207,9 @@ template <bool kFull> HWY_INLINE Twist middle_increment(const BodyConstants& c, 
             const Vec3 turned = cross(p, sub(broadcast(ct), mobility<true>(c, pe)));
             return add(add(sub(se, le), slip(c, pe)), turned);
         };
-        const Vec3 c0 = column(s.x, lx.x, px.x, c.slip), c1 = column(s.y, lx.y, px.y, c.slip + 3),
-                   c2 = column(s.z, lx.z, px.z, c.slip + 6);
-        const Vec3 du = solve({{{c0.x, c1.x, c2.x}, {c0.y, c1.y, c2.y}, {c0.z, c1.z, c2.z}}}, r);
+        const Columns m{column(s.x, lx.x, px.x, c.slip), column(s.y, lx.y, px.y, c.slip + 3),
+                        column(s.z, lx.z, px.z, c.slip + 6)};
+        const Vec3 du = solve(m, r);
         return {sub(mobility<true>(c, add(pu, cross(p, du))), slip_transposed(c, du)), du};
     }
 }
@@ -244,9 +239,9 @@ template <bool kFull> HWY_INLINE Twist newton_step(const BodyConstants& c, Twist
         return sum;
     };
     const Columns s = reduced_rotation<kFull>(c), lx = cross_columns(l), px = cross_columns(p);
-    const Vec3 c0 = column(s.x, lx.x, px.x, c.slip), c1 = column(s.y, lx.y, px.y, c.slip + 3),
-               c2 = column(s.z, lx.z, px.z, c.slip + 6);
-    const Vec3 du = solve({{{c0.x, c1.x, c2.x}, {c0.y, c1.y, c2.y}, {c0.z, c1.z, c2.z}}}, sub(ru, coupled(n(rv))));
+    const Columns m{column(s.x, lx.x, px.x, c.slip), column(s.y, lx.y, px.y, c.slip + 3),
+                    column(s.z, lx.z, px.z, c.slip + 6)};
+    const Vec3 du = solve(m, sub(ru, coupled(n(rv))));
     const Vec3 y = n(add(rv, cross(p, du)));
     Vec3 dv = mobility<kFull>(c, y);
     if constexpr (kFull) dv = sub(dv, slip_transposed(c, du));
