@@ -2,13 +2,12 @@
 
 #include "baker/added_mass.h"
 #include "baker/convex_hull.h"
-#include "baker/file_io.h"
+#include "baker/input_files.h"
 #include "baker/mass_properties.h"
 #include "baker/mesh_check.h"
 #include "baker/text.h"
 #include "baker/turbulence.h"
 #include "format/asset_file.h"
-#include "format/checksum.h"
 #include "shape/body_scales.h"
 #include "shape/ellipsoid.h"
 
@@ -23,7 +22,6 @@
 namespace lr::baker {
 namespace {
 
-constexpr std::size_t max_mesh_bytes = std::size_t{1} << 31;
 constexpr std::size_t max_name_bytes = 4096; // check_asset
 
 bool fail(Faults& faults, FaultId id, std::string where, std::string what, std::string remedy) {
@@ -70,6 +68,74 @@ std::string utf8(const std::filesystem::path& path) {
     return valid_utf8(std::string(text.begin(), text.end()));
 }
 
+std::filesystem::path mesh_path(const BakeOptions& o) {
+    return std::u8string(o.mesh_path.begin(), o.mesh_path.end());
+}
+
+void add_memory(const BakeOptions& o, InputFiles& input) {
+    if (o.mesh_arrays) {
+        input.add(o.mesh_arrays->positions.data(), o.mesh_arrays->positions.size_bytes());
+        input.add(o.mesh_arrays->indices.data(), o.mesh_arrays->indices.size_bytes());
+    } else if (o.mesh_bytes) {
+        input.add(o.mesh_bytes->data(), o.mesh_bytes->size());
+    }
+}
+
+bool read_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
+    MeshReadOptions how;
+    if (o.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(o.unit);
+    how.up = o.up;
+    how.mesh = o.mesh;
+    add_memory(o, input);
+    if (o.mesh_arrays) return read_mesh_arrays(o.mesh_arrays->positions, o.mesh_arrays->indices, how, mesh, faults);
+    if (!o.mesh_bytes) return read_mesh(o.mesh_path, how, mesh, faults, &input);
+    std::string extension = mesh_path(o).extension().string();
+    if (!extension.empty()) extension.erase(0, 1);
+    return read_mesh_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), extension, how, mesh, faults);
+}
+
+// These formats are read by readers that open no other file; of the rest only reading tells.
+bool stands_alone(const BakeOptions& o) {
+    std::string extension = mesh_path(o).extension().string();
+    for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    return extension == ".obj" || extension == ".ply" || extension == ".stl";
+}
+
+uint64_t input_hash(const InputFiles& input, const std::string& options) {
+    Fnv1a hash = input.hash();
+    hash.add(options.data(), options.size());
+    return hash.value();
+}
+
+// A surface to look at; the numbers of an ellipsoid are closed forms.
+Mesh sampled_ellipsoid(const std::array<double, 3>& semi_axes, const std::array<double, 3>& center_of_mass) {
+    constexpr uint32_t around = 48, rings = 23;
+    constexpr double pi = 3.14159265358979323846;
+    Mesh mesh;
+    const auto add = [&](double latitude, double longitude) {
+        mesh.vertices.emplace_back(semi_axes[0] * std::cos(latitude) * std::cos(longitude) - center_of_mass[0],
+                                   semi_axes[1] * std::cos(latitude) * std::sin(longitude) - center_of_mass[1],
+                                   semi_axes[2] * std::sin(latitude) - center_of_mass[2]);
+    };
+    for (uint32_t i = 0; i < rings; ++i)
+        for (uint32_t j = 0; j < around; ++j) add(pi * ((i + 1.0) / (rings + 1.0) - 0.5), 2.0 * pi * j / around);
+    const uint32_t south = rings * around, north = south + 1;
+    add(-0.5 * pi, 0.0);
+    add(0.5 * pi, 0.0);
+    for (uint32_t j = 0; j < around; ++j) {
+        const uint32_t k = (j + 1) % around;
+        mesh.faces.push_back({south, k, j});
+        for (uint32_t i = 0; i + 1 < rings; ++i) {
+            const uint32_t a = i * around, b = a + around;
+            mesh.faces.push_back({a + j, a + k, b + k});
+            mesh.faces.push_back({a + j, b + k, b + j});
+        }
+        const uint32_t last = (rings - 1) * around;
+        mesh.faces.push_back({last + j, last + k, north});
+    }
+    return mesh;
+}
+
 std::array<double, 3> to_array(const Eigen::Vector3d& v) {
     return {v[0], v[1], v[2]};
 }
@@ -77,8 +143,8 @@ std::array<double, 3> to_array(const Eigen::Vector3d& v) {
 class Pipeline {
 public:
     Pipeline(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,
-             const BakeProgress& progress)
-        : options_(options), out_(out), faults_(faults), timings_(timings), progress_(progress) {}
+             const BakeProgress& progress, const BakeHooks& hooks)
+        : options_(options), out_(out), faults_(faults), timings_(timings), progress_(progress), hooks_(hooks) {}
 
     bool run() {
         out_ = AssetData{};
@@ -116,7 +182,7 @@ private:
         spec.fluid_viscosity = options_.fluid_viscosity;
         spec.intensity = options_.intensity;
         if (options_.center_of_mass) spec.center_of_mass = in_metres(*options_.center_of_mass);
-        out_.name = "ellipsoid";
+        if (hooks_.body) *hooks_.body = sampled_ellipsoid(spec.semi_axes, spec.center_of_mass);
         return phase("closed forms", [&] { return shape::ellipsoid_body(spec, out_, faults_); });
     }
 
@@ -128,17 +194,8 @@ private:
     }
 
     bool read() {
-        std::vector<uint8_t> bytes;
-        if (!read_file(options_.mesh_path, max_mesh_bytes, bytes, faults_)) return false;
-        input_.add(bytes.data(), bytes.size());
-        MeshReadOptions how;
-        if (options_.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(options_.unit);
-        how.up = options_.up;
-        how.mesh = options_.mesh;
-        if (!read_mesh(options_.mesh_path, how, mesh_, faults_)) return false;
-        const std::filesystem::path path(std::u8string(options_.mesh_path.begin(), options_.mesh_path.end()));
-        out_.name = utf8(path.stem());
-        out_.provenance.source = utf8(path.filename());
+        if (!read_input(options_, mesh_, input_, faults_)) return false;
+        out_.provenance.source = source_name(options_);
         return true;
     }
 
@@ -166,6 +223,7 @@ private:
         out_.provenance.faces = static_cast<uint32_t>(mesh_.faces.size());
         out_.provenance.vertices = static_cast<uint32_t>(mesh_.vertices.size());
         for (Eigen::Vector3d& v : mesh_.vertices) v -= center_; // body frame from here on
+        if (hooks_.body) *hooks_.body = mesh_;
         return true;
     }
 
@@ -187,6 +245,7 @@ private:
     }
 
     bool make_added_mass() {
+        if (hooks_.before_solve) hooks_.before_solve(mesh_.faces.size());
         AddedMass added;
         if (!compute_added_mass(mesh_, Eigen::Vector3d::Zero(), added, faults_, [&](double f) { advance(f); }))
             return false;
@@ -268,12 +327,11 @@ private:
                                "The body is as dense as its fluid: it has no fall speed to scale its turbulence by.",
                                "Nothing, if it is to float; else check --density and --fluid."});
         for (double& c : out_.center_of_buoyancy) c += 0.0; // no minus zeros, which people take for a message
-        if (options_.name) out_.name = valid_utf8(*options_.name);
+        out_.name = asset_name(options_);
         out_.provenance.tool = "lr_bake";
         out_.provenance.tool_version = baker_version();
         out_.provenance.options = canonical_options(options_);
-        input_.add(out_.provenance.options.data(), out_.provenance.options.size());
-        out_.provenance.input_hash = input_.value();
+        out_.provenance.input_hash = input_hash(input_, out_.provenance.options);
         const std::size_t before = faults_.size();
         if (check_asset(out_, faults_)) return true;
         for (std::size_t i = before; i < faults_.size(); ++i)
@@ -287,7 +345,8 @@ private:
     BakeTimings* timings_;
     const BakeProgress& progress_;
     const char* phase_ = "";
-    Fnv1a input_;
+    const BakeHooks& hooks_;
+    InputFiles input_;
     Mesh mesh_;
     MassProperties solid_;
     Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
@@ -336,17 +395,40 @@ std::string canonical_options(const BakeOptions& o) {
 }
 
 bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,
-          const BakeProgress& progress) {
+          const BakeProgress& progress, const BakeHooks& hooks) {
     try {
-        return Pipeline(options, out, faults, timings, progress).run();
+        return Pipeline(options, out, faults, timings, progress, hooks).run();
     } catch (const std::bad_alloc&) {
         return fail(faults, FaultId::mesh_too_many_faces, "memory", "The bake does not fit into memory.",
                     "Decimate the mesh, or use a coarser --grid.");
     }
 }
 
-const char* baker_version() {
-    return LR_VERSION_STRING;
+std::string source_name(const BakeOptions& options) {
+    return options.semi_axes ? "ellipsoid" : utf8(mesh_path(options).filename());
+}
+
+std::string asset_name(const BakeOptions& options) {
+    if (options.name) return valid_utf8(*options.name);
+    return options.semi_axes ? "ellipsoid" : utf8(mesh_path(options).stem());
+}
+
+std::optional<uint64_t> find_input_hash(const BakeOptions& options) {
+    try {
+        InputFiles input;
+        Faults ignored;
+        if (options.mesh_arrays || options.mesh_bytes) {
+            add_memory(options, input);
+        } else if (!options.semi_axes) {
+            Mesh mesh;
+            const bool read = stands_alone(options) ? input.read(options.mesh_path, &ignored) != nullptr
+                                                    : read_input(options, mesh, input, ignored);
+            if (!read) return {};
+        }
+        return input_hash(input, canonical_options(options));
+    } catch (const std::bad_alloc&) {
+        return {};
+    }
 }
 
 } // namespace lr::baker

@@ -21,6 +21,16 @@ std::string hex(uint64_t value) {
     return buffer;
 }
 
+Json make_json(const ProvenanceData& p) {
+    return {{"tool", valid_utf8(p.tool)},
+            {"tool_version", valid_utf8(p.tool_version)},
+            {"source", valid_utf8(p.source)},
+            {"input_hash", hex(p.input_hash)},
+            {"options", valid_utf8(p.options)},
+            {"faces", p.faces},
+            {"vertices", p.vertices}};
+}
+
 Json make_json(const AssetData& a) {
     const auto times_fluid = [&](std::array<double, 36> m) {
         for (double& v : m) v *= a.fluid_density;
@@ -55,14 +65,7 @@ Json make_json(const AssetData& a) {
                        {"intensity", a.turbulence.intensity},
                        {"cells", a.turbulence.cells}};
     j["hull"] = {{"vertices", a.hull.vertices.size() / 3}, {"triangles", a.hull.triangles.size() / 3}};
-    const ProvenanceData& p = a.provenance;
-    j["provenance"] = {{"tool", valid_utf8(p.tool)},
-                       {"tool_version", valid_utf8(p.tool_version)},
-                       {"source", valid_utf8(p.source)},
-                       {"input_hash", hex(p.input_hash)},
-                       {"options", valid_utf8(p.options)},
-                       {"faces", p.faces},
-                       {"vertices", p.vertices}};
+    j["provenance"] = make_json(a.provenance);
     return j;
 }
 
@@ -94,6 +97,11 @@ std::string report_json(const AssetData& asset, const Faults& faults, const Bake
     j["timings"] = Json::object();
     for (const auto& [phase, seconds] : timings) j["timings"][phase] = seconds;
     return j.dump(2) + "\n";
+}
+
+bool is_report_of(std::string_view json, const ProvenanceData& provenance) {
+    const Json j = Json::parse(json, nullptr, false);
+    return j.is_object() && j.contains("provenance") && j["provenance"] == make_json(provenance);
 }
 
 std::string summary(const AssetData& a) {

@@ -4,6 +4,7 @@
 #include "baker/bake.h"
 
 #include <string>
+#include <string_view>
 
 namespace lr::baker {
 
@@ -12,6 +13,9 @@ std::string report_json(const AssetData& asset);
 
 // The same, with what happened on the way: "faults" and "timings".
 std::string report_json(const AssetData& asset, const Faults& faults, const BakeTimings& timings);
+
+// Was this report written with an asset of this provenance?
+bool is_report_of(std::string_view json, const ProvenanceData& provenance);
 
 // A few lines for a terminal.
 std::string summary(const AssetData& asset);
