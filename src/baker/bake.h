@@ -21,6 +21,12 @@ enum class Unit { m, cm, mm, file };
 double units_per_metre(Unit unit);
 const char* unit_name(Unit unit);
 
+// The mesh is the middle surface of a sheet.
+struct SheetOptions {
+    double thickness = 0.0;              // in `unit`
+    std::optional<double> areal_density; // kg/m^2; without it, `density` times the thickness
+};
+
 struct BakeOptions {
     // Either a mesh file, or an ellipsoid when there are semi-axes.
     std::string mesh_path;                          // UTF-8
@@ -28,6 +34,7 @@ struct BakeOptions {
     Unit unit = Unit::file;                         // of the mesh and of every length here, which `file` leaves in m
     UpAxis up = UpAxis::z;                          // axis of the mesh that becomes +z
     std::optional<std::string> mesh;                // only what has this name in the file
+    std::optional<SheetOptions> sheet;              // instead of the boundary of a solid
     double density = 800.0;                         // kg/m^3; leaf, paper
     double fluid_density = 1.2;                     // kg/m^3; air
     double fluid_viscosity = 1.5e-5;                // m^2/s

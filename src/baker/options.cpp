@@ -42,6 +42,7 @@ struct Texts {
     std::string unit, up = "z", mesh, density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
     std::string center_of_mass, name;
     std::string semi_axis[3];
+    std::string thickness, areal_density;
 };
 
 void add_mesh_options(CLI::App& command, Texts& texts) {
@@ -56,6 +57,17 @@ void add_mesh_options(CLI::App& command, Texts& texts) {
         ->type_name("AXIS");
     command.add_option("--mesh", texts.mesh, "only the mesh, node or object of this name, instead of all as one body")
         ->type_name("NAME");
+}
+
+void add_sheet_options(CLI::App& command, Texts& texts) {
+    const std::string help = "the mesh is the middle surface of a sheet: open or closed, wound in any way";
+    CLI::Option* sheet = command.add_flag("--sheet", help);
+    command.add_option("--thickness", texts.thickness, "of the sheet, in the unit")->needs(sheet)->type_name("T");
+    command
+        .add_option("--areal-density", texts.areal_density,
+                    "mass of the sheet over its area, kg/m^2, instead of --density (paper: 0.08)")
+        ->needs(sheet)
+        ->type_name("KG_M2");
 }
 
 void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
@@ -89,6 +101,17 @@ void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions&
     if (command.count("--mesh") == 0) return;
     if (texts.mesh.empty()) throw CLI::ValidationError("--mesh", "the name is empty");
     o.mesh = texts.mesh;
+}
+
+void read_sheet_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    if (command.count("--sheet") == 0) return;
+    if (command.count("--thickness") == 0) throw CLI::ValidationError("--sheet", "a sheet needs --thickness");
+    if (command.count("--areal-density") > 0 && command.count("--density") > 0)
+        throw CLI::ValidationError("--areal-density", "it and --density say the same thing: give one");
+    o.sheet.emplace();
+    o.sheet->thickness = parse_number<double>(texts.thickness, "--thickness");
+    if (command.count("--areal-density") > 0)
+        o.sheet->areal_density = parse_number<double>(texts.areal_density, "--areal-density");
 }
 
 void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
@@ -133,10 +156,11 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     app.require_subcommand(1);
     app.footer("Exit code: 0 good; 1 a numbered fault (docs/format.md says what each means); 2 wrong usage.");
 
-    CLI::App* mesh =
-        app.add_subcommand("mesh", "bake a closed triangle mesh (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...)");
+    CLI::App* mesh = app.add_subcommand(
+        "mesh", "bake a triangle mesh (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...), closed or a sheet");
     mesh->add_option("IN", line.bake.mesh_path, "mesh file")->required()->type_name("");
     add_mesh_options(*mesh, texts);
+    add_sheet_options(*mesh, texts);
     add_bake_options(*mesh, texts, line);
 
     CLI::App* ellipsoid = app.add_subcommand("ellipsoid", "bake a solid ellipsoid from closed forms");
@@ -169,7 +193,10 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
         if (line.output.empty()) throw CLI::ValidationError("--output", "the file name is empty");
         if (line.report.empty() && (mesh->count("--report") > 0 || ellipsoid->count("--report") > 0))
             throw CLI::ValidationError("--report", "the file name is empty");
-        if (mesh->parsed()) read_mesh_options(*mesh, texts, line.bake);
+        if (mesh->parsed()) {
+            read_mesh_options(*mesh, texts, line.bake);
+            read_sheet_options(*mesh, texts, line.bake);
+        }
         read_bake_options(mesh->parsed() ? *mesh : *ellipsoid, texts, line.bake);
         return line;
     } catch (const CLI::ParseError& error) {
