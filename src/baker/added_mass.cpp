@@ -2,6 +2,7 @@
 
 #include "baker/boundary_operators.h"
 #include "baker/single_cholesky.h"
+#include "baker/surface_basis.h"
 #include "baker/surface_correction.h"
 
 #include <Eigen/Cholesky>
@@ -9,8 +10,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 // The potential phi of a moving body, grad phi . n = q on its surface, from the hypersingular integral equation
 //   W phi = -(1/2 + K') q
@@ -31,67 +32,96 @@ constexpr double quadrature_floor = 5e-4;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// The constant on each closed part of the surface carries no energy: W is singular in these directions. Adds a square
-// of the mean over the part, which fixes the constant and changes no added mass.
-void fix_constants(const Mesh& mesh, const std::vector<Panel>& panels, Eigen::MatrixXd& matrix) {
-    std::vector<uint32_t> root(mesh.vertices.size());
-    std::iota(root.begin(), root.end(), 0U);
-    const auto find = [&](uint32_t v) {
-        while (root[v] != v) v = root[v] = root[root[v]];
-        return v;
-    };
-    for (const Face& f : mesh.faces)
-        for (std::size_t k = 1; k < 3; ++k) {
-            const uint32_t a = find(f[0]), b = find(f[k]);
-            root[std::max(a, b)] = std::min(a, b);
-        }
-    Eigen::VectorXd weight = Eigen::VectorXd::Zero(matrix.rows());
-    for (std::size_t i = 0; i < panels.size(); ++i)
-        for (const uint32_t v : mesh.faces[i]) weight[v] += panels[i].area / 3.0;
+// Constant potentials carry no energy: W is singular in these directions. Adds a square of the mean of each, which
+// fixes the constant and changes no added mass.
+void fix_constants(const Mesh& mesh, const SurfaceBasis& basis, const std::vector<Panel>& panels,
+                   Eigen::MatrixXd& matrix) {
+    if (basis.constants.empty()) return;
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(matrix.rows());
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+        for (const CornerUnknowns& corner : basis.corners[i])
+            for (const int32_t unknown : {corner.plus, corner.minus})
+                if (unknown >= 0) share[unknown] += panels[i].area / 3.0;
     const double scale = matrix.diagonal().mean();
-    for (uint32_t part = 0; part < root.size(); ++part) {
-        if (root[part] != part) continue;
-        std::vector<Eigen::Index> members;
+    for (const ConstantPotential& constant : basis.constants) {
         double square = 0.0;
-        for (uint32_t v = 0; v < root.size(); ++v)
-            if (find(v) == part) {
-                members.push_back(v);
-                square += weight[v] * weight[v];
+        for (const int32_t i : constant.unknowns) square += share[i] * share[i];
+        const double factor = scale * 0.1 * static_cast<double>(constant.unknowns.size()) / square;
+        for (std::size_t j = 0; j < constant.unknowns.size(); ++j)
+            for (std::size_t i = 0; i < constant.unknowns.size(); ++i) {
+                const int32_t row = constant.unknowns[i], column = constant.unknowns[j];
+                matrix(row, column) += factor * constant.signs[i] * share[row] * constant.signs[j] * share[column];
             }
-        const double factor = scale * 0.1 * static_cast<double>(members.size()) / square;
-        for (const Eigen::Index column : members)
-            for (const Eigen::Index row : members) matrix(row, column) += factor * weight[row] * weight[column];
     }
 }
 
 using Currents = Eigen::Matrix<double, 3, 6>; // n x grad phi on one panel, one column for each mode
 
-std::vector<Currents> surface_currents(const Mesh& mesh, const std::vector<Panel>& panels, const RigidModes& phi) {
+std::vector<Currents> surface_currents(const SurfaceBasis& basis, const std::vector<Panel>& panels,
+                                       const RigidModes& phi) {
     std::vector<Currents> currents(panels.size(), Currents::Zero());
     for (std::size_t t = 0; t < panels.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) currents[t] += hat_curl(panels[t], k) * phi.row(mesh.faces[t][k]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const CornerUnknowns& corner = basis.corners[t][k];
+            if (corner.plus >= 0) currents[t] += hat_curl(panels[t], k) * phi.row(corner.plus);
+            if (corner.minus >= 0) currents[t] -= hat_curl(panels[t], k) * phi.row(corner.minus);
+        }
     return currents;
+}
+
+// Corners of panels over which the surface current is continuous: those at one vertex with the same unknowns. Front and
+// back may change places, which changes the sign of the jump and of the normal.
+std::vector<std::array<uint32_t, 3>> group_corners(const Mesh& mesh, const SurfaceBasis& basis, std::size_t& count) {
+    struct Corner {
+        uint32_t vertex;
+        int32_t low, high;
+        uint32_t face, index;
+        bool same_group(const Corner& o) const { return vertex == o.vertex && low == o.low && high == o.high; }
+    };
+    std::vector<Corner> corners;
+    corners.reserve(3 * mesh.faces.size());
+    for (uint32_t t = 0; t < mesh.faces.size(); ++t)
+        for (uint32_t k = 0; k < 3; ++k) {
+            const CornerUnknowns& c = basis.corners[t][k];
+            corners.push_back({mesh.faces[t][k], std::min(c.plus, c.minus), std::max(c.plus, c.minus), t, k});
+        }
+    std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+        if (a.vertex != b.vertex) return a.vertex < b.vertex;
+        if (a.low != b.low) return a.low < b.low;
+        if (a.high != b.high) return a.high < b.high;
+        return a.face < b.face;
+    });
+    std::vector<std::array<uint32_t, 3>> groups(mesh.faces.size());
+    count = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (i == 0 || !corners[i].same_group(corners[i - 1])) ++count;
+        groups[corners[i].face][corners[i].index] = static_cast<uint32_t>(count - 1);
+    }
+    return groups;
 }
 
 // What linear elements miss: the energy of the difference between the surface current and its average at the vertices
 // (Zienkiewicz and Zhu 1987), each panel with its own inductance. Panels influence each other, hence a factor: on cubes
 // of 192 to 4800 triangles the error is 1.4 to 1.7 times the sum, on thin plates 0.3 times.
-Matrix6 discretisation_error(const Mesh& mesh, const BoundaryOperators& op, const std::vector<Currents>& currents) {
+Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const BoundaryOperators& op,
+                             const std::vector<Currents>& currents) {
     constexpr double factor = 1.8;
-    std::vector<Currents> vertex_current(mesh.vertices.size(), Currents::Zero());
-    std::vector<double> weight(mesh.vertices.size(), 0.0);
+    std::size_t count = 0;
+    const std::vector<std::array<uint32_t, 3>> groups = group_corners(mesh, basis, count);
+    std::vector<Currents> group_current(count, Currents::Zero());
+    std::vector<double> weight(count, 0.0);
     for (std::size_t t = 0; t < op.panels.size(); ++t)
-        for (const uint32_t v : mesh.faces[t]) {
-            vertex_current[v] += op.panels[t].area * currents[t];
-            weight[v] += op.panels[t].area;
+        for (const uint32_t g : groups[t]) {
+            group_current[g] += op.panels[t].area * currents[t];
+            weight[g] += op.panels[t].area;
         }
     Matrix6 error = Matrix6::Zero();
     for (std::size_t t = 0; t < op.panels.size(); ++t) {
         const Panel& panel = op.panels[t];
         Currents total = Currents::Zero();
         Matrix6 squares = Matrix6::Zero();
-        for (const uint32_t v : mesh.faces[t]) {
-            Currents smooth = vertex_current[v] / weight[v];
+        for (const uint32_t g : groups[t]) {
+            Currents smooth = group_current[g] / weight[g];
             smooth -= panel.normal * (panel.normal.transpose() * smooth).eval();
             const Currents difference = smooth - currents[t];
             total += difference;
@@ -201,45 +231,23 @@ bool solve_in_double(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right
     return true;
 }
 
-} // namespace
-
-bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
-                        const Progress& progress) {
-    if (mesh.faces.size() > max_panels) {
-        faults.push_back({FaultId::mesh_too_many_faces, Severity::error, "mesh",
-                          "The added mass is solved for at most " + std::to_string(max_panels) +
-                              " triangles, this has " + std::to_string(mesh.faces.size()) + ".",
-                          "Decimate the mesh."});
-        return false;
-    }
-    if (mesh.faces.empty()) {
-        faults.push_back(
-            {FaultId::mesh_empty, Severity::error, "mesh", "The mesh has no faces.", "Check the mesh before baking."});
-        return false;
-    }
-    const auto report = [&](double fraction) {
-        if (progress) progress(fraction);
-    };
-
-    // Size one around the centre: the result is the same to the last digits whatever the unit and place.
-    double size = 0.0;
-    for (const Eigen::Vector3d& v : mesh.vertices) size = std::max(size, (v - centre).norm());
-    Mesh unit = mesh;
-    for (Eigen::Vector3d& v : unit.vertices) v = (v - centre) / size;
-    const CurvedSurface surface = restore_curved_volume(unit);
-    unit = surface.mesh;
-
-    BoundaryOperators op = assemble_boundary_operators(unit, report);
+// The surface has size one around the centre; what a closed one has lost to flat panels is in `curved`.
+bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, double size,
+                   AddedMass& out, Faults& faults, const Progress& report) {
+    BoundaryOperators op = assemble_boundary_operators(unit, basis, report);
     // For translations the interior potential is x itself, so W x = (1/2 - K') n up to quadrature: a check that is
     // free.
-    Eigen::MatrixXd position(op.moments.rows(), 3);
-    for (std::size_t i = 0; i < unit.vertices.size(); ++i)
-        position.row(static_cast<Eigen::Index>(i)) = unit.vertices[i].transpose();
-    const Eigen::MatrixXd defect = op.hypersingular.selfadjointView<Eigen::Lower>() * position -
-                                   op.moments.leftCols(3) - op.right_side.leftCols(3);
+    Eigen::MatrixXd defect;
+    if (!basis.sheet) {
+        Eigen::MatrixXd position(op.moments.rows(), 3);
+        for (std::size_t i = 0; i < unit.vertices.size(); ++i)
+            position.row(static_cast<Eigen::Index>(i)) = unit.vertices[i].transpose();
+        defect = op.hypersingular.selfadjointView<Eigen::Lower>() * position - op.moments.leftCols(3) -
+                 op.right_side.leftCols(3);
+    }
 
     Eigen::MatrixXd& matrix = op.hypersingular;
-    fix_constants(unit, op.panels, matrix);
+    fix_constants(unit, basis, op.panels, matrix);
     const Eigen::VectorXd scaling = matrix.diagonal().cwiseSqrt().cwiseInverse();
     const bool scalable = scaling.allFinite();
     if (scalable)
@@ -264,12 +272,16 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     out.asymmetry = ((raw - raw.transpose()).cwiseAbs().array() / scale.array()).maxCoeff();
     const double removed = clamp_to_positive(value);
 
-    const std::vector<Currents> currents = surface_currents(unit, op.panels, phi);
-    Matrix6 error = discretisation_error(unit, op, currents).cwiseAbs() + 0.5 * (raw - raw.transpose()).cwiseAbs();
-    error += geometry_error(op, currents, surface).cwiseAbs() + quadrature_floor * value.cwiseAbs();
-    const Eigen::Matrix<double, 6, 3> quadrature = phi.transpose() * defect;
-    error.leftCols<3>() += 0.5 * quadrature.cwiseAbs();
-    error.topRows<3>() += 0.5 * quadrature.cwiseAbs().transpose();
+    const std::vector<Currents> currents = surface_currents(basis, op.panels, phi);
+    Matrix6 error =
+        discretisation_error(unit, basis, op, currents).cwiseAbs() + 0.5 * (raw - raw.transpose()).cwiseAbs();
+    error += quadrature_floor * value.cwiseAbs();
+    if (curved) error += geometry_error(op, currents, *curved).cwiseAbs();
+    if (!basis.sheet) {
+        const Eigen::Matrix<double, 6, 3> quadrature = phi.transpose() * defect;
+        error.leftCols<3>() += 0.5 * quadrature.cwiseAbs();
+        error.topRows<3>() += 0.5 * quadrature.cwiseAbs().transpose();
+    }
 
     Eigen::Matrix<double, 6, 1> units;
     units.head<3>().setConstant(std::pow(size, 1.5));
@@ -289,6 +301,53 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
                           "Remesh with better-shaped triangles, smaller where surfaces are close together."});
     report(1.0);
     return true;
+}
+
+bool check_size(const Mesh& mesh, Faults& faults) {
+    if (mesh.faces.size() > max_panels) {
+        faults.push_back({FaultId::mesh_too_many_faces, Severity::error, "mesh",
+                          "The added mass is solved for at most " + std::to_string(max_panels) +
+                              " triangles, this has " + std::to_string(mesh.faces.size()) + ".",
+                          "Decimate the mesh."});
+        return false;
+    }
+    if (mesh.faces.empty()) {
+        faults.push_back(
+            {FaultId::mesh_empty, Severity::error, "mesh", "The mesh has no faces.", "Check the mesh before baking."});
+        return false;
+    }
+    return true;
+}
+
+// Size one around the centre: the result is the same to the last digits whatever the unit and place.
+Mesh scale_to_unit(const Mesh& mesh, const Eigen::Vector3d& centre, double& size) {
+    size = 0.0;
+    for (const Eigen::Vector3d& v : mesh.vertices) size = std::max(size, (v - centre).norm());
+    Mesh unit = mesh;
+    for (Eigen::Vector3d& v : unit.vertices) v = (v - centre) / size;
+    return unit;
+}
+
+Progress or_nothing(const Progress& progress) {
+    return progress ? progress : [](double) {};
+}
+
+} // namespace
+
+bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
+                        const Progress& progress) {
+    if (!check_size(mesh, faults)) return false;
+    double size = 0.0;
+    const CurvedSurface surface = restore_curved_volume(scale_to_unit(mesh, centre, size));
+    return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, size, out, faults, or_nothing(progress));
+}
+
+bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, const Refinement& refinement,
+                              AddedMass& out, Faults& faults, const Progress& progress) {
+    if (!check_size(mesh, faults)) return false;
+    double size = 0.0;
+    const Mesh unit = refine_sheet(scale_to_unit(mesh, centre, size), refinement);
+    return solve_surface(unit, sheet_basis(unit), nullptr, size, out, faults, or_nothing(progress));
 }
 
 } // namespace lr::baker

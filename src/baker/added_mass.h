@@ -1,7 +1,8 @@
-// Added mass of a closed body in an unbounded ideal fluid, by a boundary element method.
+// Added mass of a closed body or of a sheet in an unbounded ideal fluid, by a boundary element method.
 #pragma once
 
 #include "baker/mesh.h"
+#include "baker/rim_refinement.h"
 
 #include <functional>
 
@@ -22,5 +23,9 @@ using Progress = std::function<void(double fraction)>;
 // The mesh must be closed and outward (check_and_repair).
 bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                         const Progress& progress = {});
+
+// Of a surface without thickness, open or closed, wound in any way (check_sheet). Coarse ones are refined first.
+bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, const Refinement& refinement,
+                              AddedMass& out, Faults& faults, const Progress& progress = {});
 
 } // namespace lr::baker

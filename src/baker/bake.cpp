@@ -23,6 +23,8 @@ namespace lr::baker {
 namespace {
 
 constexpr std::size_t max_name_bytes = 4096; // check_asset
+// Of a sheet, over its length: thicker ones need their edges, which the zero-thickness formulation has not.
+constexpr double max_thickness_share = 0.2;
 
 bool fail(Faults& faults, FaultId id, std::string where, std::string what, std::string remedy) {
     faults.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
@@ -39,6 +41,13 @@ bool in_range(double value, double low, double high, const char* where, const ch
 // The turbulence solver has the same limits, but would name them after minutes of work on the added mass.
 bool check_options(const BakeOptions& o, Faults& faults) {
     bool good = in_range(o.density, 1e-3, 1e6, "density", " kg/m^3", faults);
+    if (o.sheet) {
+        const double thickness = o.sheet->thickness / units_per_metre(o.unit);
+        good = in_range(thickness, 1e-8, 10.0, "thickness", " m", faults) && good;
+        if (good && o.sheet->areal_density)
+            good = in_range(*o.sheet->areal_density, 1e-3 * thickness, 1e6 * thickness, "areal density", " kg/m^2",
+                            faults);
+    }
     good = in_range(o.fluid_density, 1e-3, 1e6, "fluid density", " kg/m^3", faults) && good;
     good = in_range(o.fluid_viscosity, 1e-9, 1e3, "fluid viscosity", " m^2/s", faults) && good;
     good = in_range(o.intensity, 1e-6, 10.0, "intensity", "", faults) && good;
@@ -144,7 +153,12 @@ class Pipeline {
 public:
     Pipeline(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,
              const BakeProgress& progress, const BakeHooks& hooks)
-        : options_(options), out_(out), faults_(faults), timings_(timings), progress_(progress), hooks_(hooks) {}
+        : options_(options), out_(out), faults_(faults), timings_(timings), progress_(progress), hooks_(hooks),
+          density_(options.density) {
+        if (!options.sheet) return;
+        thickness_ = options.sheet->thickness / units_per_metre(options.unit);
+        if (options.sheet->areal_density) density_ = *options.sheet->areal_density / thickness_;
+    }
 
     bool run() {
         out_ = AssetData{};
@@ -188,7 +202,8 @@ private:
 
     bool make_mesh_body() {
         return phase("reading", [&] { return read(); }) &&
-               phase("checking", [&] { return check_and_repair(mesh_, faults_); }) &&
+               phase("checking",
+                     [&] { return is_sheet() ? check_sheet(mesh_, faults_) : check_and_repair(mesh_, faults_); }) &&
                phase("mass", [&] { return make_mass(); }) && phase("hull", [&] { return make_hull(); }) &&
                phase("added mass", [&] { return make_added_mass(); });
     }
@@ -200,26 +215,30 @@ private:
     }
 
     bool make_mass() {
-        solid_ = compute_mass_properties(mesh_);
+        solid_ = is_sheet() ? compute_sheet_mass_properties(mesh_, thickness_) : compute_mass_properties(mesh_);
         const double size = solid_.extents.maxCoeff();
         if (!(size >= 1e-6 && size <= 1e3))
             return fail(faults_, FaultId::parameter_out_of_range, "unit",
                         "The body is " + shortest(size) + " m long; 1e-6 to 1000 m can be baked.",
                         "Check --unit against the unit that the mesh was exported in.");
+        if (thickness_ > max_thickness_share * size)
+            return fail(faults_, FaultId::parameter_out_of_range, "thickness",
+                        "A sheet " + shortest(thickness_) + " m thick and " + shortest(size) + " m long is no sheet.",
+                        "Model it as a solid, or check --thickness and --unit.");
         center_ = solid_.centroid;
         if (options_.center_of_mass) {
             const std::array<double, 3> given = in_metres(*options_.center_of_mass);
             center_ = {given[0], given[1], given[2]};
         }
         out_.volume = solid_.volume;
-        out_.density = options_.density;
-        out_.mass = options_.density * solid_.volume;
+        out_.density = density_;
+        out_.mass = density_ * solid_.volume;
         out_.center_of_mass = to_array(center_);
         out_.center_of_buoyancy = to_array(solid_.centroid - center_);
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j < 3; ++j)
                 out_.inertia[i * 3 + j] =
-                    options_.density * solid_.inertia(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+                    density_ * solid_.inertia(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
         out_.provenance.faces = static_cast<uint32_t>(mesh_.faces.size());
         out_.provenance.vertices = static_cast<uint32_t>(mesh_.vertices.size());
         for (Eigen::Vector3d& v : mesh_.vertices) v -= center_; // body frame from here on
@@ -229,7 +248,7 @@ private:
 
     bool make_hull() {
         ConvexHull hull;
-        if (!compute_convex_hull(mesh_.vertices, hull, faults_)) return false;
+        if (!compute_convex_hull(is_sheet() ? both_sides() : mesh_.vertices, hull, faults_)) return false;
         for (const Face& f : hull.faces) {
             const Eigen::Vector3d& a = hull.vertices[f[0]];
             const Eigen::Vector3d normal = (hull.vertices[f[1]] - a).cross(hull.vertices[f[2]] - a);
@@ -244,11 +263,34 @@ private:
         return true;
     }
 
+    bool is_sheet() const { return options_.sheet.has_value(); }
+
+    std::vector<Eigen::Vector3d> both_sides() const {
+        std::vector<Eigen::Vector3d> points;
+        points.reserve(6 * mesh_.faces.size());
+        for (const Face& f : mesh_.faces) {
+            const Eigen::Vector3d& a = mesh_.vertices[f[0]];
+            const Eigen::Vector3d normal = (mesh_.vertices[f[1]] - a).cross(mesh_.vertices[f[2]] - a).normalized();
+            for (const uint32_t v : f)
+                for (const double side : {-0.5, 0.5})
+                    points.emplace_back(mesh_.vertices[v] + side * thickness_ * normal);
+        }
+        return points;
+    }
+
+    bool solve_added_mass(AddedMass& added) {
+        const auto report = [&](double f) { advance(f); };
+        const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+        return is_sheet() ? compute_sheet_added_mass(mesh_, origin, Refinement{}, added, faults_, report)
+                          : compute_added_mass(mesh_, origin, added, faults_, report);
+    }
+
     bool make_added_mass() {
-        if (hooks_.before_solve) hooks_.before_solve(mesh_.faces.size());
+        // A sheet is refined on the way: about twice as many.
+        if (hooks_.before_solve)
+            hooks_.before_solve(is_sheet() ? std::max<std::size_t>(2 * mesh_.faces.size(), 4000) : mesh_.faces.size());
         AddedMass added;
-        if (!compute_added_mass(mesh_, Eigen::Vector3d::Zero(), added, faults_, [&](double f) { advance(f); }))
-            return false;
+        if (!solve_added_mass(added)) return false;
         for (std::size_t i = 0; i < 36; ++i) {
             const auto row = static_cast<Eigen::Index>(i / 6), column = static_cast<Eigen::Index>(i % 6);
             // Bit for bit symmetric, which scaled products are not.
@@ -261,8 +303,8 @@ private:
         const Eigen::Vector3d normal = solid_.axes.col(broad);
         const double broadside = normal.dot(added.value.topLeftCorner<3, 3>() * normal);
         const shape::BodyScales scales =
-            shape::body_scales(solid_.extents.maxCoeff(), solid_.extents.minCoeff(), solid_.volume, out_.projected_area,
-                               broadside, options_.density, options_.fluid_density);
+            shape::body_scales(solid_.extents.maxCoeff(), is_sheet() ? thickness_ : solid_.extents.minCoeff(),
+                               solid_.volume, out_.projected_area, broadside, density_, options_.fluid_density);
         out_.length_d = scales.d;
         out_.length_b = scales.b;
         out_.length_l = scales.l;
@@ -326,7 +368,9 @@ private:
             faults_.push_back({FaultId::parameter_not_denser, Severity::warning, "density",
                                "The body is as dense as its fluid: it has no fall speed to scale its turbulence by.",
                                "Nothing, if it is to float; else check --density and --fluid."});
-        for (double& c : out_.center_of_buoyancy) c += 0.0; // no minus zeros, which people take for a message
+        // No minus zeros, which people take for a message.
+        for (double& c : out_.center_of_buoyancy) c += 0.0;
+        for (double& c : out_.added_mass) c += 0.0;
         out_.name = asset_name(options_);
         out_.provenance.tool = "lr_bake";
         out_.provenance.tool_version = baker_version();
@@ -347,6 +391,7 @@ private:
     const char* phase_ = "";
     const BakeHooks& hooks_;
     InputFiles input_;
+    double density_, thickness_ = 0.0; // kg/m^3, m
     Mesh mesh_;
     MassProperties solid_;
     Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
@@ -382,7 +427,11 @@ std::string canonical_options(const BakeOptions& o) {
     text += unit_name(same_as_metres ? Unit::m : o.unit);
     if (!o.semi_axes && o.up != UpAxis::z) text += std::string(" --up ") + up_name(o.up);
     if (!o.semi_axes && o.mesh) text += " --mesh " + valid_utf8(*o.mesh);
-    add_one(" --density", o.density);
+    if (!o.semi_axes && o.sheet) add_one(" --sheet --thickness", o.sheet->thickness);
+    if (!o.semi_axes && o.sheet && o.sheet->areal_density)
+        add_one(" --areal-density", *o.sheet->areal_density);
+    else
+        add_one(" --density", o.density);
     add(" --fluid", std::array{o.fluid_density, o.fluid_viscosity});
     add(" --grid", o.cells);
     add_one(" --intensity", o.intensity);

@@ -28,25 +28,32 @@ struct MeshArrays {
     std::span<const uint32_t> indices;
 };
 
+// The mesh is the middle surface of a sheet.
+struct SheetOptions {
+    double thickness = 0.0;              // in `unit`
+    std::optional<double> areal_density; // kg/m^2; without it, `density` times the thickness
+};
+
 struct BakeOptions {
     // Either a mesh file, or an ellipsoid when there are semi-axes.
     std::string mesh_path;                          // UTF-8
     std::optional<std::array<double, 3>> semi_axes; // in `unit`
-    // Instead of that file, whose name then only says what the source is called and, for bytes, what format they have.
-    std::optional<std::span<const uint8_t>> mesh_bytes;
-    std::optional<MeshArrays> mesh_arrays;
-    Unit unit = Unit::file;                    // of the mesh and of every length here, which `file` leaves in m
-    UpAxis up = UpAxis::z;                     // axis of the mesh that becomes +z
-    std::optional<std::string> mesh;           // only what has this name in the file
-    double density = 800.0;                    // kg/m^3; leaf, paper
-    double fluid_density = 1.2;                // kg/m^3; air
-    double fluid_viscosity = 1.5e-5;           // m^2/s
-    std::array<uint32_t, 3> cells{32, 32, 16}; // of the turbulence grid
-    double intensity = 1.0;                    // of the turbulence in k0 = 3/2 (I U0)^2
+    Unit unit = Unit::file;                         // of the mesh and of every length here, which `file` leaves in m
+    UpAxis up = UpAxis::z;                          // axis of the mesh that becomes +z
+    std::optional<std::string> mesh;                // only what has this name in the file
+    std::optional<SheetOptions> sheet;              // instead of the boundary of a solid
+    double density = 800.0;                         // kg/m^3; leaf, paper
+    double fluid_density = 1.2;                     // kg/m^3; air
+    double fluid_viscosity = 1.5e-5;                // m^2/s
+    std::array<uint32_t, 3> cells{32, 32, 16};      // of the turbulence grid
+    double intensity = 1.0;                         // of the turbulence in k0 = 3/2 (I U0)^2
     // In `unit`, frame of the mesh (turned by `up`). A ballasted body: the inertia stays that of the uniform solid about its own
     // centroid, everything else is about this point. Without it the centre is that of the uniform solid.
     std::optional<std::array<double, 3>> center_of_mass;
     std::optional<std::string> name; // instead of the file name without its extension
+    // Instead of the mesh file, whose name then only says what the source is called and, for bytes, what format they have.
+    std::optional<std::span<const uint8_t>> mesh_bytes;
+    std::optional<MeshArrays> mesh_arrays;
 };
 
 // The options that change the result, written as on the command line, in one way only.

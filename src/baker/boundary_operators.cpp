@@ -17,6 +17,11 @@ constexpr double near_ratio = 1.5;
 
 using Mode = Eigen::Matrix<double, 6, 1>;
 
+void add_to_unknowns(RigidModes& sums, const CornerUnknowns& corner, const Mode& value) {
+    if (corner.plus >= 0) sums.row(corner.plus) += value.transpose();
+    if (corner.minus >= 0) sums.row(corner.minus) -= value.transpose();
+}
+
 Mode normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     Mode q;
     q << normal, point.cross(normal);
@@ -31,18 +36,19 @@ struct NearPair {
 
 class Assembler {
 public:
-    Assembler(const Mesh& mesh, const std::function<void(double)>& progress, BoundaryOperators& out)
-        : mesh_(mesh), progress_(progress), out_(out), near_(mesh.faces.size()) {}
+    Assembler(const Mesh& mesh, const SurfaceBasis& basis, const std::function<void(double)>& progress,
+              BoundaryOperators& out)
+        : mesh_(mesh), basis_(basis), progress_(progress), out_(out), near_(mesh.faces.size()) {}
 
     void run() {
-        const auto vertices = static_cast<Eigen::Index>(mesh_.vertices.size());
+        const auto unknowns = static_cast<Eigen::Index>(basis_.unknowns);
         for (const Face& f : mesh_.faces)
             out_.panels.push_back(make_panel(mesh_.vertices[f[0]], mesh_.vertices[f[1]], mesh_.vertices[f[2]]));
         for (const Panel& panel : out_.panels) out_.self.push_back(self_interaction(panel) / four_pi);
-        out_.moments = RigidModes::Zero(vertices, 6);
-        out_.right_side = RigidModes::Zero(vertices, 6);
+        out_.moments = RigidModes::Zero(unknowns, 6);
+        out_.right_side = RigidModes::Zero(unknowns, 6);
         find_edges();
-        add_far_double_layer();
+        if (!basis_.sheet) add_far_double_layer();
         for (int levels = 0; levels < 3; ++levels) rules_.push_back(dunavant_rule(levels));
         find_near_pairs();
         for (const Panel& panel : out_.panels) fields_.push_back(near_fields(panel));
@@ -50,7 +56,10 @@ public:
             integrate_near(t);
             if (t % 64 == 0) progress_(0.2 + 0.2 * static_cast<double>(t) / static_cast<double>(out_.panels.size()));
         }
-        out_.right_side -= 0.5 * out_.moments;
+        if (basis_.sheet)
+            out_.right_side = -out_.moments;
+        else
+            out_.right_side -= 0.5 * out_.moments;
         assemble_hypersingular();
     }
 
@@ -180,8 +189,8 @@ private:
         std::array<Mode, 3> velocity;
         for (std::size_t k = 0; k < 3; ++k) velocity[k] = normal_velocity(outer.corner[k], outer.normal);
         for (std::size_t k = 0; k < 3; ++k)
-            out_.moments.row(mesh_.faces[t][k]) +=
-                outer.area / 12.0 * (velocity[0] + velocity[1] + velocity[2] + velocity[k]).transpose();
+            add_to_unknowns(out_.moments, basis_.corners[t][k],
+                            outer.area / 12.0 * (velocity[0] + velocity[1] + velocity[2] + velocity[k]));
         batch_.clear();
         apart_.clear();
         for (NearPair& pair : near_[t]) (pair.touching || level_[t] > 0 ? batch_ : apart_).push_back(&pair);
@@ -224,7 +233,7 @@ private:
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 NearPair& pair = *pairs[first + lane];
                 pair.single_layer = outer.area * results[NearResult::single_layer * near_batch + lane];
-                add_near_double_layer(outer, velocity, pair.panel, &results[lane]);
+                if (!basis_.sheet) add_near_double_layer(outer, velocity, pair.panel, &results[lane]);
             }
         }
     }
@@ -257,30 +266,59 @@ private:
         return 0.5 * (pair.single_layer + mirror.single_layer);
     }
 
-    VertexFans find_fans() const {
-        VertexFans fans;
-        fans.start.assign(mesh_.vertices.size() + 1, 0);
-        for (const Face& f : mesh_.faces)
-            for (const uint32_t v : f) ++fans.start[v + 1];
+    PanelFans find_fans() const {
+        PanelFans fans;
+        fans.start.assign(basis_.unknowns + 1, 0);
+        const auto for_corners = [&](auto&& visit) {
+            for (std::size_t t = 0; t < mesh_.faces.size(); ++t)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const CornerUnknowns& corner = basis_.corners[t][k];
+                    if (corner.plus >= 0) visit(t, k, static_cast<std::size_t>(corner.plus), 1.0);
+                    if (corner.minus >= 0) visit(t, k, static_cast<std::size_t>(corner.minus), -1.0);
+                }
+        };
+        for_corners([&](std::size_t, std::size_t, std::size_t unknown, double) { ++fans.start[unknown + 1]; });
         std::partial_sum(fans.start.begin(), fans.start.end(), fans.start.begin());
         fans.panel.resize(fans.start.back());
         fans.curl.resize(3 * fans.start.back());
         std::vector<std::size_t> next(fans.start.begin(), fans.start.end() - 1);
-        for (uint32_t t = 0; t < mesh_.faces.size(); ++t)
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::size_t at = next[mesh_.faces[t][k]]++;
-                const Eigen::Vector3d curl = hat_curl(out_.panels[t], k);
-                fans.panel[at] = t;
-                std::copy_n(curl.data(), 3, &fans.curl[3 * at]);
-            }
+        for_corners([&](std::size_t t, std::size_t k, std::size_t unknown, double sign) {
+            const std::size_t at = next[unknown]++;
+            const Eigen::Vector3d curl = sign * hat_curl(out_.panels[t], k);
+            fans.panel[at] = static_cast<uint32_t>(t);
+            std::copy_n(curl.data(), 3, &fans.curl[3 * at]);
+        });
         return fans;
+    }
+
+    // The columns of the unknowns at the corners of the target panels. Some corners have two, some none.
+    void add_to_columns(const PanelFans& fans, const std::vector<double>& values,
+                        const std::array<std::size_t, near_batch>& targets, std::size_t lanes) {
+        for (const bool plus : {true, false}) {
+            std::array<double, 9 * near_batch> curls{};
+            std::array<double*, 3 * near_batch> columns{};
+            columns.fill(unused_.data());
+            bool any = false;
+            for (std::size_t lane = 0; lane < lanes; ++lane)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const CornerUnknowns& corner = basis_.corners[targets[lane]][k];
+                    const int32_t unknown = plus ? corner.plus : corner.minus;
+                    if (unknown < 0) continue;
+                    any = true;
+                    columns[k * near_batch + lane] = out_.hypersingular.col(unknown).data();
+                    const Eigen::Vector3d curl = (plus ? 1.0 : -1.0) * hat_curl(out_.panels[targets[lane]], k);
+                    for (std::size_t c = 0; c < 3; ++c)
+                        curls[(3 * k + c) * near_batch + lane] = curl[static_cast<Eigen::Index>(c)];
+                }
+            if (any) add_currents(fans, values.data(), curls.data(), columns, lanes);
+        }
     }
 
     // near_batch columns of the single layer at a time: far panels by centroids and second moments, with an error of
     // third order in size over distance.
     void assemble_hypersingular() {
         const std::size_t n = out_.panels.size();
-        const auto vertices = static_cast<Eigen::Index>(mesh_.vertices.size());
+        const auto unknowns = static_cast<Eigen::Index>(basis_.unknowns);
         std::vector<double> records;
         records.reserve(far_fields * n);
         for (const Panel& panel : out_.panels) {
@@ -291,24 +329,15 @@ private:
                            {panel.centroid[0], panel.centroid[1], panel.centroid[2], second(0, 0), second(1, 1),
                             second(2, 2), second(0, 1), second(1, 2), second(2, 0), panel.area / four_pi});
         }
-        const VertexFans fans = find_fans();
-        out_.hypersingular = Eigen::MatrixXd::Zero(vertices, vertices);
+        const PanelFans fans = find_fans();
+        out_.hypersingular = Eigen::MatrixXd::Zero(unknowns, unknowns);
+        unused_.assign(basis_.unknowns, 0.0);
         std::vector<double> values(n * near_batch);
         std::vector<std::size_t> mirrors(n, 0); // lists are sorted: panels find themselves there in their own order
         for (std::size_t first = 0; first < n; first += near_batch) {
             const std::size_t lanes = std::min(near_batch, n - first);
             std::array<std::size_t, near_batch> targets;
-            std::array<double, 9 * near_batch> curls{};
-            std::array<double*, 3 * near_batch> columns{};
-            for (std::size_t lane = 0; lane < near_batch; ++lane) {
-                const std::size_t t = targets[lane] = first + std::min(lane, lanes - 1);
-                for (std::size_t k = 0; k < 3; ++k) {
-                    columns[k * near_batch + lane] = out_.hypersingular.col(mesh_.faces[t][k]).data();
-                    const Eigen::Vector3d curl = hat_curl(out_.panels[t], k);
-                    for (std::size_t c = 0; c < 3; ++c)
-                        curls[(3 * k + c) * near_batch + lane] = curl[static_cast<Eigen::Index>(c)];
-                }
-            }
+            for (std::size_t lane = 0; lane < near_batch; ++lane) targets[lane] = first + std::min(lane, lanes - 1);
             far_single_layer(records.data(), n, targets, values.data());
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 const std::size_t t = targets[lane];
@@ -318,12 +347,13 @@ private:
                 }
                 values[t * near_batch + lane] = out_.self[t];
             }
-            add_currents(fans, values.data(), curls.data(), columns, lanes);
+            add_to_columns(fans, values, targets, lanes);
             if (first % 64 == 0) progress_(0.4 + 0.4 * static_cast<double>(first) / static_cast<double>(n));
         }
     }
 
     const Mesh& mesh_;
+    const SurfaceBasis& basis_;
     const std::function<void(double)>& progress_;
     BoundaryOperators& out_;
     std::vector<std::array<uint32_t, 2>> edges_;
@@ -336,13 +366,15 @@ private:
     std::vector<NearPair*> batch_, apart_;                      // pairs at work
     std::vector<std::array<double, NearFields::count>> fields_; // of each panel
     std::vector<double> points_, weights_;                      // of the outer rule at work
+    std::vector<double> unused_;                                // column of corners without an unknown
 };
 
 } // namespace
 
-BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const std::function<void(double)>& progress) {
+BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBasis& basis,
+                                              const std::function<void(double)>& progress) {
     BoundaryOperators out;
-    Assembler(mesh, progress, out).run();
+    Assembler(mesh, basis, progress, out).run();
     return out;
 }
 

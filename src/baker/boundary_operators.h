@@ -1,8 +1,8 @@
-// Galerkin boundary element matrices on a closed triangle mesh, with continuous linear elements.
+// Galerkin boundary element matrices on a closed triangle mesh or on a sheet, with continuous linear elements.
 #pragma once
 
-#include "baker/mesh.h"
 #include "baker/panel_integrals.h"
+#include "baker/surface_basis.h"
 
 #include <functional>
 
@@ -11,17 +11,19 @@ namespace lr::baker {
 // One column for each of vx vy vz wx wy wz.
 using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 
-// With hat functions psi_i at the vertices, G = 1/(4 pi r), n outward, and the normal velocity q_m of rigid mode m
+// With the elements psi_i of the unknowns, G = 1/(4 pi r), n outward, and the normal velocity q_m of rigid mode m
 // about the origin: n for the translations, x cross n for the rotations.
 struct BoundaryOperators {
     std::vector<Panel> panels;
     Eigen::MatrixXd hypersingular; // W_ij = double integral of curl psi_i . curl psi_j G
     RigidModes moments;            // integral psi_i q_m
-    RigidModes right_side;         // - integral q_m (1/2 + K) psi_i, K the double layer
-    std::vector<double> self;      // double integral of G over each panel
+    // - integral q_m (1/2 + K) psi_i, K the double layer; on a sheet, where both sides cancel in K, - integral psi_i q_m
+    RigidModes right_side;
+    std::vector<double> self; // double integral of G over each panel
 };
 
-BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const std::function<void(double)>& progress);
+BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBasis& basis,
+                                              const std::function<void(double)>& progress);
 
 // Surface curl n x grad psi of the hat functions at the corners of a panel.
 inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {

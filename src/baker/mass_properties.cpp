@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -53,57 +54,101 @@ void fix_axes(const Eigen::Vector3d& moments, Eigen::Matrix3d& axes) {
     axes.col(2) = axes.col(0).cross(axes.col(1));
 }
 
-} // namespace
-
-MassProperties compute_mass_properties(const Mesh& mesh) {
-    // Centred on the vertices and scaled to size one, so that neither a far-off mesh nor a tiny one loses digits.
+struct Bounds {
     Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Vector3d high = -low;
-    for (const Eigen::Vector3d& v : mesh.vertices) {
-        low = low.cwiseMin(v);
-        high = high.cwiseMax(v);
-    }
-    const Eigen::Vector3d origin = 0.5 * (low + high);
-    const double size = (high - low).norm();
 
-    Moments moments;
-    double area = 0.0;
-    for (const Face& face : mesh.faces) {
-        const Eigen::Vector3d a = (mesh.vertices[face[0]] - origin) / size;
-        const Eigen::Vector3d b = (mesh.vertices[face[1]] - origin) / size;
-        const Eigen::Vector3d c = (mesh.vertices[face[2]] - origin) / size;
-        moments.add(a, b, c);
-        area += 0.5 * (b - a).cross(c - a).norm();
+    void extend(const Eigen::Vector3d& p) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
     }
-    const Eigen::Vector3d centroid = moments.first / moments.volume;
-    const Eigen::Matrix3d covariance = moments.second - moments.volume * centroid * centroid.transpose();
+};
+
+// Integrals are taken over a mesh that is centred and scaled to size one, so that neither a far-off mesh nor a tiny one
+// loses digits.
+struct UnitFrame {
+    explicit UnitFrame(const Mesh& mesh) {
+        Bounds bounds;
+        for (const Eigen::Vector3d& v : mesh.vertices) bounds.extend(v);
+        origin = 0.5 * (bounds.low + bounds.high);
+        size = (bounds.high - bounds.low).norm();
+    }
+    std::array<Eigen::Vector3d, 3> corners(const Mesh& mesh, const Face& face) const {
+        return {(mesh.vertices[face[0]] - origin) / size, (mesh.vertices[face[1]] - origin) / size,
+                (mesh.vertices[face[2]] - origin) / size};
+    }
+
+    Eigen::Vector3d origin;
+    double size;
+};
+
+// From the covariance of unit density in the unit frame.
+void set_inertia(const Eigen::Matrix3d& covariance, double size, MassProperties& result) {
     const Eigen::Matrix3d inertia = covariance.trace() * Eigen::Matrix3d::Identity() - covariance;
-
-    MassProperties result;
-    result.volume = moments.volume * size * size * size;
-    result.area = area * size * size;
-    result.centroid = origin + size * centroid;
     result.inertia = 0.5 * (inertia + inertia.transpose()) * std::pow(size, 5);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
     result.principal = solver.eigenvalues() * std::pow(size, 5);
     result.axes = solver.eigenvectors();
     fix_axes(solver.eigenvalues(), result.axes);
+}
 
-    low.setConstant(std::numeric_limits<double>::infinity());
-    high = -low;
-    for (const Eigen::Vector3d& v : mesh.vertices) {
-        const Eigen::Vector3d p = result.axes.transpose() * (v - result.centroid);
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    result.extents = high - low;
+// `sides`: how many times the surface covers what it projects to, 2 when closed.
+void set_extents(const Mesh& mesh, double sides, MassProperties& result) {
+    Bounds bounds;
+    for (const Eigen::Vector3d& v : mesh.vertices) bounds.extend(result.axes.transpose() * (v - result.centroid));
+    result.extents = bounds.high - bounds.low;
     result.projected_areas.setZero();
     for (const Face& face : mesh.faces) {
         const Eigen::Vector3d& a = mesh.vertices[face[0]];
         const Eigen::Vector3d twice_area = (mesh.vertices[face[1]] - a).cross(mesh.vertices[face[2]] - a);
-        result.projected_areas += 0.25 * (result.axes.transpose() * twice_area).cwiseAbs();
+        result.projected_areas += 0.5 / sides * (result.axes.transpose() * twice_area).cwiseAbs();
     }
     result.max_projected_area = result.projected_areas.maxCoeff();
+}
+
+} // namespace
+
+MassProperties compute_mass_properties(const Mesh& mesh) {
+    const UnitFrame frame(mesh);
+    Moments moments;
+    double area = 0.0;
+    for (const Face& face : mesh.faces) {
+        const auto [a, b, c] = frame.corners(mesh, face);
+        moments.add(a, b, c);
+        area += 0.5 * (b - a).cross(c - a).norm();
+    }
+    const Eigen::Vector3d centroid = moments.first / moments.volume;
+    MassProperties result;
+    result.volume = moments.volume * frame.size * frame.size * frame.size;
+    result.area = area * frame.size * frame.size;
+    result.centroid = frame.origin + frame.size * centroid;
+    set_inertia(moments.second - moments.volume * centroid * centroid.transpose(), frame.size, result);
+    set_extents(mesh, 2.0, result);
+    return result;
+}
+
+MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness) {
+    const UnitFrame frame(mesh);
+    const double t = thickness / frame.size;
+    double area = 0.0;
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    for (const Face& face : mesh.faces) {
+        const auto [a, b, c] = frame.corners(mesh, face);
+        const Eigen::Vector3d twice_area = (b - a).cross(c - a), sum = a + b + c;
+        const double length = twice_area.norm(), panel = 0.5 * length;
+        area += panel;
+        first += panel / 3.0 * sum;
+        second += panel / 12.0 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+        if (length > 0.0) second += panel * t * t / 12.0 * (twice_area / length) * (twice_area / length).transpose();
+    }
+    const Eigen::Vector3d centroid = first / area;
+    MassProperties result;
+    result.area = area * frame.size * frame.size;
+    result.volume = result.area * thickness;
+    result.centroid = frame.origin + frame.size * centroid;
+    set_inertia(t * (second - area * centroid * centroid.transpose()), frame.size, result);
+    set_extents(mesh, 1.0, result);
     return result;
 }
 

@@ -1,4 +1,4 @@
-// Exact volume integrals of a uniform solid bounded by triangles.
+// Exact integrals over a uniform solid bounded by triangles, or over a sheet of them.
 #pragma once
 
 #include "baker/mesh.h"
@@ -20,5 +20,9 @@ struct MassProperties {
 
 // The mesh must be closed and outward (check_and_repair).
 MassProperties compute_mass_properties(const Mesh& mesh);
+
+// Each triangle is a plate of this thickness about its plane. `area` is that of one side; the projected areas are exact
+// where no part of the sheet hides another; the extents are those of the middle surface.
+MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness);
 
 } // namespace lr::baker

@@ -1,5 +1,7 @@
 #include "baker/mesh_check.h"
 
+#include "baker/disjoint_sets.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -36,6 +38,12 @@ public:
     bool run() {
         return check_values() && remove_collapsed_and_duplicate_faces() && remove_isolated_vertices() &&
                check_shapes() && check_edges() && orient() && split_touching_fans() && check_volumes();
+    }
+
+    bool run_sheet() {
+        sheet_ = true;
+        return check_values() && remove_collapsed_and_duplicate_faces() && remove_isolated_vertices() &&
+               check_shapes() && count_parts();
     }
 
 private:
@@ -77,7 +85,7 @@ private:
     }
 
     // Faces with a repeated corner have no area, and without them their neighbours meet: safe to drop. So is the
-    // second copy of a face; but a face together with its reverse is a sheet without thickness.
+    // second copy of a face. A face together with its reverse is a sheet without thickness, drawn from both sides.
     bool remove_collapsed_and_duplicate_faces() {
         std::vector<uint32_t> collapsed, duplicate, reversed;
         std::vector<std::pair<Face, uint32_t>> order; // corners turned so that the smallest is first
@@ -108,10 +116,13 @@ private:
         }
         std::sort(duplicate.begin(), duplicate.end());
         std::sort(reversed.begin(), reversed.end());
-        if (!reversed.empty())
+        if (!reversed.empty() && !sheet_)
             return error(FaultId::mesh_duplicate_face, name_faces(reversed),
                          "A face lies on the back of another: a sheet without thickness.",
-                         "Give the sheet a thickness (solidify) before baking.");
+                         "Bake it with --sheet, or give it a thickness (solidify).");
+        if (!reversed.empty())
+            warn(FaultId::mesh_duplicate_face, name_faces(reversed), "Faces on the back of others were removed.",
+                 "Nothing: a sheet has both sides anyway.");
         if (!duplicate.empty())
             warn(FaultId::mesh_duplicate_face, name_faces(duplicate), "Second copies of a face were removed.",
                  "Remove doubled faces before export to silence this.");
@@ -198,7 +209,7 @@ private:
                          "Remove inner faces, or separate the parts that touch along this edge.");
         if (!open.empty())
             good = error(FaultId::mesh_open_edge, name_edges(open), "The surface has a boundary edge.",
-                         "Close the hole, or give a sheet a thickness (solidify).");
+                         "Close the hole; bake a sheet with --sheet, or give it a thickness (solidify).");
         return good;
     }
 
@@ -335,6 +346,24 @@ private:
                 if (index == vertex) index = name;
     }
 
+    bool count_parts() {
+        DisjointSets sets(mesh_.vertices.size());
+        for (const Face& face : mesh_.faces)
+            for (const uint32_t index : face) sets.join(face[0], index);
+        std::vector<uint32_t> first;
+        std::vector<char> seen(mesh_.vertices.size(), 0);
+        for (std::size_t i = 0; i < mesh_.faces.size(); ++i) {
+            char& known = seen[sets.find(mesh_.faces[i][0])];
+            if (known == 0) first.push_back(static_cast<uint32_t>(i));
+            known = 1;
+        }
+        if (first.size() > 1)
+            warn(FaultId::mesh_several_components, name_faces(first),
+                 "The sheet has " + std::to_string(first.size()) + " separate parts, taken as one rigid body.",
+                 "Merge vertices by distance where parts belong together; bake separate bodies one by one.");
+        return true;
+    }
+
     bool check_volumes() {
         std::vector<double> volume(component_count_, 0.0), area(component_count_, 0.0);
         std::vector<uint32_t> first(component_count_, UINT32_MAX);
@@ -354,7 +383,7 @@ private:
         if (!flat.empty())
             return error(FaultId::mesh_zero_volume, name_faces(flat),
                          "The surface from this face on encloses no volume.",
-                         "Give the sheet a thickness (solidify) before baking.");
+                         "Bake a sheet with --sheet, or give it a thickness (solidify).");
         if (component_count_ == 1) return true;
         warn(FaultId::mesh_several_components, name_faces(first),
              "The mesh has " + std::to_string(component_count_) + " separate parts, taken as one rigid body.",
@@ -395,6 +424,7 @@ private:
 
     Mesh& mesh_;
     Faults& faults_;
+    bool sheet_ = false;
     std::vector<Edge> edges_;
     std::vector<uint32_t> component_; // of each face
     uint32_t component_count_ = 0;
@@ -404,6 +434,10 @@ private:
 
 bool check_and_repair(Mesh& mesh, Faults& faults) {
     return Checker(mesh, faults).run();
+}
+
+bool check_sheet(Mesh& mesh, Faults& faults) {
+    return Checker(mesh, faults).run_sheet();
 }
 
 } // namespace lr::baker

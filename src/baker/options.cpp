@@ -48,6 +48,7 @@ struct Texts {
     std::string semi_axis[3];
     std::string output, output_folder, jobs;
     bool force = false;
+    std::string thickness, areal_density;
 };
 
 void add_mesh_options(CLI::App& command, Texts& texts) {
@@ -62,6 +63,17 @@ void add_mesh_options(CLI::App& command, Texts& texts) {
         ->type_name("AXIS");
     command.add_option("--mesh", texts.mesh, "only the mesh, node or object of this name, instead of all as one body")
         ->type_name("NAME");
+}
+
+void add_sheet_options(CLI::App& command, Texts& texts) {
+    const std::string help = "the mesh is the middle surface of a sheet: open or closed, wound in any way";
+    CLI::Option* sheet = command.add_flag("--sheet", help);
+    command.add_option("--thickness", texts.thickness, "of the sheet, in the unit")->needs(sheet)->type_name("T");
+    command
+        .add_option("--areal-density", texts.areal_density,
+                    "mass of the sheet over its area, kg/m^2, instead of --density (paper: 0.08)")
+        ->needs(sheet)
+        ->type_name("KG_M2");
 }
 
 void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
@@ -153,6 +165,17 @@ void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions&
     o.mesh = texts.mesh;
 }
 
+void read_sheet_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    if (command.count("--sheet") == 0) return;
+    if (command.count("--thickness") == 0) throw CLI::ValidationError("--sheet", "a sheet needs --thickness");
+    if (command.count("--areal-density") > 0 && command.count("--density") > 0)
+        throw CLI::ValidationError("--areal-density", "it and --density say the same thing: give one");
+    o.sheet.emplace();
+    o.sheet->thickness = parse_number<double>(texts.thickness, "--thickness");
+    if (command.count("--areal-density") > 0)
+        o.sheet->areal_density = parse_number<double>(texts.areal_density, "--areal-density");
+}
+
 void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
     if (texts.unit == "m")
         o.unit = Unit::m;
@@ -195,10 +218,11 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     app.require_subcommand(1);
     app.footer("Exit code: 0 good; 1 a numbered fault (docs/format.md says what each means); 2 wrong usage.");
 
-    CLI::App* mesh =
-        app.add_subcommand("mesh", "bake a closed triangle mesh (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...)");
+    CLI::App* mesh = app.add_subcommand(
+        "mesh", "bake triangle meshes (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...), closed or sheets");
     add_batch_options(*mesh, texts, line);
     add_mesh_options(*mesh, texts);
+    add_sheet_options(*mesh, texts);
     add_bake_options(*mesh, texts, line);
 
     CLI::App* ellipsoid = app.add_subcommand("ellipsoid", "bake a solid ellipsoid from closed forms");
@@ -229,7 +253,10 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
             line.bake.semi_axes = axes;
         }
         read_outputs(mesh->parsed() ? *mesh : *ellipsoid, texts, line, ellipsoid->parsed());
-        if (mesh->parsed()) read_mesh_options(*mesh, texts, line.bake);
+        if (mesh->parsed()) {
+            read_mesh_options(*mesh, texts, line.bake);
+            read_sheet_options(*mesh, texts, line.bake);
+        }
         read_bake_options(mesh->parsed() ? *mesh : *ellipsoid, texts, line.bake);
         return line;
     } catch (const CLI::ParseError& error) {

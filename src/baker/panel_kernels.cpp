@@ -245,7 +245,7 @@ HWY_NOINLINE void far_panels(const double* panels, size_t count, const std::arra
     }
 }
 
-HWY_NOINLINE void currents(const VertexFans& fans, const double* values, const double* curls,
+HWY_NOINLINE void currents(const PanelFans& fans, const double* values, const double* curls,
                            const std::array<double*, 3 * near_batch>& columns, size_t lanes) {
     const D d;
     const size_t vertices = fans.start.size() - 1;
@@ -315,7 +315,7 @@ void far_single_layer(const double* panels, std::size_t count, const std::array<
                       double* values) {
     HWY_DYNAMIC_DISPATCH(far_panels)(panels, count, targets, values);
 }
-void add_currents(const VertexFans& fans, const double* values, const double* curls,
+void add_currents(const PanelFans& fans, const double* values, const double* curls,
                   const std::array<double*, 3 * near_batch>& columns, std::size_t lanes) {
     HWY_DYNAMIC_DISPATCH(currents)(fans, values, curls, columns, lanes);
 }

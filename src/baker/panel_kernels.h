@@ -61,14 +61,14 @@ constexpr std::size_t far_fields = 10;
 void far_single_layer(const double* panels, std::size_t count, const std::array<std::size_t, near_batch>& targets,
                       double* values);
 
-// The corners around each vertex.
-struct VertexFans {
+// The panels around each unknown.
+struct PanelFans {
     std::vector<std::size_t> start;
     std::vector<uint32_t> panel;
     std::vector<double> curl; // x y z of each
 };
 // columns[k * near_batch + lane][v] += curl[k of the target of lane] . sum over the fan of v of value * curl.
-void add_currents(const VertexFans& fans, const double* values, const double* curls,
+void add_currents(const PanelFans& fans, const double* values, const double* curls,
                   const std::array<double*, 3 * near_batch>& columns, std::size_t lanes);
 
 } // namespace lr::baker

@@ -1,13 +1,14 @@
-// The table of docs/physics.md section 2.1, printed and held.
+// The tables of docs/physics.md sections 2.1 and 2.2, printed and held.
 #include "baker/added_mass.h"
-#include "mesh_shapes.h"
 #include "shape/lamb.h"
+#include "sheet_shapes.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace {
 
@@ -49,5 +50,40 @@ TEST_CASE("accuracy table: ellipsoids of 320, 1280 and 5120 triangles against La
         }
         MESSAGE("semi-axes ", row.axes[0], ":", row.axes[1], ":", row.axes[2], ", worst entry in %: ", 100 * error[0],
                 " ", 100 * error[1], " ", 100 * error[2]);
+    }
+}
+
+TEST_CASE("accuracy table: sheets of 2000 triangles against closed forms and published values") {
+    using lr::test::disc;
+    using lr::test::rectangle;
+    struct Row {
+        std::string name;
+        lr::baker::Mesh mesh;
+        std::array<double, 3> exact; // across the sheet, about x, about y
+    };
+    const auto ellipse = [](double b) {
+        const lr::shape::EllipsoidAddedMass limit = lr::shape::lamb_added_mass({1.0, b, 1e-7});
+        lr::baker::Mesh mesh = disc(18);
+        lr::test::apply(mesh, Eigen::Vector3d(1.0, b, 0.0).asDiagonal());
+        return Row{
+            "ellipse 1:" + std::to_string(b), mesh, {limit.translation[2], limit.rotation[0], limit.rotation[1]}};
+    };
+    constexpr double quarter_pi = 0.785398163397448;
+    for (const Row& row : {ellipse(1.0), ellipse(0.5), ellipse(0.2),
+                           Row{"1:1", rectangle(1, 1, 32, 32), {.5790 * quarter_pi, .0201, .0201}},
+                           Row{"2:1", rectangle(2, 1, 44, 22), {.7569 * quarter_pi * 2, .0223 * 2, .0162 * 16}},
+                           Row{"5:1", rectangle(5, 1, 70, 14), {.8967 * quarter_pi * 5, .0236 * 5, .0096 * 625}}}) {
+        lr::baker::AddedMass got;
+        lr::Faults faults;
+        REQUIRE(lr::baker::compute_sheet_added_mass(row.mesh, {0, 0, 0}, {}, got, faults));
+        std::array<double, 3> error{}, estimate{};
+        for (int i = 0; i < 3; ++i) {
+            const double exact = row.exact[static_cast<size_t>(i)];
+            error[static_cast<size_t>(i)] = 100.0 * (got.value(i + 2, i + 2) / exact - 1.0);
+            estimate[static_cast<size_t>(i)] = 100.0 * got.error(i + 2, i + 2) / exact;
+            CHECK(std::abs(error[static_cast<size_t>(i)]) < 0.6);
+        }
+        MESSAGE(row.name, ", ", row.mesh.faces.size(), " triangles, error and estimate in %: A ", error[0], " (",
+                estimate[0], "), Dx ", error[1], " (", estimate[1], "), Dy ", error[2], " (", estimate[2], ")");
     }
 }

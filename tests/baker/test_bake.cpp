@@ -302,6 +302,33 @@ TEST_CASE("bake: parameters out of range are fault 301") {
     CHECK(fault_of(o) == FaultId::parameter_out_of_range);
 }
 
+TEST_CASE("bake: sheets that are none") {
+    const test::Scratch scratch;
+    BakeOptions o =
+        mesh_options(scratch.write("card.obj", "v 0 0 0\nv 0.08 0 0\nv 0.08 0.04 0\nv 0 0.04 0\nf 1 2 3 4\n"));
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    for (const double bad : {0.0, -1e-4, 0.03, 1e-12, nan, inf}) {
+        CAPTURE(bad);
+        o.sheet = SheetOptions{bad, {}};
+        CHECK(fault_of(o) == FaultId::parameter_out_of_range);
+    }
+    for (const double bad : {0.0, -0.07, 1e9, nan, inf}) {
+        CAPTURE(bad);
+        o.sheet = SheetOptions{1e-4, bad};
+        CHECK(fault_of(o) == FaultId::parameter_out_of_range);
+    }
+    o.sheet = SheetOptions{1e-4, {}};
+    const AssetData by_density = must_bake(o);
+    CHECK(by_density.mass == Approx(800 * 1e-4 * 0.0032));
+    o.sheet = SheetOptions{1e-4, 0.08};
+    const AssetData by_area = must_bake(o);
+    CHECK(by_area.mass == Approx(by_density.mass));
+    for (std::size_t i = 0; i < 36; ++i) {
+        CHECK(by_area.added_mass[i] == by_density.added_mass[i]);
+        if (by_area.added_mass[i] == 0.0) CHECK_FALSE(std::signbit(by_area.added_mass[i]));
+    }
+}
+
 TEST_CASE("bake: meshes that are no bodies") {
     const test::Scratch scratch;
     const auto fault = [&](const std::string& name, const std::string& text) {

@@ -132,6 +132,32 @@ TEST_CASE("lr_bake: the options of the command line arrive") {
     CHECK(bytes({"--fluid", "1.3,1.5e-5"}) != air);
 }
 
+TEST_CASE("lr_bake: an open mesh is refused as a solid and baked as a sheet") {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("card.obj", "v 0 0 0\nv 8 0 0\nv 8 4 0\nv 0 4 0\nf 1 2 3 4\n");
+    const std::string out = scratch.path("card.lrb"), report = scratch.path("card.json");
+    const Outcome solid = lr_bake({"mesh", mesh, "-o", out});
+    check_fault(solid, mesh, 206);
+    CHECK(contains(solid.err, "--sheet"));
+    CHECK(lr_bake({"mesh", mesh, "-o", out, "--report", report, "--unit", "cm", "--sheet", "--thickness", "0.01",
+                   "--areal-density", "0.07", "--quiet"})
+              .exit_code == 0);
+    CHECK(lr_bake({"check", out}).exit_code == 0);
+    const nlohmann::json said = nlohmann::json::parse(scratch.read("card.json"));
+    CHECK(said["mass"].get<double>() == doctest::Approx(0.07 * 0.0032));
+    CHECK(said["volume"].get<double>() == doctest::Approx(1e-4 * 0.0032));
+    CHECK(said["density"].get<double>() == doctest::Approx(700));
+    CHECK(said["lengths"]["b"].get<double>() == doctest::Approx(1e-4));
+    CHECK(said["center_of_mass"][0].get<double>() == doctest::Approx(0.04));
+    CHECK(said["added_mass"][14].get<double>() ==
+          doctest::Approx(1.2 * .7569 * 3.14159265 / 4 * 0.08 * 0.04 * 0.04).epsilon(0.004));
+    CHECK(said["inertia"][8].get<double>() == doctest::Approx(0.000224 / 12 * (0.0064 + 0.0016)));
+    CHECK(said["provenance"]["options"] ==
+          "mesh --unit cm --sheet --thickness 0.01 --areal-density 0.07 --fluid 1.2,1.5e-05 --grid 32,32,16 "
+          "--intensity 1");
+    CHECK(said["faults"].empty());
+}
+
 TEST_CASE("lr_bake: help and version are no errors, wrong usage is 2") {
     CHECK(lr_bake({"--help"}).exit_code == 0);
     CHECK(lr_bake({"mesh", "--help"}).exit_code == 0);
@@ -162,37 +188,42 @@ TEST_CASE("lr_bake: help and version are no errors, wrong usage is 2") {
     usage({"info"});
     usage({"check"});
     usage({"check", out, "--json"});
-    for (const std::vector<std::string>& bad :
-         std::vector<std::vector<std::string>>{{"--unit", "ft"},
-                                               {"--unit", "M"},
-                                               {"--unit", ""},
-                                               {"--density"},
-                                               {"--density", "8e2x"},
-                                               {"--density", "8e2 "},
-                                               {"--density", " 800"},
-                                               {"--density", "0x10"},
-                                               {"--density", ""},
-                                               {"--density", "1,2"},
-                                               {"--density", "1e999"},
-                                               {"--density", "1", "--density", "2"},
-                                               {"--fluid", "oil"},
-                                               {"--fluid", "1.2"},
-                                               {"--fluid", "1.2,"},
-                                               {"--fluid", ",1e-5"},
-                                               {"--fluid", "1.2,1e-5,1"},
-                                               {"--fluid", "1.2;1e-5"},
-                                               {"--fluid", "1.2,1e-5m"},
-                                               {"--fluid", "Air"},
-                                               {"--grid", "32"},
-                                               {"--grid", "32,32"},
-                                               {"--grid", "32,32,16,1"},
-                                               {"--grid", "32,32,1.5"},
-                                               {"--grid", "-4,32,16"},
-                                               {"--grid", "a,b,c"},
-                                               {"--grid", "99999999999,4,4"},
-                                               {"--center-of-mass", "1"},
-                                               {"--unknown"},
-                                               {"--report"}}) {
+    for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
+             {"--unit", "ft"},
+             {"--unit", "M"},
+             {"--unit", ""},
+             {"--density"},
+             {"--density", "8e2x"},
+             {"--density", "8e2 "},
+             {"--density", " 800"},
+             {"--density", "0x10"},
+             {"--density", ""},
+             {"--density", "1,2"},
+             {"--density", "1e999"},
+             {"--density", "1", "--density", "2"},
+             {"--fluid", "oil"},
+             {"--fluid", "1.2"},
+             {"--fluid", "1.2,"},
+             {"--fluid", ",1e-5"},
+             {"--fluid", "1.2,1e-5,1"},
+             {"--fluid", "1.2;1e-5"},
+             {"--fluid", "1.2,1e-5m"},
+             {"--fluid", "Air"},
+             {"--grid", "32"},
+             {"--grid", "32,32"},
+             {"--grid", "32,32,16,1"},
+             {"--grid", "32,32,1.5"},
+             {"--grid", "-4,32,16"},
+             {"--grid", "a,b,c"},
+             {"--grid", "99999999999,4,4"},
+             {"--center-of-mass", "1"},
+             {"--sheet"},
+             {"--sheet", "--thickness", "thin"},
+             {"--thickness", "1e-4"},
+             {"--areal-density", "0.07"},
+             {"--sheet", "--thickness", "1e-4", "--areal-density", "0.07", "--density", "700"},
+             {"--unknown"},
+             {"--report"}}) {
         std::vector<std::string> arguments{"mesh", mesh, "-o", out};
         arguments.insert(arguments.end(), bad.begin(), bad.end());
         usage(arguments);

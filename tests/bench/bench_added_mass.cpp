@@ -10,7 +10,8 @@ namespace {
 void assembly(benchmark::State& state) {
     const lr::baker::Mesh mesh = lr::test::ellipsoid(4, 2, 1, static_cast<int>(state.range(0)));
     for (auto _ : state) {
-        const lr::baker::BoundaryOperators op = lr::baker::assemble_boundary_operators(mesh, [](double) {});
+        const lr::baker::BoundaryOperators op =
+            lr::baker::assemble_boundary_operators(mesh, lr::baker::closed_basis(mesh), [](double) {});
         benchmark::DoNotOptimize(op.hypersingular.data());
     }
     state.counters["triangles"] = static_cast<double>(mesh.faces.size());
