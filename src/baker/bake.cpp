@@ -1,8 +1,9 @@
 #include "baker/bake.h"
 
 #include "baker/added_mass.h"
+#include "baker/bake_input.h"
 #include "baker/convex_hull.h"
-#include "baker/input_files.h"
+#include "baker/ellipsoid_mesh.h"
 #include "baker/mass_properties.h"
 #include "baker/mesh_check.h"
 #include "baker/text.h"
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <new>
 
 namespace lr::baker {
@@ -72,79 +72,6 @@ bool check_options(const BakeOptions& o, Faults& faults) {
     return good;
 }
 
-std::string utf8(const std::filesystem::path& path) {
-    const std::u8string text = path.u8string();
-    return valid_utf8(std::string(text.begin(), text.end()));
-}
-
-std::filesystem::path mesh_path(const BakeOptions& o) {
-    return std::u8string(o.mesh_path.begin(), o.mesh_path.end());
-}
-
-void add_memory(const BakeOptions& o, InputFiles& input) {
-    if (o.mesh_arrays) {
-        input.add(o.mesh_arrays->positions.data(), o.mesh_arrays->positions.size_bytes());
-        input.add(o.mesh_arrays->indices.data(), o.mesh_arrays->indices.size_bytes());
-    } else if (o.mesh_bytes) {
-        input.add(o.mesh_bytes->data(), o.mesh_bytes->size());
-    }
-}
-
-bool read_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
-    MeshReadOptions how;
-    if (o.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(o.unit);
-    how.up = o.up;
-    how.mesh = o.mesh;
-    add_memory(o, input);
-    if (o.mesh_arrays) return read_mesh_arrays(o.mesh_arrays->positions, o.mesh_arrays->indices, how, mesh, faults);
-    if (!o.mesh_bytes) return read_mesh(o.mesh_path, how, mesh, faults, &input);
-    std::string extension = mesh_path(o).extension().string();
-    if (!extension.empty()) extension.erase(0, 1);
-    return read_mesh_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), extension, how, mesh, faults);
-}
-
-// These formats are read by readers that open no other file; of the rest only reading tells.
-bool stands_alone(const BakeOptions& o) {
-    std::string extension = mesh_path(o).extension().string();
-    for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return extension == ".obj" || extension == ".ply" || extension == ".stl";
-}
-
-uint64_t input_hash(const InputFiles& input, const std::string& options) {
-    Fnv1a hash = input.hash();
-    hash.add(options.data(), options.size());
-    return hash.value();
-}
-
-// A surface to look at; the numbers of an ellipsoid are closed forms.
-Mesh sampled_ellipsoid(const std::array<double, 3>& semi_axes, const std::array<double, 3>& center_of_mass) {
-    constexpr uint32_t around = 48, rings = 23;
-    constexpr double pi = 3.14159265358979323846;
-    Mesh mesh;
-    const auto add = [&](double latitude, double longitude) {
-        mesh.vertices.emplace_back(semi_axes[0] * std::cos(latitude) * std::cos(longitude) - center_of_mass[0],
-                                   semi_axes[1] * std::cos(latitude) * std::sin(longitude) - center_of_mass[1],
-                                   semi_axes[2] * std::sin(latitude) - center_of_mass[2]);
-    };
-    for (uint32_t i = 0; i < rings; ++i)
-        for (uint32_t j = 0; j < around; ++j) add(pi * ((i + 1.0) / (rings + 1.0) - 0.5), 2.0 * pi * j / around);
-    const uint32_t south = rings * around, north = south + 1;
-    add(-0.5 * pi, 0.0);
-    add(0.5 * pi, 0.0);
-    for (uint32_t j = 0; j < around; ++j) {
-        const uint32_t k = (j + 1) % around;
-        mesh.faces.push_back({south, k, j});
-        for (uint32_t i = 0; i + 1 < rings; ++i) {
-            const uint32_t a = i * around, b = a + around;
-            mesh.faces.push_back({a + j, a + k, b + k});
-            mesh.faces.push_back({a + j, b + k, b + j});
-        }
-        const uint32_t last = (rings - 1) * around;
-        mesh.faces.push_back({last + j, last + k, north});
-    }
-    return mesh;
-}
-
 std::array<double, 3> to_array(const Eigen::Vector3d& v) {
     return {v[0], v[1], v[2]};
 }
@@ -196,7 +123,7 @@ private:
         spec.fluid_viscosity = options_.fluid_viscosity;
         spec.intensity = options_.intensity;
         if (options_.center_of_mass) spec.center_of_mass = in_metres(*options_.center_of_mass);
-        if (hooks_.body) *hooks_.body = sampled_ellipsoid(spec.semi_axes, spec.center_of_mass);
+        if (hooks_.body) *hooks_.body = ellipsoid_mesh(spec.semi_axes, spec.center_of_mass);
         return phase("closed forms", [&] { return shape::ellipsoid_body(spec, out_, faults_); });
     }
 
@@ -450,33 +377,6 @@ bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTiming
     } catch (const std::bad_alloc&) {
         return fail(faults, FaultId::mesh_too_many_faces, "memory", "The bake does not fit into memory.",
                     "Decimate the mesh, or use a coarser --grid.");
-    }
-}
-
-std::string source_name(const BakeOptions& options) {
-    return options.semi_axes ? "ellipsoid" : utf8(mesh_path(options).filename());
-}
-
-std::string asset_name(const BakeOptions& options) {
-    if (options.name) return valid_utf8(*options.name);
-    return options.semi_axes ? "ellipsoid" : utf8(mesh_path(options).stem());
-}
-
-std::optional<uint64_t> find_input_hash(const BakeOptions& options) {
-    try {
-        InputFiles input;
-        Faults ignored;
-        if (options.mesh_arrays || options.mesh_bytes) {
-            add_memory(options, input);
-        } else if (!options.semi_axes) {
-            Mesh mesh;
-            const bool read = stands_alone(options) ? input.read(options.mesh_path, &ignored) != nullptr
-                                                    : read_input(options, mesh, input, ignored);
-            if (!read) return {};
-        }
-        return input_hash(input, canonical_options(options));
-    } catch (const std::bad_alloc&) {
-        return {};
     }
 }
 

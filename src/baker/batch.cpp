@@ -2,6 +2,7 @@
 
 #include "baker/file_io.h"
 #include "baker/memory_budget.h"
+#include "baker/phases.h"
 #include "baker/signals_held.h"
 
 #include <algorithm>
@@ -34,22 +35,6 @@ std::string stem_of(const std::string& path_utf8) {
 
 std::string in_folder(const std::string& folder, const std::string& file) {
     return folder.empty() || folder.back() == '/' ? folder + file : folder + "/" + file;
-}
-
-// Where in its bake a job is, by the time that phases usually take; it only feeds the progress bar.
-double overall(const char* phase, double fraction) {
-    struct Part {
-        const char* phase;
-        double begin, end;
-    };
-    constexpr Part parts[] = {{"reading", 0.0, 0.05},
-                              {"checking", 0.05, 0.08},
-                              {"mass", 0.08, 0.09},
-                              {"hull", 0.09, 0.12},
-                              {"added mass", 0.12, 0.8}};
-    for (const Part& part : parts)
-        if (std::strcmp(phase, part.phase) == 0) return part.begin + fraction * (part.end - part.begin);
-    return 0.8 + 0.2 * fraction;
 }
 
 class Batch {
@@ -124,7 +109,7 @@ private:
             reserved = solve_memory(faces);
         };
         const auto progress = [&](const char* phase, double fraction) {
-            parts_[i] = std::min(overall(phase, fraction), 0.99);
+            parts_[i] = std::min(overall_progress(phase, fraction), 0.99);
             // What comes after needs little, and others wait.
             if (reserved > 0 && fraction >= 1.0 && std::strcmp(phase, "added mass") == 0)
                 budget_.release(std::exchange(reserved, 0));
