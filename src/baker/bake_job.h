@@ -13,6 +13,8 @@ struct BakeJob {
     BakeOptions bake;
     std::string output; // the asset
     std::string report; // or empty
+    std::string plots;  // a folder for plot_names, made if only its last part is missing; or empty
+    std::string plot_prefix;
     // Leave the outputs alone if they are what this bake would make.
     bool if_changed = false;
 

@@ -150,6 +150,8 @@ std::optional<std::vector<BakeJob>> plan_batch(const std::vector<std::string>& i
         job.bake.mesh_path = input;
         job.output = in_folder(folders.assets, stem_of(input) + ".lrb");
         if (!folders.reports.empty()) job.report = in_folder(folders.reports, stem_of(input) + ".json");
+        job.plots = folders.plots;
+        job.plot_prefix = stem_of(input) + ".";
         job.if_changed = if_changed;
         const auto [other, fresh] = inputs_of.emplace(job.output, input);
         if (!fresh) {

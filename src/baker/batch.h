@@ -13,10 +13,10 @@
 namespace lr::baker {
 
 struct BatchFolders {
-    std::string assets, reports; // reports: or empty
+    std::string assets, reports, plots; // all but the first may be empty
 };
 
-// One job for each input, into FOLDER/STEM.lrb and FOLDER/STEM.json. Two inputs that would make one file: nothing, and
+// One job for each input, into FOLDER/STEM.lrb, FOLDER/STEM.json and FOLDER/STEM.turbulence.svg and so on. Two inputs that would make one file: nothing, and
 // `clash` says which.
 std::optional<std::vector<BakeJob>> plan_batch(const std::vector<std::string>& inputs, const BakeOptions& options,
                                                const BatchFolders& folders, bool if_changed, std::string& clash);

@@ -217,10 +217,12 @@ bool check_output(const std::string& path, Faults& faults) {
     return ::access(folder.c_str(), W_OK | X_OK) == 0 || cannot_write(faults, path, errno);
 }
 
-bool make_folder(const std::string& path, Faults& faults) {
+bool make_folder(const std::string& path, Faults& faults, bool* made) {
     struct stat info {};
-    if (::mkdir(path.c_str(), 0777) == 0) return true;
+    const bool fresh = ::mkdir(path.c_str(), 0777) == 0;
     const int reason = errno;
+    if (made) *made = fresh;
+    if (fresh) return true;
     if (reason == EEXIST && ::stat(path.c_str(), &info) == 0) {
         if (S_ISDIR(info.st_mode)) return true;
         return fail(faults, FaultId::file_write, path, "This is a file, not a folder.", "Give the name of a folder.");

@@ -44,6 +44,7 @@ int run_bake(const CommandLine& line) {
     job.bake = line.bake;
     job.output = line.output;
     job.report = line.report;
+    job.plots = line.plots;
     job.if_changed = line.if_changed;
     Progress progress(line.quiet);
     BakeOutcome outcome =
@@ -83,9 +84,9 @@ int run_batch(const CommandLine& line) {
     }
     std::string clash;
     const std::optional<std::vector<BakeJob>> jobs =
-        plan_batch(inputs, line.bake, {line.output, line.report}, line.if_changed, clash);
+        plan_batch(inputs, line.bake, {line.output, line.report, line.plots}, line.if_changed, clash);
     if (!jobs) return wrong_usage(clash);
-    for (const std::string& folder : {line.output, line.report})
+    for (const std::string& folder : {line.output, line.report, line.plots})
         if (!folder.empty() && !make_folder(folder, faults)) {
             print(folder, faults, true);
             return 1;

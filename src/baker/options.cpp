@@ -93,6 +93,9 @@ void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
         ->type_name("X,Y,Z");
     command.add_option("--name", texts.name, "name in the asset, instead of the file's")->type_name("NAME");
     command.add_option("--report", line.report, "JSON report to write")->type_name("R.json");
+    command
+        .add_option("--plots", line.plots, "folder for pictures (SVG): turbulence, added mass, its entries and errors")
+        ->type_name("DIR");
     command.add_flag("--if-changed", line.if_changed,
                      "do nothing if the outputs were made by this baker from this input with these options");
     command.add_flag("--quiet", line.quiet, "print errors only");
@@ -129,6 +132,8 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
         if (several && input.empty()) throw CLI::ValidationError("IN", "a file name is empty");
     if (command.count("--report") > 0 && line.report.empty())
         throw CLI::ValidationError("--report", "the file name is empty");
+    if (command.count("--plots") > 0 && line.plots.empty())
+        throw CLI::ValidationError("--plots", "the folder name is empty");
     const bool to_folder = !ellipsoid && command.count("--output-dir") > 0;
     if (to_folder == (command.count("--output") > 0))
         throw CLI::ValidationError("--output", to_folder ? "not together with --output-dir" : "say where to write to");

@@ -17,6 +17,7 @@ struct CommandLine {
     std::vector<std::string> inputs; // meshes, besides those of the list
     std::string list;                // file with more inputs, or empty
     std::string output, report;      // files or folders; report may be empty
+    std::string plots;               // a folder, or empty
     bool folders = false;
     unsigned jobs = 0; // at once; 0: one for each processor
     bool if_changed = false;

@@ -15,17 +15,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string hex(uint64_t value) {
-    char buffer[17];
-    std::snprintf(buffer, sizeof buffer, "%016llx", static_cast<unsigned long long>(value));
-    return buffer;
-}
-
 Json make_json(const ProvenanceData& p) {
     return {{"tool", valid_utf8(p.tool)},
             {"tool_version", valid_utf8(p.tool_version)},
             {"source", valid_utf8(p.source)},
-            {"input_hash", hex(p.input_hash)},
+            {"input_hash", hash_text(p.input_hash)},
             {"options", valid_utf8(p.options)},
             {"faces", p.faces},
             {"vertices", p.vertices}};
@@ -80,6 +74,12 @@ __attribute__((format(printf, 2, 3))) void line(std::string& text, const char* f
 }
 
 } // namespace
+
+std::string hash_text(uint64_t value) {
+    char buffer[17];
+    std::snprintf(buffer, sizeof buffer, "%016llx", static_cast<unsigned long long>(value));
+    return buffer;
+}
 
 std::string report_json(const AssetData& asset) {
     return make_json(asset).dump(2) + "\n";

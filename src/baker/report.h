@@ -3,6 +3,7 @@
 
 #include "baker/bake.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,9 @@ std::string report_json(const AssetData& asset, const Faults& faults, const Bake
 
 // Was this report written with an asset of this provenance?
 bool is_report_of(std::string_view json, const ProvenanceData& provenance);
+
+// 16 hexadecimal digits.
+std::string hash_text(uint64_t hash);
 
 // A few lines for a terminal.
 std::string summary(const AssetData& asset);
