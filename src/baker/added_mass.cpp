@@ -1,6 +1,7 @@
 #include "baker/added_mass.h"
 
 #include "baker/boundary_operators.h"
+#include "baker/curved_refinement.h"
 #include "baker/single_cholesky.h"
 #include "baker/surface_basis.h"
 #include "baker/surface_correction.h"
@@ -24,6 +25,12 @@ namespace lr::baker {
 namespace {
 
 constexpr std::size_t max_panels = 8000;
+// Of the largest entry of its block. A solid whose estimate is above is solved again on finer panels, up to so many.
+constexpr double good_estimate = 0.0025;
+constexpr std::size_t max_refined_panels = 5000;
+// A box of two triangles a side has its limit in the size of the panels, not in their strips.
+constexpr std::size_t min_refined_panels = 1000;
+constexpr double refined_turn = 0.1; // of the normal along an edge, radians
 // Condition of the scaled matrix above which less than about six digits of phi are left.
 constexpr double max_condition = 1e10;
 
@@ -231,8 +238,9 @@ bool solve_in_double(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right
     return true;
 }
 
-// The surface has size one around the centre; what a closed one has lost to flat panels is in `curved`.
-bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, double size,
+// A body of size one around the centre; what a closed one has lost to flat panels is in `curved`. The estimate of a closed
+// one begins with `geometry`, and leaves its own geometric part there.
+bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, Matrix6& geometry,
                    AddedMass& out, Faults& faults, const Progress& report) {
     BoundaryOperators op = assemble_boundary_operators(unit, basis, report);
     // For translations the interior potential is x itself, so W x = (1/2 - K') n up to quadrature: a check that is
@@ -259,7 +267,8 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
     if (!scalable || !(solve_refined(matrix, right, solution) || solve_in_double(matrix, right, solution))) {
         faults.push_back({FaultId::mesh_ill_conditioned, Severity::error, "mesh",
                           "The equations for the added mass are singular.",
-                          "Look for faces that cross or touch each other and for needle-shaped faces; remesh."});
+                          "Look for faces that cross or touch each other and for needle-shaped faces; bake the middle "
+                          "surface of a very thin solid with --sheet."});
         return false;
     }
     const RigidModes phi = scaling.asDiagonal() * solution.value;
@@ -276,19 +285,19 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
     Matrix6 error =
         discretisation_error(unit, basis, op, currents).cwiseAbs() + 0.5 * (raw - raw.transpose()).cwiseAbs();
     error += quadrature_floor * value.cwiseAbs();
-    if (curved) error += geometry_error(op, currents, *curved).cwiseAbs();
+    error += geometry;
+    if (curved) {
+        geometry = geometry_error(op, currents, *curved).cwiseAbs();
+        error += geometry;
+    }
     if (!basis.sheet) {
         const Eigen::Matrix<double, 6, 3> quadrature = phi.transpose() * defect;
         error.leftCols<3>() += 0.5 * quadrature.cwiseAbs();
         error.topRows<3>() += 0.5 * quadrature.cwiseAbs().transpose();
     }
 
-    Eigen::Matrix<double, 6, 1> units;
-    units.head<3>().setConstant(std::pow(size, 1.5));
-    units.tail<3>().setConstant(std::pow(size, 2.5));
-    const Matrix6 unit_product = units * units.transpose(); // symmetric to the last bit, as value is
-    out.value = value.cwiseProduct(unit_product);
-    out.error = error.cwiseProduct(unit_product);
+    out.value = value;
+    out.error = error;
     if (!out.value.allFinite()) {
         faults.push_back({FaultId::mesh_ill_conditioned, Severity::error, "mesh", "The added mass is not finite.",
                           "Remesh with better-shaped triangles."});
@@ -332,14 +341,63 @@ Progress or_nothing(const Progress& progress) {
     return progress ? progress : [](double) {};
 }
 
+void scale_to_size(double size, AddedMass& m) {
+    Eigen::Matrix<double, 6, 1> units;
+    units.head<3>().setConstant(std::pow(size, 1.5));
+    units.tail<3>().setConstant(std::pow(size, 2.5));
+    const Matrix6 products = units * units.transpose(); // symmetric to the last bit, as the value is
+    m.value = m.value.cwiseProduct(products).eval();
+    m.error = m.error.cwiseProduct(products).eval();
+}
+
+bool is_good(const AddedMass& m) {
+    return (m.error.array() <= good_estimate * entry_scale(m.value).array()).all();
+}
+
+// On finer panels where the surface is curved and at creases; no finer than the budget allows.
+Mesh refine(const Mesh& unit) {
+    const Mesh curved = refine_curved(unit, refined_turn, max_refined_panels);
+    for (std::size_t strips = 3; strips > 1; --strips) {
+        Mesh fine = refine_solid(curved, {min_refined_panels, strips});
+        if (fine.faces.size() <= max_refined_panels) return fine;
+    }
+    return curved;
+}
+
+bool solve_solid(const Mesh& unit, Matrix6& geometry, AddedMass& out, Faults& faults, const Progress& report) {
+    const CurvedSurface surface = restore_curved_volume(unit);
+    return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, geometry, out, faults, report);
+}
+
 } // namespace
 
 bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                         const Progress& progress) {
     if (!check_size(mesh, faults)) return false;
+    constexpr double first_share = 0.2;
+    const Progress report = or_nothing(progress);
     double size = 0.0;
-    const CurvedSurface surface = restore_curved_volume(scale_to_unit(mesh, centre, size));
-    return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, size, out, faults, or_nothing(progress));
+    const Mesh unit = scale_to_unit(mesh, centre, size);
+    Matrix6 geometry = Matrix6::Zero();
+    Faults found;
+    const bool good = solve_solid(unit, geometry, out, found, [&](double f) { report(first_share * f); });
+    if (good && !is_good(out)) {
+        const Mesh fine = refine(unit);
+        AddedMass better;
+        Faults found_then;
+        // What the vertices leave open about the shape between them, no refinement can tell.
+        if (fine.faces.size() > unit.faces.size() && solve_solid(fine, geometry, better, found_then, [&](double f) {
+                report(first_share + (1.0 - first_share) * f);
+            })) {
+            out = better;
+            found = found_then;
+        }
+    }
+    faults.insert(faults.end(), found.begin(), found.end());
+    if (!good) return false;
+    scale_to_size(size, out);
+    report(1.0);
+    return true;
 }
 
 bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, const Refinement& refinement,
@@ -347,7 +405,10 @@ bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, c
     if (!check_size(mesh, faults)) return false;
     double size = 0.0;
     const Mesh unit = refine_sheet(scale_to_unit(mesh, centre, size), refinement);
-    return solve_surface(unit, sheet_basis(unit), nullptr, size, out, faults, or_nothing(progress));
+    Matrix6 geometry = Matrix6::Zero();
+    if (!solve_surface(unit, sheet_basis(unit), nullptr, geometry, out, faults, or_nothing(progress))) return false;
+    scale_to_size(size, out);
+    return true;
 }
 
 } // namespace lr::baker

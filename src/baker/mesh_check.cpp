@@ -1,5 +1,6 @@
 #include "baker/mesh_check.h"
 
+#include "baker/crack_repair.h"
 #include "baker/disjoint_sets.h"
 
 #include <Eigen/Geometry>
@@ -15,6 +16,9 @@ namespace {
 constexpr double degenerate_shape = 1e-9;
 // Volume over (area^(3/2)) below which a closed surface encloses nothing but rounding.
 constexpr double zero_volume_shape = 1e-9;
+// Of the largest extent, between a vertex and an edge that it seems to lie on. Positions in single precision are off by up
+// to 1e-7.
+constexpr double crack_tolerance = 1e-6;
 constexpr std::size_t listed = 5;
 
 struct Edge {
@@ -37,13 +41,13 @@ public:
 
     bool run() {
         return check_values() && remove_collapsed_and_duplicate_faces() && remove_isolated_vertices() &&
-               check_shapes() && check_edges() && orient() && split_touching_fans() && check_volumes();
+               check_shapes() && join_cracks() && check_edges() && orient() && split_touching_fans() && check_volumes();
     }
 
     bool run_sheet() {
         sheet_ = true;
         return check_values() && remove_collapsed_and_duplicate_faces() && remove_isolated_vertices() &&
-               check_shapes() && count_parts();
+               check_shapes() && join_cracks() && count_parts();
     }
 
 private:
@@ -178,6 +182,15 @@ private:
         if (bad.empty()) return true;
         return error(FaultId::mesh_degenerate_face, name_faces(bad), "A face has no area: its corners are on one line.",
                      "Dissolve degenerate faces (merge by distance), then export again.");
+    }
+
+    bool join_cracks() {
+        const std::size_t joined = close_cracks(mesh_, crack_tolerance);
+        if (joined > 0)
+            warn(FaultId::mesh_merged_vertices, "mesh",
+                 std::to_string(joined) + " vertices that lay on a boundary edge of another face were joined with it.",
+                 "Nothing; remove T-junctions before export to silence this.");
+        return true;
     }
 
     void collect_edges() {

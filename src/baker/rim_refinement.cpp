@@ -1,5 +1,8 @@
 #include "baker/rim_refinement.h"
 
+#include "baker/diagonal.h"
+#include "baker/surface_correction.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -13,13 +16,16 @@ namespace {
 
 using Edge = std::array<uint32_t, 2>;
 
+// Height over longest side of a panel that is not cut.
+constexpr double narrow = 0.25;
+
 Edge make_edge(uint32_t a, uint32_t b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
 class Refiner {
 public:
-    explicit Refiner(const Mesh& mesh) : mesh_(mesh) {
+    Refiner(const Mesh& mesh, bool closed) : mesh_(mesh), closed_(closed) {
         for (uint32_t t = 0; t < mesh_.faces.size(); ++t)
             for (std::size_t k = 0; k < 3; ++k) faces_of_[side(t, k)].push_back(t);
     }
@@ -27,7 +33,7 @@ public:
     // Halves the longest edge of all, as long as there are too few panels.
     void halve_longest(std::size_t panels) {
         struct Candidate {
-            double square;
+            float square; // edges of one length stay so when the body is turned
             Edge edge;
             bool operator<(const Candidate& other) const {
                 return square != other.square ? square < other.square : edge > other.edge;
@@ -35,7 +41,7 @@ public:
         };
         std::priority_queue<Candidate> queue;
         const auto push = [&](const Edge& e) {
-            queue.push({(mesh_.vertices[e[0]] - mesh_.vertices[e[1]]).squaredNorm(), e});
+            queue.push({static_cast<float>((mesh_.vertices[e[0]] - mesh_.vertices[e[1]]).squaredNorm()), e});
         };
         for (const auto& [edge, faces] : faces_of_) push(edge);
         while (mesh_.faces.size() < panels && !queue.empty()) {
@@ -47,16 +53,19 @@ public:
     }
 
     // A panel with all its corners on rims would be cut off from the jump of the potential: it gets a vertex inside.
+    // The narrow sides of a thin solid stay as they are.
     void open_corners() {
         const std::vector<uint8_t> rim = find_rim();
         std::vector<Edge> chords;
         for (const auto& [edge, faces] : faces_of_)
-            if (faces.size() > 1 && rim[edge[0]] && rim[edge[1]]) chords.push_back(edge);
+            if (rim[edge[0]] && rim[edge[1]] && !is_sharp(edge, faces) &&
+                !std::any_of(faces.begin(), faces.end(), [&](uint32_t t) { return closed_ && is_narrow(t); }))
+                chords.push_back(edge);
         for (const Edge& edge : chords) split(edge);
         std::vector<uint8_t> now = find_rim();
         for (uint32_t t = 0, count = static_cast<uint32_t>(mesh_.faces.size()); t < count; ++t) {
             const Face f = mesh_.faces[t];
-            if (!(now[f[0]] && now[f[1]] && now[f[2]])) continue;
+            if (!(now[f[0]] && now[f[1]] && now[f[2]]) || (closed_ && is_narrow(t))) continue;
             const auto middle = static_cast<uint32_t>(mesh_.vertices.size());
             mesh_.vertices.push_back((mesh_.vertices[f[0]] + mesh_.vertices[f[1]] + mesh_.vertices[f[2]]) / 3.0);
             now.push_back(0);
@@ -117,10 +126,7 @@ private:
             if (p == q || q == r || r == p) return;
             faces.push_back(fan ? Face{p, q, r} : Face{q, p, r});
         };
-        const auto square = [&](uint32_t p, uint32_t q) {
-            return (mesh_.vertices[p] - mesh_.vertices[q]).squaredNorm();
-        };
-        if (square(a, c) <= square(b, d)) {
+        if (prefers_diagonal(mesh_.vertices, a, c, b, d)) {
             add(a, b, c);
             add(a, c, d);
         } else {
@@ -129,11 +135,38 @@ private:
         }
     }
 
+    // Vertices at which the velocity has a singularity.
     std::vector<uint8_t> find_rim() const {
         std::vector<uint8_t> rim(mesh_.vertices.size(), 0);
         for (const auto& [edge, faces] : faces_of_)
-            if (faces.size() == 1) rim[edge[0]] = rim[edge[1]] = 1;
+            if (is_sharp(edge, faces)) rim[edge[0]] = rim[edge[1]] = 1;
         return rim;
+    }
+
+    // A free edge of a sheet; of a solid, one that the flow has to turn around.
+    bool is_sharp(const Edge& edge, const std::vector<uint32_t>& faces) const {
+        if (!closed_) return faces.size() == 1;
+        const Eigen::Vector3d n = twice_area(faces[0]), m = twice_area(faces[1]);
+        if (n.dot(m) > crease_cosine * n.norm() * m.norm()) return false;
+        const Face& f = mesh_.faces[faces[1]];
+        const uint32_t apex = f[0] != edge[0] && f[0] != edge[1]   ? f[0]
+                              : f[1] != edge[0] && f[1] != edge[1] ? f[1]
+                                                                   : f[2];
+        return n.dot(mesh_.vertices[apex] - mesh_.vertices[edge[0]]) < 0.0;
+    }
+
+    Eigen::Vector3d twice_area(uint32_t t) const {
+        const Face& f = mesh_.faces[t];
+        return (mesh_.vertices[f[1]] - mesh_.vertices[f[0]]).cross(mesh_.vertices[f[2]] - mesh_.vertices[f[0]]);
+    }
+
+    bool is_narrow(uint32_t t) const {
+        double longest = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Edge e = side(t, k);
+            longest = std::max(longest, (mesh_.vertices[e[0]] - mesh_.vertices[e[1]]).squaredNorm());
+        }
+        return twice_area(t).norm() < narrow * longest;
     }
 
     // Puts a vertex into the middle of an edge; returns the edges that are new.
@@ -162,17 +195,25 @@ private:
     }
 
     Mesh mesh_;
+    bool closed_;
     std::map<Edge, std::vector<uint32_t>> faces_of_;
 };
 
-} // namespace
-
-Mesh refine_sheet(const Mesh& mesh, const Refinement& how) {
-    Refiner refiner(mesh);
+Mesh refine(Refiner refiner, const Refinement& how) {
     refiner.halve_longest(how.panels);
     refiner.open_corners();
     if (how.strips > 1) refiner.cut_strips(how.strips);
     return refiner.take();
+}
+
+} // namespace
+
+Mesh refine_sheet(const Mesh& mesh, const Refinement& how) {
+    return refine(Refiner(mesh, false), how);
+}
+
+Mesh refine_solid(const Mesh& mesh, const Refinement& how) {
+    return refine(Refiner(mesh, true), how);
 }
 
 } // namespace lr::baker

@@ -18,4 +18,7 @@ struct Refinement {
 // as fast as their size.
 Mesh refine_sheet(const Mesh& mesh, const Refinement& how);
 
+// The same for a closed surface, with its convex creases for rims: the potential of a solid has a singularity there.
+Mesh refine_solid(const Mesh& mesh, const Refinement& how);
+
 } // namespace lr::baker

@@ -10,10 +10,6 @@
 namespace lr::baker {
 namespace {
 
-// Faces that meet at a larger turn than this are two surfaces with an edge between them, not one curved surface. 66
-// degrees: the rim of a 1:10 ellipsoid of 1280 triangles still counts as curved, a box does not, and no regular prism
-// or polyhedron lies so close that rounding would decide.
-constexpr double crease_cosine = 0.407;
 // A vertex moves at most by this share of its shortest edge: a limit for meshes that are rough rather than curved.
 constexpr double max_share = 0.1;
 
@@ -39,6 +35,11 @@ public:
         std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
         for (uint32_t i = 0; i < mesh.faces.size(); ++i)
             for (uint32_t k = 0; k < 3; ++k) corners_[next[mesh.faces[i][k]]++] = {i, k};
+    }
+
+    std::vector<std::array<Eigen::Vector3d, 3>> normals() {
+        for (uint32_t v = 0; v < mesh_.vertices.size(); ++v) smooth_groups(v);
+        return std::move(corner_normal_);
     }
 
     CurvedSurface run() {
@@ -123,12 +124,7 @@ private:
             normal_matrix += normal * normal.transpose();
             right += normal * (weighted / weight);
         }
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal_matrix);
-        Eigen::Vector3d move = Eigen::Vector3d::Zero();
-        for (Eigen::Index k = 0; k < 3; ++k)
-            if (solver.eigenvalues()[k] > 0.01)
-                move +=
-                    solver.eigenvectors().col(k) * (solver.eigenvectors().col(k).dot(right) / solver.eigenvalues()[k]);
+        const Eigen::Vector3d move = least_motion(normal_matrix, right);
         const double limit = max_share * shortest, length = move.norm();
         return length > limit ? Eigen::Vector3d(move * (limit / length)) : move;
     }
@@ -144,6 +140,19 @@ private:
 };
 
 } // namespace
+
+Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::Vector3d& right) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal_matrix);
+    Eigen::Vector3d move = Eigen::Vector3d::Zero();
+    for (Eigen::Index k = 0; k < 3; ++k)
+        if (solver.eigenvalues()[k] > 0.01)
+            move += solver.eigenvectors().col(k) * (solver.eigenvectors().col(k).dot(right) / solver.eigenvalues()[k]);
+    return move;
+}
+
+std::vector<std::array<Eigen::Vector3d, 3>> corner_normals(const Mesh& mesh) {
+    return Correction(mesh).normals();
+}
 
 CurvedSurface restore_curved_volume(const Mesh& mesh) {
     return Correction(mesh).run();

@@ -5,6 +5,18 @@
 
 namespace lr::baker {
 
+// Faces that meet at a larger turn than this are two surfaces with an edge between them, not one curved surface. 66
+// degrees: the rim of a 1:10 ellipsoid of 1280 triangles still counts as curved, a box does not, and no regular prism
+// or polyhedron lies so close that rounding would decide.
+constexpr double crease_cosine = 0.407;
+
+// The shortest motion that moves each normal n by the offset s asked of it, in the least squares sense:
+// normal_matrix = sum n n^T, right = sum n s. None in directions in which the normals say next to nothing.
+Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::Vector3d& right);
+
+// Of the curved surface at the corners of each face; corners at one vertex that no crease parts have the same.
+std::vector<std::array<Eigen::Vector3d, 3>> corner_normals(const Mesh& mesh);
+
 struct CurvedSurface {
     Mesh mesh;
     std::vector<double> gap; // of each face: mean distance of the curved surface from the triangle, along its normal

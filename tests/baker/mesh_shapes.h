@@ -57,6 +57,32 @@ inline Mesh ellipsoid(double a, double b, double c, int levels) {
     return mesh;
 }
 
+// Poles on z; 2 longitudes (latitudes - 1) triangles.
+inline Mesh latitude_longitude(const Eigen::Vector3d& axes, int longitudes, int latitudes) {
+    constexpr double pi = 3.14159265358979323846;
+    Mesh mesh;
+    const auto at = [&](int i, int j) { return static_cast<uint32_t>(1 + (i - 1) * longitudes + j % longitudes); };
+    mesh.vertices.emplace_back(0.0, 0.0, 1.0);
+    for (int i = 1; i < latitudes; ++i)
+        for (int j = 0; j < longitudes; ++j) {
+            const double polar = pi * i / latitudes, angle = 2.0 * pi * j / longitudes;
+            mesh.vertices.emplace_back(std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle),
+                                       std::cos(polar));
+        }
+    const auto south = static_cast<uint32_t>(mesh.vertices.size());
+    mesh.vertices.emplace_back(0.0, 0.0, -1.0);
+    for (int j = 0; j < longitudes; ++j) {
+        mesh.faces.push_back({0, at(1, j), at(1, j + 1)});
+        mesh.faces.push_back({south, at(latitudes - 1, j + 1), at(latitudes - 1, j)});
+        for (int i = 1; i + 1 < latitudes; ++i) {
+            mesh.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            mesh.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    }
+    apply(mesh, axes.asDiagonal());
+    return mesh;
+}
+
 // Position along an axis at grid line i of n, crowded towards both ends by `grading` in [0, 1] (1: cosine spacing).
 inline double grid_line(int i, int n, double grading) {
     const double t = static_cast<double>(i) / n;

@@ -3,9 +3,9 @@
 #include "baker/mass_properties.h"
 #include "baker/mesh.h"
 #include "baker/mesh_check.h"
-#include "mesh_shapes.h"
 #include "scene_files.h"
 #include "scratch.h"
+#include "sheet_shapes.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -113,6 +113,42 @@ TEST_CASE("formats: STL, ASCII and binary") {
         CHECK(faults.empty());
         CHECK(solid.volume == Approx(1e-6).epsilon(1e-6));
         check_near(solid.centroid, {0.0025, 0.005, 0.0075});
+    }
+}
+
+TEST_CASE("formats: an open sheet bakes alike from every one of them") {
+    const Scratch scratch;
+    const Mesh leaf = test::patch(6, 4, [](double u, double v) {
+        return Eigen::Vector3d(0.08 * u, 0.04 * (v - 0.5), 0.02 * u * u + 0.1 * (v - 0.5) * (v - 0.5));
+    });
+    const test::SceneNodes node{{"Leaf"}};
+    const auto bake_sheet = [](const std::string& path) {
+        BakeOptions options;
+        options.mesh_path = path;
+        options.unit = Unit::m;
+        options.sheet = SheetOptions{2e-4, 0.1};
+        AssetData asset;
+        Faults faults;
+        const bool good = bake(options, asset, faults);
+        INFO(all_text(faults));
+        REQUIRE(good);
+        return asset;
+    };
+    const AssetData reference = bake_sheet(scratch.write("leaf.obj", test::obj_text(leaf)));
+    CHECK(reference.added_mass[4] != 0.0); // a coupling: the leaf is curled
+    for (const std::string& path :
+         {scratch.write("leaf.glb", test::glb(leaf, node)), scratch.write("leaf.dae", test::collada(leaf, node, "")),
+          scratch.write("leaf.fbx", test::fbx(leaf, node, test::fbx_unit(100.0))),
+          scratch.write("leaf.stl", test::binary_stl(leaf)),
+          scratch.write("ascii.stl", test::ascii_stl({{"leaf", leaf}}))}) {
+        CAPTURE(path);
+        const AssetData asset = bake_sheet(path);
+        CHECK(asset.mass == Approx(reference.mass).epsilon(1e-5));
+        CHECK(asset.provenance.vertices == reference.provenance.vertices);
+        for (std::size_t i = 0; i < 36; ++i) {
+            const double scale = std::sqrt(reference.added_mass[i / 6 * 7] * reference.added_mass[i % 6 * 7]);
+            CHECK(std::abs(asset.added_mass[i] - reference.added_mass[i]) < 1e-3 * scale);
+        }
     }
 }
 

@@ -1,0 +1,130 @@
+// Finer panels on closed surfaces: curved ones stay curved, creases stay creases, nothing opens.
+#include "baker/curved_refinement.h"
+#include "baker/mass_properties.h"
+#include "baker/mesh_check.h"
+#include "baker/rim_refinement.h"
+#include "baker/surface_correction.h"
+#include "mesh_shapes.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace lr;
+using namespace lr::baker;
+
+namespace {
+
+constexpr std::size_t no_limit = 100000;
+
+void check_closed(const Mesh& mesh) {
+    Mesh copy = mesh;
+    Faults faults;
+    CHECK(check_and_repair(copy, faults));
+    CHECK(faults.empty());
+}
+
+// A prism of n sides with closed ends.
+Mesh prism(int n) {
+    Mesh mesh;
+    for (const double z : {-0.5, 0.5}) {
+        mesh.vertices.emplace_back(0.0, 0.0, z);
+        for (int i = 0; i < n; ++i) {
+            const double angle = 2.0 * 3.14159265358979323846 * i / n;
+            mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), z);
+        }
+    }
+    const auto at = [&](int end, int i) { return static_cast<uint32_t>(end * (n + 1) + 1 + i % n); };
+    for (int i = 0; i < n; ++i)
+        mesh.faces.insert(mesh.faces.end(), {{0, at(0, i + 1), at(0, i)},
+                                             {static_cast<uint32_t>(n + 1), at(1, i), at(1, i + 1)},
+                                             {at(0, i), at(0, i + 1), at(1, i + 1)},
+                                             {at(0, i), at(1, i + 1), at(1, i)}});
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("curved refinement of a coarse sphere comes closer to the sphere, by the fourth power of the panels") {
+    double last = 0.0;
+    for (const int level : {1, 2}) {
+        const Mesh fine = refine_curved(test::icosphere(level), 0.1, no_limit);
+        CHECK(fine.faces.size() > 1000);
+        check_closed(fine);
+        double worst = 0.0;
+        for (const Eigen::Vector3d& v : fine.vertices) worst = std::max(worst, std::abs(v.norm() - 1.0));
+        CHECK(worst < (level == 1 ? 0.004 : 0.0004));
+        if (level == 2) CHECK(worst < 0.15 * last);
+        last = worst;
+    }
+}
+
+TEST_CASE("curved refinement leaves flat faces and straight creases as they are") {
+    for (const Mesh& mesh : {test::cube(3), test::box({3, 1, 0.01}, {6, 4, 1})}) {
+        const Mesh same = refine_curved(mesh, 0.1, no_limit);
+        CHECK(same.faces == mesh.faces);
+        CHECK(same.vertices == mesh.vertices);
+    }
+}
+
+TEST_CASE("curved refinement of a prism of many sides makes it a cylinder: round rims, flat ends, straight sides") {
+    const Mesh fine = refine_curved(prism(16), 0.1, no_limit);
+    check_closed(fine);
+    CHECK(fine.faces.size() > 4 * prism(16).faces.size());
+    for (const Eigen::Vector3d& v : fine.vertices) {
+        const double radius = std::hypot(v[0], v[1]);
+        CHECK(std::abs(v[2]) < 0.5 + 1e-12);
+        if (std::abs(v[2]) < 0.499) CHECK(radius == doctest::Approx(1.0).epsilon(1e-3));
+        if (radius > 0.99) CHECK(radius == doctest::Approx(1.0).epsilon(1e-3));
+    }
+    CHECK(compute_mass_properties(fine).volume == doctest::Approx(3.14159265).epsilon(0.005));
+    CHECK(compute_mass_properties(prism(16)).volume < 3.07);
+}
+
+TEST_CASE("curved refinement keeps within its number of panels") {
+    const Mesh mesh = test::icosphere(2);
+    CHECK(refine_curved(mesh, 0.01, 1279).faces.size() == 320);
+    CHECK(refine_curved(mesh, 0.01, 1280).faces.size() == 1280);
+}
+
+TEST_CASE("strips at creases stay on the surface and close it") {
+    for (const Mesh& mesh : {test::cube(1), test::cube(3), test::box({1, 1, 0.001}, {8, 8, 1}), prism(6)})
+        for (const std::size_t strips : {2U, 4U}) {
+            const Mesh fine = refine_solid(mesh, {200, strips});
+            CHECK(fine.faces.size() > 200);
+            check_closed(fine);
+            const MassProperties before = compute_mass_properties(mesh), after = compute_mass_properties(fine);
+            CHECK(after.volume == doctest::Approx(before.volume).epsilon(1e-12));
+            CHECK(after.area == doctest::Approx(before.area).epsilon(1e-12));
+            // as thin as the square of the number of strips, next to the crease
+            double smallest = std::numeric_limits<double>::infinity();
+            for (const Face& f : fine.faces)
+                for (std::size_t k = 0; k < 3; ++k)
+                    smallest = std::min(smallest, (fine.vertices[f[k]] - fine.vertices[f[(k + 1) % 3]]).norm());
+            CHECK(smallest < 0.6 / static_cast<double>(strips * strips));
+        }
+    // no crease, no strip
+    const Mesh sphere = test::icosphere(2);
+    CHECK(refine_solid(sphere, {0, 4}).faces == sphere.faces);
+    // a notch is no crease: the flow is at rest in it
+    Mesh notched = test::cube(2);
+    for (Eigen::Vector3d& v : notched.vertices)
+        if (v[2] > 0.4 && std::abs(v[0]) < 0.1 && std::abs(v[1]) < 0.1) v[2] = 0.0;
+    check_closed(refine_solid(notched, {0, 3}));
+}
+
+TEST_CASE("refinement does not depend on how the body lies") {
+    for (const Mesh& mesh :
+         {test::cube(2), test::latitude_longitude({1, 1, 0.1}, 16, 12), test::leaf(8, 3, 0.01, 0.1)}) {
+        Mesh turned = mesh;
+        test::apply(turned, test::some_rotation());
+        const auto refined = [](const Mesh& m) { return refine_solid(refine_curved(m, 0.1, 4000), {800, 3}); };
+        const Mesh a = refined(mesh), b = refined(turned);
+        CHECK(a.faces == b.faces);
+        double worst = 0.0;
+        for (std::size_t i = 0; i < std::min(a.vertices.size(), b.vertices.size()); ++i)
+            worst = std::max(worst, (test::some_rotation() * a.vertices[i] - b.vertices[i]).norm());
+        CHECK(worst < 1e-12);
+    }
+}
