@@ -213,9 +213,9 @@ private:
     }
 
     bool make_added_mass() {
-        // A sheet is refined on the way: about twice as many.
+        // Coarse meshes are refined on the way, and sheets to about twice as many.
         if (hooks_.before_solve)
-            hooks_.before_solve(is_sheet() ? std::max<std::size_t>(2 * mesh_.faces.size(), 4000) : mesh_.faces.size());
+            hooks_.before_solve(std::max<std::size_t>((is_sheet() ? 2 : 1) * mesh_.faces.size(), 5000));
         AddedMass added;
         if (!solve_added_mass(added)) return false;
         for (std::size_t i = 0; i < 36; ++i) {

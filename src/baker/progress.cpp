@@ -69,7 +69,8 @@ void BatchProgress::update(double finished) {
     std::fputs("\r\033[Kbaking ", stderr);
     draw_bar(share);
     std::fprintf(stderr, " %.0f of %.0f", std::floor(finished), total_);
-    draw_estimate(std::chrono::duration<double>(Clock::now() - start_).count(), share);
+    // Before the first is done nobody knows how long they take.
+    draw_estimate(std::chrono::duration<double>(Clock::now() - start_).count(), finished < 1.0 ? 0.0 : share);
 }
 
 void BatchProgress::clear() {
