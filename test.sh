@@ -40,6 +40,8 @@ cmake --build build/samples
 build/samples/hello
 python3 tests/samples/check_assets.py .
 "$prefix/bin/lr_bake" mesh assets/leaf.obj -o build/samples/leaf.lrb --density 350 --quiet
+build/samples/import_mesh assets/leaf.obj build/samples/imported.lrb 2>/dev/null
+cmp build/samples/leaf.lrb build/samples/imported.lrb # in process and by the tool
 python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples/leaf.lrb assets/leaf.obj
 
 if [ "${1:-}" != --quick ]; then
