@@ -1,13 +1,18 @@
-// Any bytes as an OBJ, STL or PLY, or as arrays in memory: either numbered faults, or a solid of positive volume, or a sheet
-// with faces.
+// Any bytes as an OBJ, STL, PLY, Collada or arrays: either numbered faults, or a solid that has a positive volume, or a sheet
+// whose refinement and unknowns hold together.
+#include "baker/added_mass.h"
+#include "baker/collada_check.h"
 #include "baker/mass_properties.h"
 #include "baker/mesh.h"
 #include "baker/mesh_check.h"
+#include "baker/rim_refinement.h"
+#include "baker/surface_basis.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -15,33 +20,65 @@ namespace {
 using namespace lr;
 using namespace lr::baker;
 
-// A third of the bytes are coordinates: small ones, so that some coincide, or any double; the rest are indices.
-bool read_arrays(const uint8_t* data, size_t size, bool any_double, Mesh& mesh, Faults& faults) {
+void require(bool good) {
+    if (!good) std::abort();
+}
+
+// A third of the bytes are coordinates, small ones, so that some coincide; the rest are indices.
+bool read_arrays(const uint8_t* data, size_t size, Mesh& mesh, Faults& faults) {
     const size_t share = size / 3;
-    std::vector<double> positions(any_double ? share / sizeof(double) : share);
-    if (any_double && !positions.empty()) std::memcpy(positions.data(), data, positions.size() * sizeof(double));
-    for (size_t i = 0; i < positions.size() && !any_double; ++i) positions[i] = static_cast<int8_t>(data[i]);
+    std::vector<double> positions(share);
+    for (size_t i = 0; i < share; ++i) positions[i] = static_cast<int8_t>(data[i]);
     const std::vector<uint32_t> indices(data + share, data + size);
     return read_mesh_arrays(positions, indices, {}, mesh, faults);
+}
+
+void solid(Mesh mesh, const Faults& read) {
+    Faults faults = read;
+    const bool good = check_and_repair(mesh, faults);
+    require(good != has_error(faults));
+    require(!good || compute_mass_properties(mesh).volume > 0.0);
+}
+
+void sheet(Mesh mesh, const Faults& read) {
+    constexpr std::size_t few = 60;
+    Faults faults = read;
+    const bool good = check_sheet(mesh, faults);
+    require(good != has_error(faults));
+    if (!good || mesh.faces.size() > few) return;
+    const double area = compute_sheet_mass_properties(mesh, 1e-3).area;
+    const Mesh fine = refine_sheet(mesh, {2 * few, 2});
+    require(!(std::abs(compute_sheet_mass_properties(fine, 1e-3).area - area) > 1e-6 * area));
+    const SurfaceBasis basis = sheet_basis(fine);
+    require(basis.corners.size() == fine.faces.size());
+    for (const auto& panel : basis.corners)
+        for (const CornerUnknowns& c : panel)
+            require(c.plus < static_cast<int32_t>(basis.unknowns) && c.minus < static_cast<int32_t>(basis.unknowns));
+    AddedMass m;
+    const bool solved = compute_sheet_added_mass(mesh, Eigen::Vector3d::Zero(), {0, 2}, m, faults);
+    require(solved != has_error(faults));
+    require(!solved || m.value.allFinite());
 }
 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (size < 1) return 0;
-    static constexpr const char* extensions[3] = {"obj", "stl", "ply"};
-    const unsigned kind = data[0] % 4;
-    const bool sheet = (data[0] & 4) != 0;
-    Mesh mesh;
+    constexpr unsigned readers = 5;
+    static constexpr const char* extensions[readers] = {"obj", "stl", "ply", "dae", nullptr};
+    const char* extension = extensions[data[0] % readers];
     Faults faults;
-    const bool ok = (kind < 3 ? read_mesh_memory(data + 1, size - 1, extensions[kind], 1.0, mesh, faults)
-                              : read_arrays(data + 1, size - 1, (data[0] & 8) != 0, mesh, faults)) &&
-                    (sheet ? check_sheet(mesh, faults) : check_and_repair(mesh, faults));
-    if (ok == has_error(faults)) std::abort();
-    if (ok && !sheet && !(compute_mass_properties(mesh).volume > 0.0)) std::abort();
-    if (ok && sheet && mesh.faces.empty()) std::abort();
-    for (const Face& f : mesh.faces)
-        for (const uint32_t v : f)
-            if (ok && v >= mesh.vertices.size()) std::abort();
+    if (extension && extension == std::string_view("dae")) { // assimp itself is not ours to test
+        const bool good = check_collada({reinterpret_cast<const char*>(data) + 1, size - 1}, faults);
+        require(good != has_error(faults));
+        return 0;
+    }
+    Mesh mesh;
+    const bool read = extension ? read_mesh_memory(data + 1, size - 1, extension, 1.0, mesh, faults)
+                                : read_arrays(data + 1, size - 1, mesh, faults);
+    require(read != has_error(faults));
+    if (!read) return 0;
+    solid(mesh, faults);
+    sheet(mesh, faults);
     return 0;
 }
