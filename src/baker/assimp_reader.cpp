@@ -157,22 +157,22 @@ private:
     std::size_t at_ = 0;
 };
 
-// Regular files only, for reading only.
+// Regular files only, for reading only; from memory, none.
 class FileAccess final : public Assimp::IOSystem {
 public:
-    explicit FileAccess(InputFiles& files) : files_(files) {}
+    explicit FileAccess(InputFiles* files) : files_(files) {}
 
-    bool Exists(const char* path) const override { return files_.read(path) != nullptr; }
+    bool Exists(const char* path) const override { return files_ && files_->read(path) != nullptr; }
     char getOsSeparator() const override { return '/'; }
     Assimp::IOStream* Open(const char* path, const char* mode) override {
-        if (!mode || mode[0] != 'r' || std::strchr(mode, '+')) return nullptr;
-        std::shared_ptr<const InputFiles::Bytes> bytes = files_.read(path);
+        if (!files_ || !mode || mode[0] != 'r' || std::strchr(mode, '+')) return nullptr;
+        std::shared_ptr<const InputFiles::Bytes> bytes = files_->read(path);
         return bytes ? new ByteStream(std::move(bytes)) : nullptr;
     }
     void Close(Assimp::IOStream* stream) override { delete stream; }
 
 private:
-    InputFiles& files_;
+    InputFiles* files_;
 };
 
 } // namespace
@@ -190,7 +190,7 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
         importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, !file.collada_ids);
-        if (file.files) importer.SetIOHandler(new FileAccess(*file.files)); // which the importer then owns
+        importer.SetIOHandler(new FileAccess(file.files)); // which the importer then owns
         const aiScene* scene = file.path
                                    ? importer.ReadFile(*file.path, 0)
                                    : importer.ReadFileFromMemory(file.bytes, file.size, 0, file.extension.c_str());

@@ -298,12 +298,25 @@ TEST_CASE("input hash: without baking, the same as in the asset, whatever the in
 TEST_CASE("input files: what a mesh refers to must be a file") {
     const Scratch scratch;
     write_gltf(scratch, 0.02F);
+    BakeOptions good;
+    good.mesh_path = scratch.path("cube.gltf");
+    CHECK(find_input_hash(good).has_value());
     std::filesystem::remove(scratch.path("cube.bin"));
     std::filesystem::create_symlink("/dev/zero", scratch.path("cube.bin"));
     BakeOptions o;
     o.mesh_path = scratch.path("cube.gltf");
     AssetData asset;
     Faults faults;
+    CHECK_FALSE(bake(o, asset, faults));
+    REQUIRE_FALSE(faults.empty());
+    CHECK(faults.back().id == FaultId::mesh_unreadable);
+
+    // Bytes in memory refer to nothing, not even by a whole path.
+    write_gltf(scratch, 0.02F);
+    std::string text = scratch.read("cube.gltf");
+    text.replace(text.find("cube.bin"), 8, scratch.path("cube.bin"));
+    o.mesh_bytes = {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
+    faults.clear();
     CHECK_FALSE(bake(o, asset, faults));
     REQUIRE_FALSE(faults.empty());
     CHECK(faults.back().id == FaultId::mesh_unreadable);
