@@ -2,6 +2,7 @@
 
 #include "baker/boundary_operators.h"
 #include "baker/curved_refinement.h"
+#include "baker/fast_system.h"
 #include "baker/single_cholesky.h"
 #include "baker/surface_basis.h"
 #include "baker/surface_correction.h"
@@ -24,7 +25,10 @@
 namespace lr::baker {
 namespace {
 
-constexpr std::size_t max_panels = 8000;
+// A sphere of so many takes 4 GB.
+constexpr std::size_t max_panels = 1000000;
+// Of the matrix in near blocks: 4 GB, three times what the largest sphere needs.
+constexpr std::size_t max_stored_entries = 1000000000;
 // Of the largest entry of its block. A solid whose estimate is above is solved again on finer panels, up to so many.
 constexpr double good_estimate = 0.0025;
 constexpr std::size_t max_refined_panels = 5000;
@@ -238,42 +242,82 @@ bool solve_in_double(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right
     return true;
 }
 
-// A body of size one around the centre; what a closed one has lost to flat panels is in `curved`. The estimate of a closed
-// one begins with `geometry`, and leaves its own geometric part there.
-bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, Matrix6& geometry,
-                   AddedMass& out, Faults& faults, const Progress& report) {
-    BoundaryOperators op = assemble_boundary_operators(unit, basis, report);
-    // For translations the interior potential is x itself, so W x = (1/2 - K') n up to quadrature: a check that is
-    // free.
-    Eigen::MatrixXd defect;
-    if (!basis.sheet) {
-        Eigen::MatrixXd position(op.moments.rows(), 3);
-        for (std::size_t i = 0; i < unit.vertices.size(); ++i)
-            position.row(static_cast<Eigen::Index>(i)) = unit.vertices[i].transpose();
-        defect = op.hypersingular.selfadjointView<Eigen::Lower>() * position - op.moments.leftCols(3) -
-                 op.right_side.leftCols(3);
-    }
+bool fail(FaultId id, const char* what, const char* remedy, Faults& faults) {
+    faults.push_back({id, Severity::error, "mesh", what, remedy});
+    return false;
+}
 
+bool refuse_singular(Faults& faults) {
+    return fail(FaultId::mesh_ill_conditioned, "The equations for the added mass are singular.",
+                "Look for faces that cross or touch each other and for needle-shaped faces; bake the middle surface of "
+                "a very thin solid with --sheet.",
+                faults);
+}
+
+// Each of these leaves W times the positions in `image`.
+bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position, const Progress& report,
+                 BoundaryOperators& op, RigidModes& phi, Eigen::MatrixXd& image, AddedMass& out, Faults& faults) {
+    op = assemble_boundary_operators(unit, basis, report);
     Eigen::MatrixXd& matrix = op.hypersingular;
+    if (position.cols() > 0) image = matrix.selfadjointView<Eigen::Lower>() * position;
     fix_constants(unit, basis, op.panels, matrix);
     const Eigen::VectorXd scaling = matrix.diagonal().cwiseSqrt().cwiseInverse();
-    const bool scalable = scaling.allFinite();
-    if (scalable)
-        for (Eigen::Index column = 0; column < matrix.cols(); ++column)
-            matrix.col(column).array() *= scaling.array() * scaling[column];
+    if (!scaling.allFinite()) return refuse_singular(faults);
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+        matrix.col(column).array() *= scaling.array() * scaling[column];
     report(0.85);
     const Eigen::MatrixXd right = scaling.asDiagonal() * op.right_side;
     Solution solution;
-    if (!scalable || !(solve_refined(matrix, right, solution) || solve_in_double(matrix, right, solution))) {
-        faults.push_back({FaultId::mesh_ill_conditioned, Severity::error, "mesh",
-                          "The equations for the added mass are singular.",
-                          "Look for faces that cross or touch each other and for needle-shaped faces; bake the middle "
-                          "surface of a very thin solid with --sheet."});
-        return false;
-    }
-    const RigidModes phi = scaling.asDiagonal() * solution.value;
+    if (!solve_refined(matrix, right, solution) && !solve_in_double(matrix, right, solution))
+        return refuse_singular(faults);
+    phi = scaling.asDiagonal() * solution.value;
     out.residual = solution.residual;
     out.condition_estimate = solution.condition;
+    return true;
+}
+
+bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position, unsigned threads,
+                const Progress& report, BoundaryOperators& op, RigidModes& phi, Eigen::MatrixXd& image, AddedMass& out,
+                Faults& faults) {
+    const auto share = [&](double from, double to) {
+        return [&report, from, to](double fraction) { report(from + (to - from) * fraction); };
+    };
+    const auto refuse = [&] {
+        return fail(FaultId::mesh_too_many_faces,
+                    "So many faces are close to so many others that the added mass needs too much memory.",
+                    "Remesh: long faces beside short ones are what makes them close.", faults);
+    };
+    NearSingleLayer near;
+    if (!assemble_without_matrix(unit, basis, threads, share(0.0, 0.5), op, near)) return refuse();
+    FastSystem system(op, near, basis, threads);
+    if (system.stored_entries() > max_stored_entries) return refuse();
+    system.assemble(share(0.2, 0.5));
+    if (position.cols() > 0) image = system.multiply(position);
+    FastSystem::Result result;
+    if (!system.solve(op.right_side, share(0.5, 0.95), result)) return refuse_singular(faults);
+    phi = result.value;
+    out.residual = result.residual;
+    out.condition_estimate = result.condition;
+    out.iterations = result.iterations;
+    return true;
+}
+
+// A body of size one around the centre; what a closed one has lost to flat panels is in `curved`. The estimate of a closed
+// one begins with `geometry`, and leaves its own geometric part there.
+bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, Matrix6& geometry,
+                   AddedMass& out, Faults& faults, const AddedMassOptions& options, const Progress& report) {
+    Eigen::MatrixXd position, image;
+    if (!basis.sheet) {
+        position.resize(static_cast<Eigen::Index>(basis.unknowns), 3);
+        for (std::size_t i = 0; i < unit.vertices.size(); ++i)
+            position.row(static_cast<Eigen::Index>(i)) = unit.vertices[i].transpose();
+    }
+    BoundaryOperators op;
+    RigidModes phi;
+    const bool solved = unit.faces.size() <= options.max_dense
+                            ? solve_dense(unit, basis, position, report, op, phi, image, out, faults)
+                            : solve_fast(unit, basis, position, options.threads, report, op, phi, image, out, faults);
+    if (!solved) return false;
 
     const Matrix6 raw = -(phi.transpose() * op.moments);
     Matrix6 value = 0.5 * (raw + raw.transpose());
@@ -291,6 +335,9 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
         error += geometry;
     }
     if (!basis.sheet) {
+        // For translations the interior potential is x itself, so W x = (1/2 - K') n up to quadrature: a check that is
+        // free.
+        const Eigen::MatrixXd defect = image - op.moments.leftCols(3) - op.right_side.leftCols(3);
         const Eigen::Matrix<double, 6, 3> quadrature = phi.transpose() * defect;
         error.leftCols<3>() += 0.5 * quadrature.cwiseAbs();
         error.topRows<3>() += 0.5 * quadrature.cwiseAbs().transpose();
@@ -364,31 +411,32 @@ Mesh refine(const Mesh& unit) {
     return curved;
 }
 
-bool solve_solid(const Mesh& unit, Matrix6& geometry, AddedMass& out, Faults& faults, const Progress& report) {
+bool solve_solid(const Mesh& unit, Matrix6& geometry, AddedMass& out, Faults& faults, const AddedMassOptions& options,
+                 const Progress& report) {
     const CurvedSurface surface = restore_curved_volume(unit);
-    return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, geometry, out, faults, report);
+    return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, geometry, out, faults, options, report);
 }
 
 } // namespace
 
 bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
-                        const Progress& progress) {
+                        const Progress& progress, const AddedMassOptions& options) {
     if (!check_size(mesh, faults)) return false;
-    constexpr double first_share = 0.2;
+    const double first_share = mesh.faces.size() < max_refined_panels ? 0.2 : 1.0;
     const Progress report = or_nothing(progress);
     double size = 0.0;
     const Mesh unit = scale_to_unit(mesh, centre, size);
     Matrix6 geometry = Matrix6::Zero();
     Faults found;
-    const bool good = solve_solid(unit, geometry, out, found, [&](double f) { report(first_share * f); });
-    if (good && !is_good(out)) {
+    const bool good = solve_solid(unit, geometry, out, found, options, [&](double f) { report(first_share * f); });
+    if (good && mesh.faces.size() < max_refined_panels && !is_good(out)) {
         const Mesh fine = refine(unit);
         AddedMass better;
         Faults found_then;
         // What the vertices leave open about the shape between them, no refinement can tell.
-        if (fine.faces.size() > unit.faces.size() && solve_solid(fine, geometry, better, found_then, [&](double f) {
-                report(first_share + (1.0 - first_share) * f);
-            })) {
+        if (fine.faces.size() > unit.faces.size() &&
+            solve_solid(fine, geometry, better, found_then, options,
+                        [&](double f) { report(first_share + (1.0 - first_share) * f); })) {
             out = better;
             found = found_then;
         }
@@ -401,12 +449,14 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
 }
 
 bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, const Refinement& refinement,
-                              AddedMass& out, Faults& faults, const Progress& progress) {
+                              AddedMass& out, Faults& faults, const Progress& progress,
+                              const AddedMassOptions& options) {
     if (!check_size(mesh, faults)) return false;
     double size = 0.0;
     const Mesh unit = refine_sheet(scale_to_unit(mesh, centre, size), refinement);
     Matrix6 geometry = Matrix6::Zero();
-    if (!solve_surface(unit, sheet_basis(unit), nullptr, geometry, out, faults, or_nothing(progress))) return false;
+    if (!solve_surface(unit, sheet_basis(unit), nullptr, geometry, out, faults, options, or_nothing(progress)))
+        return false;
     scale_to_size(size, out);
     return true;
 }

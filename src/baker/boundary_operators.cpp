@@ -1,5 +1,7 @@
 #include "baker/boundary_operators.h"
 
+#include "baker/fast_double_layer.h"
+#include "baker/near_panels.h"
 #include "baker/panel_kernels.h"
 
 #include <Eigen/Geometry>
@@ -12,8 +14,8 @@ namespace lr::baker {
 namespace {
 
 constexpr double four_pi = 4.0 * std::numbers::pi;
-// Panels closer than this many times the sum of their radii are integrated analytically on the inner side.
-constexpr double near_ratio = 1.5;
+// 2.5 GB; a sphere of a million panels has a quarter.
+constexpr std::size_t most_near_pairs = 40000000;
 
 using Mode = Eigen::Matrix<double, 6, 1>;
 
@@ -28,12 +30,6 @@ Mode normal_velocity(const Eigen::Vector3d& point, const Eigen::Vector3d& normal
     return q;
 }
 
-struct NearPair {
-    uint32_t panel;
-    bool touching;       // circles around both panels meet
-    double single_layer; // double integral of 1/r, outer rule on the row's panel
-};
-
 class Assembler {
 public:
     Assembler(const Mesh& mesh, const SurfaceBasis& basis, const std::function<void(double)>& progress,
@@ -41,16 +37,52 @@ public:
         : mesh_(mesh), basis_(basis), progress_(progress), out_(out), near_(mesh.faces.size()) {}
 
     void run() {
+        assemble_right_side(sum_all_doublets);
+        assemble_hypersingular();
+    }
+
+    bool run_fast(unsigned threads, NearSingleLayer& near) {
+        const auto sum_fast = [&](DoubletArrays& arrays, std::size_t count, const auto& progress) {
+            sum_doublets_fast(arrays, count, threads, progress);
+        };
+        if (!assemble_right_side(sum_fast)) return false;
+        near.start.assign(1, 0);
+        for (std::size_t t = 0; t < near_.size(); ++t) {
+            for (const NearPair& pair : near_[t]) {
+                const std::vector<NearPair>& back = near_[pair.panel];
+                const auto mirror = std::lower_bound(back.begin(), back.end(), t,
+                                                     [](const NearPair& a, std::size_t b) { return a.panel < b; });
+                near.panel.push_back(pair.panel);
+                near.value.push_back(near_single_layer(t, pair, *mirror) / four_pi);
+            }
+            near.start.push_back(near.panel.size());
+        }
+        return true;
+    }
+
+private:
+    using SumDoublets = std::function<void(DoubletArrays&, std::size_t, const std::function<void(double)>&)>;
+
+    static void sum_all_doublets(DoubletArrays& arrays, std::size_t, const std::function<void(double)>& progress) {
+        constexpr std::size_t stride = 256;
+        const std::size_t padded = arrays.position[0].size();
+        for (std::size_t e = 0; e < padded; e += stride) {
+            sum_doublets(arrays, e, std::min(e + stride, padded));
+            progress(static_cast<double>(e) / static_cast<double>(padded));
+        }
+    }
+
+    bool assemble_right_side(const SumDoublets& sum_doublets) {
         const auto unknowns = static_cast<Eigen::Index>(basis_.unknowns);
         for (const Face& f : mesh_.faces)
             out_.panels.push_back(make_panel(mesh_.vertices[f[0]], mesh_.vertices[f[1]], mesh_.vertices[f[2]]));
         for (const Panel& panel : out_.panels) out_.self.push_back(self_interaction(panel) / four_pi);
         out_.moments = RigidModes::Zero(unknowns, 6);
         out_.right_side = RigidModes::Zero(unknowns, 6);
+        if (!find_near_panels(out_.panels, most_near_pairs, near_, level_)) return false;
         find_edges();
-        if (!basis_.sheet) add_far_double_layer();
+        if (!basis_.sheet) add_far_double_layer(sum_doublets);
         for (int levels = 0; levels < 3; ++levels) rules_.push_back(dunavant_rule(levels));
-        find_near_pairs();
         for (const Panel& panel : out_.panels) fields_.push_back(near_fields(panel));
         for (std::size_t t = 0; t < out_.panels.size(); ++t) {
             integrate_near(t);
@@ -60,10 +92,9 @@ public:
             out_.right_side = -out_.moments;
         else
             out_.right_side -= 0.5 * out_.moments;
-        assemble_hypersingular();
+        return true;
     }
 
-private:
     // The rule with nodes at the middles of the edges is exact to degree 2, and neighbours share its nodes.
     void find_edges() {
         struct Half {
@@ -92,7 +123,7 @@ private:
     }
 
     // Every pair of edge middles, also of near panels; integrate_near takes those out again.
-    void add_far_double_layer() {
+    void add_far_double_layer(const SumDoublets& sum_doublets) {
         const std::size_t n = edges_.size(), padded = (n + near_batch - 1) / near_batch * near_batch;
         DoubletArrays arrays;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -116,69 +147,12 @@ private:
             for (std::size_t k = 0; k < 3; ++k) arrays.position[k][e] = middle_[e][static_cast<Eigen::Index>(k)];
             for (std::size_t m = 0; m < 6; ++m) arrays.moment[m][e] = flux[e][static_cast<Eigen::Index>(m)];
         }
-        constexpr std::size_t stride = 256;
-        for (std::size_t e = 0; e < padded; e += stride) {
-            sum_doublets(arrays, e, std::min(e + stride, padded));
-            progress_(0.2 * static_cast<double>(e) / static_cast<double>(padded));
-        }
+        sum_doublets(arrays, n, [&](double fraction) { progress_(0.2 * fraction); });
         // Both hat functions of an edge are 1/2 in its middle, the third of the triangle is 0.
         for (std::size_t e = 0; e < n; ++e)
             for (const uint32_t vertex : edges_[e])
                 for (std::size_t m = 0; m < 6; ++m)
                     out_.right_side(vertex, static_cast<Eigen::Index>(m)) -= 0.5 / four_pi * arrays.sum[m][e];
-    }
-
-    // Sorted along the longest axis, so that each panel looks at a slice only.
-    void find_near_pairs() {
-        const std::vector<Panel>& panels = out_.panels;
-        const std::size_t n = panels.size();
-        Eigen::AlignedBox3d bounds;
-        double largest = 0.0;
-        for (const Panel& panel : panels) {
-            bounds.extend(panel.centroid);
-            largest = std::max(largest, panel.radius);
-        }
-        Eigen::Index axis = 0;
-        bounds.sizes().maxCoeff(&axis);
-        std::vector<uint32_t> order(n);
-        std::iota(order.begin(), order.end(), 0U);
-        std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-            const double x = panels[a].centroid[axis], y = panels[b].centroid[axis];
-            return x != y ? x < y : a < b;
-        });
-        struct Disc {
-            Eigen::Vector3d centre;
-            double radius;
-        };
-        std::vector<Disc> discs(n);
-        for (std::size_t i = 0; i < n; ++i) discs[i] = {panels[order[i]].centroid, panels[order[i]].radius};
-        for (std::vector<NearPair>& list : near_) list.reserve(48);
-        std::vector<double> smallest(n);
-        for (std::size_t i = 0; i < n; ++i) smallest[i] = discs[i].radius;
-        for (std::size_t i = 0; i < n; ++i) {
-            const Disc& self = discs[i];
-            const double end = self.centre[axis] + near_ratio * (self.radius + largest);
-            for (std::size_t j = i + 1; j < n && discs[j].centre[axis] <= end; ++j) {
-                const double reach = self.radius + discs[j].radius;
-                const double square = (self.centre - discs[j].centre).squaredNorm();
-                if (square > near_ratio * near_ratio * reach * reach) continue;
-                const bool touching = square < reach * reach;
-                near_[order[i]].push_back({order[j], touching, 0.0});
-                near_[order[j]].push_back({order[i], touching, 0.0});
-                if (touching) {
-                    smallest[i] = std::min(smallest[i], discs[j].radius);
-                    smallest[j] = std::min(smallest[j], self.radius);
-                }
-            }
-        }
-        level_.resize(n);
-        for (std::size_t i = 0; i < n; ++i) {
-            std::vector<NearPair>& list = near_[order[i]];
-            std::sort(list.begin(), list.end(), [](const NearPair& a, const NearPair& b) { return a.panel < b.panel; });
-            // The outer rule must see the hat functions of much finer neighbours.
-            const double ratio = discs[i].radius / smallest[i];
-            level_[order[i]] = ratio > 3.0 ? 2 : (ratio > 1.5 ? 1 : 0);
-        }
     }
 
     // Outer quadrature on panel t, closed forms on the panels around it. One set of outer points for all that touch: the
@@ -376,6 +350,13 @@ BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBas
     BoundaryOperators out;
     Assembler(mesh, basis, progress, out).run();
     return out;
+}
+
+bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsigned threads,
+                             const std::function<void(double)>& progress, BoundaryOperators& out,
+                             NearSingleLayer& near) {
+    out = {};
+    return Assembler(mesh, basis, progress, out).run_fast(threads, near);
 }
 
 } // namespace lr::baker

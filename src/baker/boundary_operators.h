@@ -25,6 +25,20 @@ struct BoundaryOperators {
 BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBasis& basis,
                                               const std::function<void(double)>& progress);
 
+// The single layer of panels that are close together: double integral of G for each pair, in both orders.
+struct NearSingleLayer {
+    std::vector<std::size_t> start; // of each panel's list
+    std::vector<uint32_t> panel;    // ascending
+    std::vector<double> value;
+};
+
+// All but the matrix, in time and memory that grow linearly: what the matrix needs of near panels goes to `near`, far
+// parts of the right side are expanded (fast_double_layer.h). False if so many panels are close to each other that the
+// near ones alone would fill the memory. threads 0: as many as the machine runs at once.
+bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsigned threads,
+                             const std::function<void(double)>& progress, BoundaryOperators& out,
+                             NearSingleLayer& near);
+
 // Surface curl n x grad psi of the hat functions at the corners of a panel.
 inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {
     // n x gradient is the opposite edge over twice the area: no cross product, no rounding
