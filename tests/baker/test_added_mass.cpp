@@ -1,12 +1,15 @@
 #include "baker/added_mass.h"
+#include "baker/boundary_operators.h"
 #include "baker/mass_properties.h"
 #include "baker/mesh_check.h"
 #include "baker/panel_integrals.h"
+#include "baker/single_cholesky.h"
 #include "baker/surface_correction.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
@@ -336,4 +339,33 @@ TEST_CASE("same bits every time; progress runs from start to one; too many panel
     CHECK(faults.back().id == FaultId::mesh_too_many_faces);
     CHECK_FALSE(compute_added_mass({}, {0, 0, 0}, a, faults));
     CHECK(faults.back().id == FaultId::mesh_empty);
+}
+
+TEST_CASE("a plate that single precision cannot solve is solved in double") {
+    const Mesh mesh = test::box({1.0, 1.0, 5e-5}, {22, 22, 1});
+    const SurfaceBasis basis = closed_basis(mesh);
+    const BoundaryOperators op = assemble_boundary_operators(mesh, basis, [](double) {});
+    Eigen::MatrixXd matrix = op.hypersingular.selfadjointView<Eigen::Lower>();
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(matrix.rows()); // with the constant fixed as there
+    for (std::size_t t = 0; t < mesh.faces.size(); ++t)
+        for (const uint32_t v : mesh.faces[t]) share[v] += op.panels[t].area;
+    matrix += 0.1 * matrix.trace() * share.normalized() * share.normalized().transpose();
+    const Eigen::VectorXd scaling = matrix.diagonal().cwiseSqrt().cwiseInverse();
+    matrix = scaling.asDiagonal() * matrix * scaling.asDiagonal();
+    REQUIRE(Eigen::LLT<Eigen::MatrixXd>(matrix).info() == Eigen::Success);
+    SingleCholesky single;
+    if (single.factorise(matrix)) { // then refinement must not get anywhere
+        const Eigen::MatrixXd right = Eigen::MatrixXd::Random(matrix.rows(), 1);
+        Eigen::MatrixXd x = Eigen::MatrixXd::Zero(matrix.rows(), 1);
+        for (int round = 0; round < 8; ++round) {
+            Eigen::MatrixXd rest = right - matrix * x;
+            single.solve(rest);
+            x += rest;
+        }
+        REQUIRE((right - matrix * x).norm() > 1e-8 * right.norm());
+    }
+    const AddedMass m = solve(mesh);
+    CHECK(m.value(2, 2) == doctest::Approx(0.5790 * pi / 4.0).epsilon(0.01));
+    CHECK(m.value(3, 3) == doctest::Approx(0.0201).epsilon(0.02));
+    CHECK(m.condition_estimate > 1e7);
 }
