@@ -3,6 +3,7 @@
 #include "baker/fast_double_layer.h"
 #include "baker/near_panels.h"
 #include "baker/panel_kernels.h"
+#include "baker/parallel.h"
 
 #include <Eigen/Geometry>
 
@@ -37,7 +38,7 @@ public:
         : mesh_(mesh), basis_(basis), progress_(progress), out_(out), near_(mesh.faces.size()) {}
 
     void run() {
-        assemble_right_side(sum_all_doublets);
+        assemble_right_side(sum_all_doublets, 1);
         assemble_hypersingular();
     }
 
@@ -45,7 +46,7 @@ public:
         const auto sum_fast = [&](DoubletArrays& arrays, std::size_t count, const auto& progress) {
             sum_doublets_fast(arrays, count, threads, progress);
         };
-        if (!assemble_right_side(sum_fast)) return false;
+        if (!assemble_right_side(sum_fast, threads)) return false;
         near.start.assign(1, 0);
         for (std::size_t t = 0; t < near_.size(); ++t) {
             for (const NearPair& pair : near_[t]) {
@@ -72,7 +73,7 @@ private:
         }
     }
 
-    bool assemble_right_side(const SumDoublets& sum_doublets) {
+    bool assemble_right_side(const SumDoublets& sum_doublets, unsigned threads) {
         const auto unknowns = static_cast<Eigen::Index>(basis_.unknowns);
         for (const Face& f : mesh_.faces)
             out_.panels.push_back(make_panel(mesh_.vertices[f[0]], mesh_.vertices[f[1]], mesh_.vertices[f[2]]));
@@ -84,10 +85,7 @@ private:
         if (!basis_.sheet) add_far_double_layer(sum_doublets);
         for (int levels = 0; levels < 3; ++levels) rules_.push_back(dunavant_rule(levels));
         for (const Panel& panel : out_.panels) fields_.push_back(near_fields(panel));
-        for (std::size_t t = 0; t < out_.panels.size(); ++t) {
-            integrate_near(t);
-            if (t % 64 == 0) progress_(0.2 + 0.2 * static_cast<double>(t) / static_cast<double>(out_.panels.size()));
-        }
+        integrate_all_near(threads);
         if (basis_.sheet)
             out_.right_side = -out_.moments;
         else
@@ -155,46 +153,92 @@ private:
                     out_.right_side(vertex, static_cast<Eigen::Index>(m)) -= 0.5 / four_pi * arrays.sum[m][e];
     }
 
+    struct NearLayer {
+        uint32_t panel;
+        std::array<Mode, 3> double_layer; // of each corner's hat function
+    };
+    // Of one outer panel.
+    struct NearWork {
+        std::vector<NearPair*> batch, apart;
+        std::vector<double> points, weights; // of the outer rule
+        std::vector<NearLayer> layers;
+    };
+
+    // On several threads a block of panels at a time; sums are taken in the order of the panels in any case.
+    void integrate_all_near(unsigned threads) {
+        constexpr std::size_t most_panels = 4096, most_pairs = 200000;
+        const std::size_t n = out_.panels.size();
+        std::vector<NearWork> work(threads > 1 ? std::min(n, most_panels) : 1);
+        for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
+            std::size_t pairs = near_[end++].size();
+            while (end < n && end - begin < work.size() && pairs + near_[end].size() <= most_pairs)
+                pairs += near_[end++].size();
+            if (work.size() == 1)
+                integrate_near(begin, work[0]);
+            else
+                parallel_for(end - begin, threads,
+                             [&](std::size_t i, unsigned) { integrate_near(begin + i, work[i]); });
+            for (std::size_t t = begin; t < end; ++t) add_near(t, work[t - begin]);
+            if (begin % 64 == 0 || work.size() > 1)
+                progress_(0.2 + 0.2 * static_cast<double>(end) / static_cast<double>(n));
+        }
+    }
+
     // Outer quadrature on panel t, closed forms on the panels around it. One set of outer points for all that touch: the
     // double layer of a single panel of a thin body is nearly a step, only the sum over neighbours is smooth.
     // q is linear on a panel, so that all modes follow from integrals with the barycentric coordinates of t.
-    void integrate_near(std::size_t t) {
-        const Panel& outer = out_.panels[t];
+    void integrate_near(std::size_t t, NearWork& work) {
+        work.batch.clear();
+        work.apart.clear();
+        work.layers.clear();
+        for (NearPair& pair : near_[t]) (pair.touching || level_[t] > 0 ? work.batch : work.apart).push_back(&pair);
+        // Lanes left over cost nothing.
+        const std::size_t spare =
+            std::min((near_batch - work.batch.size() % near_batch) % near_batch, work.apart.size());
+        work.batch.insert(work.batch.end(), work.apart.end() - static_cast<std::ptrdiff_t>(spare), work.apart.end());
+        work.apart.resize(work.apart.size() - spare);
+        const std::array<Mode, 3> velocity = corner_velocities(out_.panels[t]);
+        integrate_pairs(t, rules_[level_[t]], work.batch, velocity, work);
+        integrate_pairs(t, apart_rule_, work.apart, velocity, work);
+    }
+
+    static std::array<Mode, 3> corner_velocities(const Panel& panel) {
         std::array<Mode, 3> velocity;
-        for (std::size_t k = 0; k < 3; ++k) velocity[k] = normal_velocity(outer.corner[k], outer.normal);
+        for (std::size_t k = 0; k < 3; ++k) velocity[k] = normal_velocity(panel.corner[k], panel.normal);
+        return velocity;
+    }
+
+    void add_near(std::size_t t, const NearWork& work) {
+        const Panel& outer = out_.panels[t];
+        const std::array<Mode, 3> velocity = corner_velocities(outer);
         for (std::size_t k = 0; k < 3; ++k)
             add_to_unknowns(out_.moments, basis_.corners[t][k],
                             outer.area / 12.0 * (velocity[0] + velocity[1] + velocity[2] + velocity[k]));
-        batch_.clear();
-        apart_.clear();
-        for (NearPair& pair : near_[t]) (pair.touching || level_[t] > 0 ? batch_ : apart_).push_back(&pair);
-        // Lanes left over cost nothing.
-        const std::size_t spare = std::min((near_batch - batch_.size() % near_batch) % near_batch, apart_.size());
-        batch_.insert(batch_.end(), apart_.end() - static_cast<std::ptrdiff_t>(spare), apart_.end());
-        apart_.resize(apart_.size() - spare);
-        integrate_pairs(t, rules_[level_[t]], batch_, velocity);
-        integrate_pairs(t, apart_rule_, apart_, velocity);
+        for (const NearLayer& layer : work.layers)
+            for (std::size_t k = 0; k < 3; ++k)
+                out_.right_side.row(mesh_.faces[layer.panel][k]) -=
+                    outer.area / four_pi * layer.double_layer[k].transpose();
     }
 
     void integrate_pairs(std::size_t t, const TriangleRule& rule, const std::vector<NearPair*>& pairs,
-                         const std::array<Mode, 3>& velocity) {
+                         const std::array<Mode, 3>& velocity, NearWork& work) {
         if (pairs.empty()) return;
         const Panel& outer = out_.panels[t];
-        points_.clear();
-        weights_.clear();
+        work.points.clear();
+        work.weights.clear();
         for (std::size_t g = 0; g < rule.weights.size(); ++g) {
             const Eigen::Vector3d& node = rule.nodes[g];
             const Eigen::Vector3d x = node[0] * outer.corner[0] + node[1] * outer.corner[1] + node[2] * outer.corner[2];
             for (Eigen::Index k = 0; k < 3; ++k) {
-                points_.push_back(x[k]);
-                weights_.push_back(rule.weights[g] * node[k]);
+                work.points.push_back(x[k]);
+                work.weights.push_back(rule.weights[g] * node[k]);
             }
         }
         std::array<double, 9> middles{};
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t c = 0; c < 3; ++c)
                 middles[3 * k + c] = middle_[panel_edges_[t][k]][static_cast<Eigen::Index>(c)];
-        const OuterRule outer_rule{points_.data(), weights_.data(), rule.weights.size(), middles.data()};
+        const OuterRule outer_rule{work.points.data(), work.weights.data(), rule.weights.size(), middles.data()};
         std::array<double, NearFields::count * near_batch> sources;
         std::array<double, NearResult::count * near_batch> results;
         for (std::size_t first = 0; first < pairs.size(); first += near_batch) {
@@ -207,13 +251,15 @@ private:
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 NearPair& pair = *pairs[first + lane];
                 pair.single_layer = outer.area * results[NearResult::single_layer * near_batch + lane];
-                if (!basis_.sheet) add_near_double_layer(outer, velocity, pair.panel, &results[lane]);
+                if (!basis_.sheet)
+                    work.layers.push_back({pair.panel, near_double_layer(velocity, pair.panel, &results[lane])});
             }
         }
     }
 
-    void add_near_double_layer(const Panel& outer, const std::array<Mode, 3>& velocity, uint32_t s,
-                               const double* results) {
+    std::array<Mode, 3> near_double_layer(const std::array<Mode, 3>& velocity, uint32_t s,
+                                          const double* results) const {
+        std::array<Mode, 3> layer;
         const Panel& inner = out_.panels[s];
         const double share = 0.5 * inner.area / 9.0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -228,8 +274,9 @@ private:
                         share * (at(NearResult::middles, k) + at(NearResult::middles, (k + 2) % 3))) *
                        velocity[a];
             }
-            out_.right_side.row(mesh_.faces[s][k]) -= outer.area / four_pi * sum.transpose();
+            layer[k] = sum;
         }
+        return layer;
     }
 
     // The value whose outer rule is on the smaller panel, where the inner potential varies least.
@@ -337,9 +384,7 @@ private:
     std::vector<std::size_t> level_;
     std::vector<TriangleRule> rules_; // of panels that touch, by level
     TriangleRule apart_rule_ = six_point_rule();
-    std::vector<NearPair*> batch_, apart_;                      // pairs at work
     std::vector<std::array<double, NearFields::count>> fields_; // of each panel
-    std::vector<double> points_, weights_;                      // of the outer rule at work
     std::vector<double> unused_;                                // column of corners without an unknown
 };
 
@@ -356,7 +401,7 @@ bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsign
                              const std::function<void(double)>& progress, BoundaryOperators& out,
                              NearSingleLayer& near) {
     out = {};
-    return Assembler(mesh, basis, progress, out).run_fast(threads, near);
+    return Assembler(mesh, basis, progress, out).run_fast(thread_count(threads), near);
 }
 
 } // namespace lr::baker
