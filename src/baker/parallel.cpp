@@ -4,7 +4,6 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -34,7 +33,7 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
     for (unsigned thread = 1; thread < helpers; ++thread) {
         try {
             others.emplace_back(run, thread);
-        } catch (const std::system_error&) {
+        } catch (const std::exception&) {
             break; // no more threads to be had: those that run do all of the work
         }
     }
