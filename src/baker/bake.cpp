@@ -6,6 +6,7 @@
 #include "baker/ellipsoid_mesh.h"
 #include "baker/mass_properties.h"
 #include "baker/mesh_check.h"
+#include "baker/stream_body.h"
 #include "baker/text.h"
 #include "baker/turbulence.h"
 #include "format/asset_file.h"
@@ -275,6 +276,7 @@ private:
         o.length_l = out_.length_l;
         o.length_d = out_.length_d;
         o.viscosity = options_.fluid_viscosity;
+        if (options_.wake && !put_body_in_stream(o)) return false;
         TurbulenceTable table;
         if (!compute_turbulence_table(o, table, faults_, [&](double f) { advance(f); })) return false;
         TurbulenceData& data = out_.turbulence;
@@ -287,7 +289,24 @@ private:
         data.c0 = table.c0;
         data.intensity = table.intensity;
         data.cells = table.cells;
+        data.loop_begin = table.loop_begin;
+        data.loop_end = table.loop_end;
+        data.wake = table.wake;
+        data.settled = table.settled;
+        data.domain = table.domain_lengths;
+        data.max_divergence = table.max_divergence;
+        if (!table.settled)
+            faults_.push_back(
+                {FaultId::wake_unsettled, Severity::warning, "turbulence",
+                 "The wake neither settled nor repeated itself in four passages of the stream.",
+                 "Nothing: the table ends with its mean over the last half; a higher --intensity settles."});
         return true;
+    }
+
+    bool put_body_in_stream(TurbulenceOptions& o) {
+        if (!options_.semi_axes) return put_in_stream(mesh_, solid_.axes, solid_.projected_areas, o, faults_);
+        const auto [a, b, c] = in_metres(*options_.semi_axes);
+        return put_in_stream(wake_ellipsoid({a, b, c}), Eigen::Matrix3d::Identity(), {b * c, a * c, a * b}, o, faults_);
     }
 
     bool finish() {
@@ -362,6 +381,7 @@ std::string canonical_options(const BakeOptions& o) {
     add(" --fluid", std::array{o.fluid_density, o.fluid_viscosity});
     add(" --grid", o.cells);
     add_one(" --intensity", o.intensity);
+    if (o.wake) text += " --wake";
     if (o.center_of_mass) add(" --center-of-mass", *o.center_of_mass);
     if (o.name) {
         text += " --name ";

@@ -47,6 +47,7 @@ struct BakeOptions {
     double fluid_viscosity = 1.5e-5;                // m^2/s
     std::array<uint32_t, 3> cells{32, 32, 16};      // of the turbulence grid
     double intensity = 1.0;                         // of the turbulence in k0 = 3/2 (I U0)^2
+    bool wake = false;                              // put the body into the stream of the turbulence table
     // In `unit`, frame of the mesh (turned by `up`). A ballasted body: the inertia stays that of the uniform solid about its own
     // centroid, everything else is about this point. Without it the centre is that of the uniform solid.
     std::optional<std::array<double, 3>> center_of_mass;

@@ -7,8 +7,9 @@ namespace lr::baker {
 
 using shape::TurbulenceState;
 
-KEpsilon::KEpsilon(const MacGrid& grid, TurbulenceState inflow)
-    : cells_(grid.cells), solid_(grid.solid), inflow_(inflow), k_(grid.make_centred_field()), epsilon_(k_) {
+KEpsilon::KEpsilon(const MacGrid& grid, TurbulenceState inflow, double most_k)
+    : cells_(grid.cells), solid_(grid.solid), inflow_(inflow), most_k_(most_k > 0.0 ? most_k : 1e60 * inflow.k),
+      k_(grid.make_centred_field()), epsilon_(k_) {
     std::fill(k_.values.begin(), k_.values.end(), inflow.k);
     std::fill(epsilon_.values.begin(), epsilon_.values.end(), inflow.epsilon);
     next_k_ = k_.values;
@@ -21,10 +22,20 @@ KEpsilon::KEpsilon(const MacGrid& grid, TurbulenceState inflow)
     age_.assign(n, 1.0);
     strain_.assign(n, 0.0);
     for (std::vector<double>& c : centred_) c.assign(n, 0.0);
+    walls_ = find_wall_shares(grid, 3);
+    if (!walls_[0].empty()) wall_sides_.assign(n, 0);
 
     for (uint32_t k = 0; k < cells_[2]; ++k)
         for (uint32_t j = 0; j < cells_[1]; ++j)
             for (uint32_t i = 0; i < cells_[0]; ++i) {
+                const uint32_t at[3] = {i, j, k};
+                for (size_t a = 0; a < 3 && !wall_sides_.empty(); ++a) {
+                    const bool before = grid.wall_before(a, i, j, k);
+                    const bool after =
+                        at[a] + 1 < cells_[a] && grid.wall_before(a, i + (a == 0), j + (a == 1), k + (a == 2));
+                    wall_sides_[grid.cell(i, j, k)] |=
+                        static_cast<uint8_t>((before << (2 * a)) | (after << (2 * a + 1)));
+                }
                 if (solid_[grid.cell(i, j, k)] == 0) {
                     prescribed_[k_.index(i + 1, j, k)] = 0;
                     continue;
@@ -49,8 +60,8 @@ void KEpsilon::follow(const MacGrid& grid, double dt) {
     find_origins(grid, dt);
 }
 
-// Velocities are averaged to the centres and differenced across two cells, one-sided at the domain's edges. A solid
-// counts as velocity zero: the fluid sticks to it, and that shear feeds G.
+// Velocities are averaged to the centres and differenced across two cells, one-sided at the domain's edges. On a wall, half
+// a cell from the centre, they are zero: the fluid sticks to it, and that shear feeds G.
 void KEpsilon::find_strain(const MacGrid& grid) {
     const auto [nx, ny, nz] = cells_;
     const GridField &u = grid.velocity[0], &v = grid.velocity[1], &w = grid.velocity[2];
@@ -64,10 +75,20 @@ void KEpsilon::find_strain(const MacGrid& grid) {
             }
     const size_t stride[3] = {1, nx, static_cast<size_t>(nx) * ny};
     const auto slope = [&](size_t component, size_t axis, uint32_t at, size_t c) {
-        const size_t lo = at > 0 ? c - stride[axis] : c;
-        const size_t hi = at + 1 < cells_[axis] ? c + stride[axis] : c;
-        const double width = (lo == c || hi == c) ? 1.0 : 2.0;
-        return (centred_[component][hi] - centred_[component][lo]) / (width * grid.spacing[axis]);
+        const double* const value = centred_[component].data();
+        const unsigned sides = wall_sides_.empty() ? 0u : static_cast<unsigned>(wall_sides_[c]) >> (2 * axis);
+        const bool wall_low = (sides & 1u) != 0, wall_high = (sides & 2u) != 0;
+        const double here = value[c];
+        const double low = wall_low ? 0.0 : at > 0 ? value[c - stride[axis]] : here;
+        const double high = wall_high ? 0.0 : at + 1 < cells_[axis] ? value[c + stride[axis]] : here;
+        if (!wall_low && !wall_high) {
+            const double width = (at > 0 ? 1.0 : 0.0) + (at + 1 < cells_[axis] ? 1.0 : 0.0);
+            return (high - low) / (width * grid.spacing[axis]);
+        }
+        // The derivative of the parabola through the three.
+        const double below = wall_low ? 0.5 : 1.0, above = wall_high ? 0.5 : 1.0;
+        const double slope_below = (here - low) / below, slope_above = (high - here) / above;
+        return (slope_below * above + slope_above * below) / ((below + above) * grid.spacing[axis]);
     };
     largest_strain_ = 0.0;
     for (uint32_t k = 0; k < nz; ++k)
@@ -80,11 +101,16 @@ void KEpsilon::find_strain(const MacGrid& grid) {
                     (v.values[v.index(i + 1, j + 1, k)] - v.values[v.index(i + 1, j, k)]) * v.inverse_spacing[1];
                 const double wz =
                     (w.values[w.index(i + 1, j, k + 1)] - w.values[w.index(i + 1, j, k)]) * w.inverse_spacing[2];
-                const double xy = slope(0, 1, j, c) + slope(1, 0, i, c);
-                const double xz = slope(0, 2, k, c) + slope(2, 0, i, c);
-                const double yz = slope(1, 2, k, c) + slope(2, 1, j, c);
+                const double uy = slope(0, 1, j, c), vx = slope(1, 0, i, c);
+                const double uz = slope(0, 2, k, c), wx = slope(2, 0, i, c);
+                const double vz = slope(1, 2, k, c), wy = slope(2, 1, j, c);
+                const double xy = uy + vx, xz = uz + wx, yz = vz + wy;
                 // Eq. 15: 2 S_ij S_ij with S_xy = xy/2 and so on.
                 strain_[c] = 2.0 * (ux * ux + vy * vy + wz * wz) + xy * xy + xz * xz + yz * yz;
+                if (!wall_sides_.empty()) {
+                    const double spin = (uy - vx) * (uy - vx) + (uz - wx) * (uz - wx) + (vz - wy) * (vz - wy);
+                    strain_[c] = std::sqrt(strain_[c] * spin);
+                }
                 largest_strain_ = std::max(largest_strain_, strain_[c]);
             }
 }
@@ -105,20 +131,21 @@ void KEpsilon::find_origins(const MacGrid& grid, double dt) {
 void KEpsilon::step(double dt) {
     // Interpolated k and epsilon are positive; the floors only stop underflow after ages of decay.
     const double least_k = 1e-60 * inflow_.k, least_chi = 1e-30 * shape::turbulent_frequency(inflow_);
-    const double most_k = 1e60 * inflow_.k;
+    const double most_epsilon = inflow_.epsilon / (inflow_.k * std::sqrt(inflow_.k));
     size_t c = 0;
     for (uint32_t k = 0; k < cells_[2]; ++k)
         for (uint32_t j = 0; j < cells_[1]; ++j) {
             const size_t row = k_.index(1, j, k);
             for (uint32_t i = 0; i < cells_[0]; ++i, ++c) {
                 if (solid_[c] != 0) continue;
-                TurbulenceState s{k_.interpolate(origin_[c]), epsilon_.interpolate(origin_[c])};
+                TurbulenceState s{k_.interpolate_cubic(origin_[c]), epsilon_.interpolate_cubic(origin_[c])};
                 s = shape::evolve(s, strain_[c], age_[c] * dt);
-                if (!(s.k > least_k) || !(s.k < most_k) || !(s.epsilon > least_chi * s.k)) {
+                if (!(s.k > least_k) || !(s.k <= most_k_) || !(s.epsilon > least_chi * s.k)) {
                     const double chi = std::max(shape::turbulent_frequency(s), least_chi);
-                    s.k = std::clamp(s.k, least_k, most_k);
+                    s.k = std::clamp(s.k, least_k, most_k_);
                     s.epsilon = chi * s.k;
                 }
+                if (!wall_sides_.empty()) s.epsilon = std::min(s.epsilon, most_epsilon * s.k * std::sqrt(s.k));
                 next_k_[row + i] = s.k;
                 next_epsilon_[row + i] = s.epsilon;
             }
@@ -138,7 +165,7 @@ void KEpsilon::diffuse(double dt, double viscosity) {
                         diffusivity_[row + i + 1] = viscosity + eddy_viscosity_[row + i + 1] / prandtl;
                 diffusivity_[row] = diffusivity_[row + 1];
             }
-        diffusion_.apply(field, prescribed_, diffusivity_, EddyDiffusion::Wall::no_flux, dt);
+        diffusion_.apply(field, prescribed_, diffusivity_, EddyDiffusion::Wall::no_flux, dt, walls_);
     };
     for (size_t s = 0; s < eddy_viscosity_.size(); ++s)
         eddy_viscosity_[s] = shape::eddy_viscosity({k_.values[s], epsilon_.values[s]});

@@ -26,6 +26,36 @@ GridPoint GridField::position(uint32_t i, uint32_t j, uint32_t k) const {
             (static_cast<double>(k) + offset_z) / inverse_spacing[2]};
 }
 
+double GridField::interpolate_cubic(const GridStencil& s) const {
+    const size_t sy = count[0], sz = sy * count[1];
+    const size_t i = s.base % sy, j = s.base / sy % count[1], k = s.base / sz;
+    const size_t first = inflow_column ? 2 : 1;
+    if (i < first || i + 2 >= count[0] || j < 1 || j + 2 >= count[1] || k < 1 || k + 2 >= count[2])
+        return interpolate(s);
+    // In differences, so that a uniform field stays uniform to the last bit.
+    const auto cubic = [](double p0, double p1, double p2, double p3, double f) {
+        const double a = p1 - p0, b = p2 - p1, c = p3 - p2;
+        return p1 + 0.5 * f * (a + b + f * (3.0 * b - 2.0 * a - c + f * (a - 2.0 * b + c)));
+    };
+    const double* const p = values.data() + s.base;
+    double plane[4];
+    for (size_t m = 0; m < 4; ++m) {
+        double line[4];
+        for (size_t n = 0; n < 4; ++n) {
+            const double* const q = p + m * sz + n * sy - sz - sy;
+            line[n] = cubic(q[-1], q[0], q[1], q[2], s.fx);
+        }
+        plane[m] = cubic(line[0], line[1], line[2], line[3], s.fy);
+    }
+    const double value = cubic(plane[0], plane[1], plane[2], plane[3], s.fz);
+    double low = p[0], high = p[0];
+    for (const size_t corner : {size_t{1}, sy, sy + 1, sz, sz + 1, sz + sy, sz + sy + 1}) {
+        low = std::min(low, p[corner]);
+        high = std::max(high, p[corner]);
+    }
+    return std::clamp(value, low, high);
+}
+
 MacGrid::MacGrid(const std::array<uint32_t, 3>& cell_counts, const GridPoint& lengths) : cells(cell_counts) {
     for (size_t a = 0; a < 3; ++a) spacing[a] = lengths[a] / static_cast<double>(cells[a]);
     for (int a = 0; a < 3; ++a) {
@@ -45,7 +75,7 @@ GridField MacGrid::make_centred_field() const {
     return make_field(cells, spacing, -1);
 }
 
-void MacGrid::set_solid(const std::vector<uint8_t>& mask) {
+void MacGrid::set_solid(const std::vector<uint8_t>& mask, const ClosedFaces& closed) {
     const auto [nx, ny, nz] = cells;
     // Flood the fluid from the outflow; what stays dry is solid or a closed pocket.
     std::fill(solid.begin(), solid.end(), uint8_t{1});
@@ -58,18 +88,21 @@ void MacGrid::set_solid(const std::vector<uint8_t>& mask) {
     };
     for (uint32_t k = 0; k < nz; ++k)
         for (uint32_t j = 0; j < ny; ++j) wet(nx - 1, j, k);
+    const size_t stride[3] = {1, nx, static_cast<size_t>(nx) * ny};
+    const auto is_closed = [&](size_t axis, size_t c) { return !closed[axis].empty() && closed[axis][c] != 0; };
     while (!front.empty()) {
         const size_t c = front.back();
         front.pop_back();
-        const uint32_t i = static_cast<uint32_t>(c % nx);
-        const uint32_t j = static_cast<uint32_t>(c / nx % ny);
-        const uint32_t k = static_cast<uint32_t>(c / nx / ny);
-        if (i > 0) wet(i - 1, j, k);
-        if (i + 1 < nx) wet(i + 1, j, k);
-        if (j > 0) wet(i, j - 1, k);
-        if (j + 1 < ny) wet(i, j + 1, k);
-        if (k > 0) wet(i, j, k - 1);
-        if (k + 1 < nz) wet(i, j, k + 1);
+        const uint32_t at[3] = {static_cast<uint32_t>(c % nx), static_cast<uint32_t>(c / nx % ny),
+                                static_cast<uint32_t>(c / nx / ny)};
+        for (size_t a = 0; a < 3; ++a)
+            for (const bool forward : {false, true}) {
+                if (forward ? at[a] + 1 == cells[a] : at[a] == 0) continue;
+                if (is_closed(a, forward ? c + stride[a] : c)) continue;
+                uint32_t to[3] = {at[0], at[1], at[2]};
+                to[a] = forward ? at[a] + 1 : at[a] - 1;
+                wet(to[0], to[1], to[2]);
+            }
     }
 
     for (size_t a = 0; a < 3; ++a) {
@@ -88,6 +121,7 @@ void MacGrid::set_solid(const std::vector<uint8_t>& mask) {
                         if (a == 0 && i > 0) wall = wall || solid[cell(i - 1, j, k)] != 0;
                         if (a == 1) wall = wall || solid[cell(upper_i, j - 1, k)] != 0;
                         if (a == 2) wall = wall || solid[cell(upper_i, j, k - 1)] != 0;
+                        if (upper_i < nx && !(a == 0 && i == 0)) wall = wall || is_closed(a, cell(upper_i, j, k));
                     }
                     prescribed[a][f] = inflow || side || wall;
                     if (side || wall) field.values[f] = 0.0;

@@ -33,10 +33,17 @@ struct GridField {
     double interpolate(const GridStencil& s) const { return interpolate(values.data(), s); }
     double interpolate(const double* data, const GridStencil& s) const;
     double sample(const GridPoint& p) const { return interpolate(locate(p)); }
+    // Catmull and Rom's cubic along each axis, held between the eight samples around the point: third order where the field is
+    // smooth, no new extremes. Linear within two samples of the ends of the domain.
+    double interpolate_cubic(const GridStencil& s) const;
 };
 
+// Per axis, one per cell, x fastest: non-zero if the face before the cell is closed. Empty: none along that axis. Sheets
+// and bodies thinner than a cell are closed faces between fluid cells.
+using ClosedFaces = std::array<std::vector<uint8_t>, 3>;
+
 // Boundaries: inflow at x = 0 (velocity prescribed), outflow at x-max (pressure zero), free slip at the four sides.
-// Solid cells stand still: every face that touches one has velocity zero.
+// Solid cells stand still: every face that touches one has velocity zero, and so has a closed face.
 struct MacGrid {
     std::array<uint32_t, 3> cells{};
     GridPoint spacing{};
@@ -53,9 +60,20 @@ struct MacGrid {
     GridPoint cell_centre(uint32_t i, uint32_t j, uint32_t k) const;
     GridField make_centred_field() const;
 
-    // Takes the mask (one per cell, x fastest; empty: no solid), closes pockets of fluid that the outflow cannot be
-    // reached from (their pressure would be undetermined) and zeroes the velocity on solid faces.
-    void set_solid(const std::vector<uint8_t>& mask);
+    // Takes the mask (one per cell, x fastest; empty: no solid) and the closed faces between cells, makes solid what the
+    // outflow cannot be reached from (the inside of a closed surface; the pressure of a pocket would be undetermined)
+    // and zeroes the velocity on solid and closed faces.
+    void set_solid(const std::vector<uint8_t>& mask, const ClosedFaces& closed = {});
+
+    // The face before the cell along the axis: a sample of velocity[axis].
+    size_t face_before(size_t axis, uint32_t i, uint32_t j, uint32_t k) const {
+        return velocity[axis].index(i + (axis == 0 ? 0 : 1), j, k);
+    }
+    // True if nothing passes between the cell and the one before it; the ends of the domain are no walls.
+    bool wall_before(size_t axis, uint32_t i, uint32_t j, uint32_t k) const {
+        const uint32_t at[3] = {i, j, k};
+        return at[axis] > 0 && prescribed[axis][face_before(axis, i, j, k)] != 0;
+    }
 
     // Velocity at any point; outside the domain, that of the nearest point of its boundary.
     GridPoint velocity_at(const GridPoint& p) const;

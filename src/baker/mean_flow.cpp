@@ -6,17 +6,27 @@
 
 namespace lr::baker {
 
-MeanFlow::MeanFlow(MacGrid initial) : grid(std::move(initial)), projection_(grid) {
+namespace {
+
+constexpr double residual_left = 1e-5; // of the diffusion, in the unit of the velocities, which is U0
+
+} // namespace
+
+MeanFlow::MeanFlow(MacGrid initial, double enough) : grid(std::move(initial)), projection_(grid), enough_(enough) {
     for (size_t a = 0; a < 3; ++a) {
         previous_[a] = grid.velocity[a].values;
         face_viscosity_[a].resize(previous_[a].size());
+        walls_[a] = find_wall_shares(grid, a);
     }
     project();
 }
 
 bool MeanFlow::step(double dt, const std::vector<double>* viscosity) {
     advect(dt);
-    if (viscosity != nullptr) diffuse(dt, *viscosity);
+    if (viscosity != nullptr) {
+        projection_.precorrect(grid);
+        diffuse(dt, *viscosity);
+    }
     project();
     last_change_ = 0.0;
     for (size_t a = 0; a < 3; ++a)
@@ -26,7 +36,7 @@ bool MeanFlow::step(double dt, const std::vector<double>* viscosity) {
 }
 
 void MeanFlow::project() {
-    const ProjectionResult result = projection_.project(grid);
+    const ProjectionResult result = projection_.project(grid, 1e-9, enough_);
     converged_ = converged_ && result.converged;
     pressure_iterations_ += result.iterations;
     max_divergence_ = std::max(max_divergence_, result.max_divergence);
@@ -40,9 +50,10 @@ void MeanFlow::advect(double dt) {
             for (uint32_t j = 0; j < field.count[1]; ++j)
                 for (uint32_t i = 0; i < field.count[0]; ++i) {
                     const size_t f = field.index(i, j, k);
-                    previous_[a][f] = grid.prescribed[a][f] != 0
-                                          ? field.values[f]
-                                          : field.sample(grid.trace_back(field.position(i, j, k), dt));
+                    previous_[a][f] =
+                        grid.prescribed[a][f] != 0
+                            ? field.values[f]
+                            : field.interpolate_cubic(field.locate(grid.trace_back(field.position(i, j, k), dt)));
                 }
     }
     for (size_t a = 0; a < 3; ++a) previous_[a].swap(grid.velocity[a].values);
@@ -68,7 +79,8 @@ void MeanFlow::diffuse(double dt, const std::vector<double>& viscosity) {
                     const double y = viscosity[grid.cell(before[0], before[1], before[2])];
                     face_viscosity_[a][field.index(i, j, k)] = (x > 0.0 && y > 0.0) ? 0.5 * (x + y) : std::max(x, y);
                 }
-        diffusion_.apply(field, grid.prescribed[a], face_viscosity_[a], EddyDiffusion::Wall::no_slip, dt);
+        diffusion_.apply_unsplit(field, previous_[a], grid.prescribed[a], face_viscosity_[a],
+                                 EddyDiffusion::Wall::no_slip, dt, walls_[a], residual_left);
     }
 }
 

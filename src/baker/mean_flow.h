@@ -16,7 +16,8 @@ public:
     MacGrid grid;
 
     // Takes a grid whose inflow, initial velocity and solids are set, and projects it.
-    explicit MeanFlow(MacGrid initial);
+    // Divergences up to `enough` are left.
+    explicit MeanFlow(MacGrid initial, double enough = 0.0);
 
     // One step. `viscosity` (molecular plus eddy, one per cell) may be null: no diffusion, as in the paper.
     // False if the pressure solve did not converge.
@@ -33,9 +34,11 @@ private:
     void project();
 
     PressureProjection projection_;
+    double enough_;
     std::array<std::vector<double>, 3> previous_;
     EddyDiffusion diffusion_;
     std::array<std::vector<double>, 3> face_viscosity_;
+    std::array<WallShares, 3> walls_;
     double last_change_ = 0.0, max_divergence_ = 0.0;
     long pressure_iterations_ = 0;
     bool converged_ = true;

@@ -86,6 +86,8 @@ void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
         "air|water|RHO,NU");
     add("--grid", texts.grid, "cells of the turbulence grid: stream, across, up", "X,Y,Z");
     add("--intensity", texts.intensity, "of the turbulence; 1 is the paper's 100 %", "I");
+    command.add_flag("--wake", line.bake.wake,
+                     "put the body, broadside, into the stream of the turbulence table: its shear makes turbulence");
     command
         .add_option(
             "--center-of-mass", texts.center_of_mass,

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lr::baker {
 
 PressureProjection::PressureProjection(const MacGrid& grid)
-    : nx_(grid.cells[0]), layer_(nx_ * grid.cells[1]), first_(layer_), last_(layer_ + grid.cell_count()) {
+    : cells_(grid.cells), spacing_(grid.spacing), nx_(grid.cells[0]), layer_(nx_ * grid.cells[1]), first_(layer_),
+      last_(layer_ + grid.cell_count()) {
     const size_t size = last_ + layer_;
-    for (std::vector<double>* v : {&diagonal_, &link_[0], &link_[1], &link_[2], &pivot_, &lower_[0], &lower_[1],
-                                   &lower_[2], &potential_, &residual_, &direction_, &image_, &preconditioned_})
+    for (std::vector<double>* v : {&diagonal_, &link_[0], &link_[1], &link_[2], &potential_, &change_, &residual_,
+                                   &old_residual_, &direction_, &image_, &preconditioned_})
         v->assign(size, 0.0);
 
     const size_t stride[3] = {1, nx_, layer_};
@@ -27,36 +29,12 @@ PressureProjection::PressureProjection(const MacGrid& grid)
                         if (a == 0) diagonal_[first_ + c] += 2.0 * weight;
                         continue;
                     }
-                    if (grid.solid[c + stride[a]] != 0) continue;
+                    if (grid.wall_before(a, i + (a == 0), j + (a == 1), k + (a == 2))) continue;
                     link_[a][first_ + c] = weight;
                     diagonal_[first_ + c] += weight;
                     diagonal_[first_ + c + stride[a]] += weight;
                 }
             }
-    factorise();
-}
-
-// MIC(0): fill-in is dropped but its row sum is kept on the diagonal, so that the iterations grow with the square root
-// of the cells along an axis rather than with their number. A share of 0.97 of it, and a floor of a quarter of the
-// diagonal, keep the pivots positive around solids of any shape.
-void PressureProjection::factorise() {
-    constexpr double share = 0.97, floor = 0.25;
-    const size_t stride[3] = {1, nx_, layer_};
-    for (size_t c = first_; c < last_; ++c) {
-        if (!(diagonal_[c] > 0.0)) continue;
-        double e = diagonal_[c];
-        for (size_t a = 0; a < 3; ++a) {
-            const size_t m = c - stride[a];
-            const double scaled = link_[a][m] * pivot_[m];
-            double fill = 0.0;
-            for (size_t other = 0; other < 3; ++other)
-                if (other != a) fill += link_[other][m];
-            e -= scaled * scaled + share * scaled * pivot_[m] * fill;
-        }
-        if (e < floor * diagonal_[c]) e = diagonal_[c];
-        pivot_[c] = 1.0 / std::sqrt(e);
-        for (size_t a = 0; a < 3; ++a) lower_[a][c] = link_[a][c] * pivot_[c];
-    }
 }
 
 void PressureProjection::multiply(const std::vector<double>& x, std::vector<double>& y) const {
@@ -65,15 +43,12 @@ void PressureProjection::multiply(const std::vector<double>& x, std::vector<doub
                link_[1][c - nx_] * x[c - nx_] - link_[2][c] * x[c + layer_] - link_[2][c - layer_] * x[c - layer_];
 }
 
-void PressureProjection::precondition(const std::vector<double>& r, std::vector<double>& z) {
-    for (size_t c = first_; c < last_; ++c)
-        z[c] = pivot_[c] * (r[c] + lower_[0][c - 1] * z[c - 1] + lower_[1][c - nx_] * z[c - nx_] +
-                            lower_[2][c - layer_] * z[c - layer_]);
-    for (size_t c = last_; c-- > first_;)
-        z[c] = pivot_[c] * (z[c] + lower_[0][c] * z[c + 1] + lower_[1][c] * z[c + nx_] + lower_[2][c] * z[c + layer_]);
+void PressureProjection::precorrect(MacGrid& grid) {
+    subtract_gradient(grid, potential_);
+    precorrected_ = true;
 }
 
-void PressureProjection::subtract_gradient(MacGrid& grid) const {
+void PressureProjection::subtract_gradient(MacGrid& grid, const std::vector<double>& potential) const {
     const size_t stride[3] = {1, nx_, layer_};
     const std::array<uint32_t, 3>& n = grid.cells;
     for (size_t a = 0; a < 3; ++a) {
@@ -86,7 +61,7 @@ void PressureProjection::subtract_gradient(MacGrid& grid) const {
                     const size_t f = field.index(i + shift, j, k); // the face before the cell
                     if (grid.prescribed[a][f] != 0) continue;
                     const size_t c = first_ + grid.cell(i, j, k);
-                    field.values[f] -= (potential_[c] - potential_[c - stride[a]]) * inverse;
+                    field.values[f] -= (potential[c] - potential[c - stride[a]]) * inverse;
                 }
     }
     GridField& u = grid.velocity[0];
@@ -94,11 +69,11 @@ void PressureProjection::subtract_gradient(MacGrid& grid) const {
         for (uint32_t j = 0; j < n[1]; ++j) {
             const size_t f = u.index(n[0], j, k);
             if (grid.prescribed[0][f] == 0)
-                u.values[f] += 2.0 * potential_[first_ + grid.cell(n[0] - 1, j, k)] * u.inverse_spacing[0];
+                u.values[f] += 2.0 * potential[first_ + grid.cell(n[0] - 1, j, k)] * u.inverse_spacing[0];
         }
 }
 
-ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, int max_iterations) {
+ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, double enough, int max_iterations) {
     const std::array<uint32_t, 3>& n = grid.cells;
     double largest_speed = 0.0;
     for (const GridField& field : grid.velocity)
@@ -114,7 +89,8 @@ ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, in
                 residual_[first_ + c] = b;
                 source = std::max(source, std::abs(b));
             }
-    const double target = std::max(tolerance * source, 1e-14 * largest_speed / cell);
+    const double target = std::max({tolerance * source, enough, 1e-14 * largest_speed / cell});
+    const bool precorrected = std::exchange(precorrected_, false);
     if (source <= target) return {true, 0, source};
 
     const auto dot = [this](const std::vector<double>& x, const std::vector<double>& y) {
@@ -122,7 +98,11 @@ ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, in
         for (size_t c = first_; c < last_; ++c) sum += x[c] * y[c];
         return sum;
     };
-    multiply(potential_, image_);
+    if (precorrected)
+        std::fill(change_.begin(), change_.end(), 0.0);
+    else
+        change_ = potential_;
+    multiply(change_, image_);
     double left = 0.0;
     for (size_t c = first_; c < last_; ++c) {
         residual_[c] -= image_[c];
@@ -130,7 +110,11 @@ ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, in
     }
     int iterations = 0;
     if (left > target) {
-        precondition(residual_, preconditioned_);
+        if (!multigrid_)
+            multigrid_.emplace(cells_, spacing_, &diagonal_[first_],
+                               std::array<const double*, 3>{&link_[0][first_], &link_[1][first_], &link_[2][first_]});
+        const auto precondition = [this] { multigrid_->cycle(&residual_[first_], &preconditioned_[first_]); };
+        precondition();
         direction_ = preconditioned_;
         double rho = dot(residual_, preconditioned_);
         while (left > target && iterations < max_iterations) {
@@ -138,20 +122,26 @@ ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, in
             multiply(direction_, image_);
             const double alpha = rho / dot(direction_, image_);
             left = 0.0;
+            old_residual_ = residual_;
             for (size_t c = first_; c < last_; ++c) {
-                potential_[c] += alpha * direction_[c];
+                change_[c] += alpha * direction_[c];
                 residual_[c] -= alpha * image_[c];
                 left = std::max(left, std::abs(residual_[c]));
             }
             if (left <= target) break;
-            precondition(residual_, preconditioned_);
+            precondition();
+            // Polak and Ribiere's: the rounding of the cycle makes it a little different each time.
             const double rho_next = dot(residual_, preconditioned_);
-            const double beta = rho_next / rho;
+            const double beta = (rho_next - dot(old_residual_, preconditioned_)) / rho;
             rho = rho_next;
             for (size_t c = first_; c < last_; ++c) direction_[c] = preconditioned_[c] + beta * direction_[c];
         }
     }
-    subtract_gradient(grid);
+    subtract_gradient(grid, change_);
+    if (precorrected)
+        for (size_t c = first_; c < last_; ++c) potential_[c] += change_[c];
+    else
+        potential_.swap(change_);
     return {left <= target, iterations, grid.max_divergence()};
 }
 

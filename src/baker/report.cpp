@@ -25,6 +25,11 @@ Json make_json(const ProvenanceData& p) {
             {"vertices", p.vertices}};
 }
 
+std::array<double, 3> times(std::array<double, 3> v, double factor) {
+    for (double& x : v) x *= factor;
+    return v;
+}
+
 Json make_json(const AssetData& a) {
     const auto times_fluid = [&](std::array<double, 36> m) {
         for (double& v : m) v *= a.fluid_density;
@@ -34,6 +39,12 @@ Json make_json(const AssetData& a) {
     std::vector<double> chi = a.turbulence.chi, epsilon = a.turbulence.epsilon;
     for (double& v : chi) v *= rate;
     for (double& v : epsilon) v *= dissipation;
+    // Samples, and the time of one turn.
+    const Json loop = a.turbulence.loop_end > a.turbulence.loop_begin
+                          ? Json{{"begin", a.turbulence.loop_begin},
+                                 {"end", a.turbulence.loop_end},
+                                 {"period", (a.turbulence.loop_end - a.turbulence.loop_begin) * a.turbulence.dt / rate}}
+                          : Json();
     Json j;
     j["name"] = valid_utf8(a.name);
     j["format_version"] = asset_format_version;
@@ -57,7 +68,12 @@ Json make_json(const AssetData& a) {
                        {"epsilon", epsilon},
                        {"stationary", a.turbulence.stationary},
                        {"intensity", a.turbulence.intensity},
-                       {"cells", a.turbulence.cells}};
+                       {"cells", a.turbulence.cells},
+                       {"domain", times(a.turbulence.domain, a.length_d)},
+                       {"wake", a.turbulence.wake},
+                       {"settled", a.turbulence.settled},
+                       {"loop", loop},
+                       {"max_divergence", a.turbulence.max_divergence}};
     j["hull"] = {{"vertices", a.hull.vertices.size() / 3}, {"triangles", a.hull.triangles.size() / 3}};
     j["provenance"] = make_json(a.provenance);
     return j;
@@ -121,6 +137,13 @@ std::string summary(const AssetData& a) {
     if (a.turbulence.stationary < a.turbulence.chi.size())
         line(text, "  turbulence      %zu samples, chi %.4g /s at first, C0 %.3g", a.turbulence.chi.size(),
              a.turbulence.chi[0] * a.u0 / a.length_l, a.turbulence.c0);
+    if (a.turbulence.wake)
+        line(text, "  wake            %s; chi %.4g /s, epsilon %.4g m^2/s^3 at U0",
+             !a.turbulence.settled                             ? "not settled"
+             : a.turbulence.loop_end > a.turbulence.loop_begin ? "sheds vortices"
+                                                               : "steady",
+             a.turbulence.chi[a.turbulence.stationary] * a.u0 / a.length_l,
+             a.turbulence.epsilon[a.turbulence.stationary] * a.u0 * a.u0 * a.u0 / a.length_l);
     line(text, "  hull            %zu vertices, %zu triangles", a.hull.vertices.size() / 3,
          a.hull.triangles.size() / 3);
     return text;

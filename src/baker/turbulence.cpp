@@ -2,6 +2,8 @@
 
 #include "baker/k_epsilon.h"
 #include "baker/mean_flow.h"
+#include "baker/wake_history.h"
+#include "baker/wake_probe.h"
 #include "shape/turbulence_closure.h"
 
 #include <algorithm>
@@ -19,8 +21,13 @@ constexpr size_t max_cells = size_t{1} << 22;
 constexpr double max_steps = 1e5;
 // A flow that changes by less than this share of U0 in a step is steady and is not computed again.
 constexpr double steady_change = 1e-12;
-// The wake is settled when chi and epsilon have stayed within 2 % over the time that the stream takes for 2 d.
-constexpr double settled_spread = 0.02, settled_window = 2.0;
+// Of the wake, in lengths of the body's breadth w: time step, and time that must be steady, at speed U0. The step is the
+// same on all grids: its error then is, too, and that of the advection falls with the square of the cell.
+constexpr double wake_step = 0.1, settled_window = 2.0;
+constexpr double wake_passages = 4.0;
+constexpr double most_wake_k = 1.5; // of U0^2: an intensity of 100 %
+// Divergences of U0/d left in a wake.
+constexpr double enough_divergence = 1e-7;
 
 // Everything below runs in units of U0 and l: bodies of any size and speed see the same arithmetic.
 struct Scales {
@@ -28,7 +35,8 @@ struct Scales {
     double d;         // length_d/l
     GridPoint domain; // lengths
     GridPoint body;   // position
-    double dt;        // the stream crosses one cell a step: then uniform advection is exact
+    double width;     // breadth of the body
+    double dt;        // empty: the stream crosses one cell a step, so that uniform advection is exact
     double duration;  // of the table
     double run;       // longest time simulated
     double viscosity; // nu/(U0 l)
@@ -46,16 +54,27 @@ bool in_range(double x, double low, double high) {
 
 Scales find_scales(const TurbulenceOptions& o) {
     Scales s{};
-    s.wake = std::any_of(o.solid.begin(), o.solid.end(), [](uint8_t cell) { return cell != 0; });
+    const auto any = [](const std::vector<uint8_t>& mask) {
+        return std::any_of(mask.begin(), mask.end(), [](uint8_t cell) { return cell != 0; });
+    };
+    s.wake = any(o.solid) || std::any_of(o.closed_faces.begin(), o.closed_faces.end(), any);
     s.d = o.length_d / o.length_l;
     for (size_t a = 0; a < 3; ++a) s.domain[a] = o.domain_lengths[a] * s.d;
     s.body = {0.25 * s.domain[0], 0.5 * s.domain[1], 0.5 * s.domain[2]};
-    s.dt = s.domain[0] / o.cells[0];
-    const double chi0 = shape::turbulent_frequency(shape::inflow_state(1.0, o.intensity, 1.0));
-    const double decayed = 9.0 / ((shape::c_epsilon_2 - 1.0) * chi0);
-    const double passages = s.wake ? 4.0 * s.domain[0] : 0.0;
-    s.duration = o.duration_star > 0.0 ? o.duration_star : std::max(decayed, passages);
-    s.run = std::max(s.duration, passages);
+    if (s.wake) {
+        const double wy = o.body_box[1][1] - o.body_box[0][1], wz = o.body_box[1][2] - o.body_box[0][2];
+        s.width = std::max(std::sqrt(wy * wz), 0.1 * o.length_d) / o.length_l;
+        if (!(wy > 0.0 && wz > 0.0)) s.width = s.d;
+        s.dt = wake_step * s.width;
+        s.duration = wake_passages * s.domain[0];
+        if (o.duration_star > 0.0) s.duration = o.duration_star;
+        s.run = std::max(s.duration, wake_passages * s.domain[0]);
+    } else {
+        s.dt = s.domain[0] / o.cells[0];
+        const double chi0 = shape::turbulent_frequency(shape::inflow_state(1.0, o.intensity, 1.0));
+        s.duration = o.duration_star > 0.0 ? o.duration_star : 9.0 / ((shape::c_epsilon_2 - 1.0) * chi0);
+        s.run = s.duration;
+    }
     s.viscosity = o.viscosity / (o.u0 * o.length_l);
     return s;
 }
@@ -105,14 +124,26 @@ void check_options(const TurbulenceOptions& o, Faults& faults) {
             fault("turbulence.duration_star", "The flow would take more than 100000 steps.",
                   "Shorten duration_star, coarsen the grid, or give a length l nearer to d.");
     }
-    if (o.solid.empty()) return;
-    if (o.solid.size() != cells) {
-        fault("turbulence.solid",
-              "The solid mask has " + std::to_string(o.solid.size()) + " entries for " + std::to_string(cells) +
-                  " cells.",
-              "Give one entry per cell, x fastest, or none.");
-        return;
+    for (const std::vector<uint8_t>* mask : {&o.solid, &o.closed_faces[0], &o.closed_faces[1], &o.closed_faces[2]})
+        if (!mask->empty() && mask->size() != cells) {
+            fault("turbulence.solid",
+                  "A mask of the body has " + std::to_string(mask->size()) + " entries for " + std::to_string(cells) +
+                      " cells.",
+                  "Give one entry per cell, x fastest, or none.");
+            return;
+        }
+    if (std::any_of(o.closed_faces.begin(), o.closed_faces.end(), [](const auto& mask) { return !mask.empty(); })) {
+        bool good = true;
+        for (size_t a = 0; a < 3; ++a)
+            good = good && o.body_box[0][a] <= o.body_box[1][a] && std::abs(o.body_box[0][a]) < 1e12 &&
+                   std::abs(o.body_box[1][a]) < 1e12;
+        if (!good) {
+            fault("turbulence.body_box", "The box of the body is not finite or inside out.",
+                  "Give its lowest and its highest corner in the domain, in m.");
+            return;
+        }
     }
+    if (o.solid.empty()) return;
     for (size_t row = 0; row < cells; row += o.cells[0])
         if (o.solid[row] != 0 || o.solid[row + o.cells[0] - 1] != 0) {
             fault("turbulence.solid", "The solid reaches the inflow or the outflow.",
@@ -145,78 +176,33 @@ bool set_velocity(MacGrid& grid, const TurbulenceOptions& o, Faults& faults) {
     return true;
 }
 
-// The fluid cells around the body: the box that the solid fills, and one d behind it.
-std::vector<std::array<uint32_t, 3>> find_probe(const MacGrid& grid, double d) {
-    GridPoint low = {1e300, 1e300, 1e300}, high = {-1e300, -1e300, -1e300};
-    const auto for_cells = [&](auto&& visit) {
-        for (uint32_t k = 0; k < grid.cells[2]; ++k)
-            for (uint32_t j = 0; j < grid.cells[1]; ++j)
-                for (uint32_t i = 0; i < grid.cells[0]; ++i) visit(i, j, k);
-    };
-    for_cells([&](uint32_t i, uint32_t j, uint32_t k) {
-        if (grid.solid[grid.cell(i, j, k)] == 0) return;
-        const GridPoint p = grid.cell_centre(i, j, k);
-        for (size_t a = 0; a < 3; ++a) {
-            low[a] = std::min(low[a], p[a] - 0.5 * grid.spacing[a]);
-            high[a] = std::max(high[a], p[a] + 0.5 * grid.spacing[a]);
-        }
-    });
-    high[0] += std::max(d, grid.spacing[0]);
-    std::vector<std::array<uint32_t, 3>> probe;
-    for_cells([&](uint32_t i, uint32_t j, uint32_t k) {
-        const GridPoint p = grid.cell_centre(i, j, k);
-        bool inside = grid.solid[grid.cell(i, j, k)] == 0;
-        for (size_t a = 0; a < 3; ++a) inside = inside && p[a] > low[a] && p[a] < high[a];
-        if (inside) probe.push_back({i, j, k});
-    });
-    return probe;
-}
-
-TurbulenceState probe_mean(const KEpsilon& turbulence, const std::vector<std::array<uint32_t, 3>>& probe) {
-    TurbulenceState sum{0.0, 0.0};
-    for (const auto& [i, j, k] : probe) {
-        const TurbulenceState s = turbulence.in_cell(i, j, k);
-        sum.k += s.k;
-        sum.epsilon += s.epsilon;
-    }
-    const double n = static_cast<double>(probe.size());
-    return {sum.k / n, sum.epsilon / n};
-}
-
 struct Run {
     std::vector<Sample> history;
     bool particle_left = false; // it decays from the last sample on
-    bool settled = false;
-    size_t settled_from = 0; // first sample of the steady (or else the last half of the) history
+    WakeSummary wake;
     double max_divergence = 0.0;
     long pressure_iterations = 0;
     bool converged = true;
 };
 
-bool is_settled(const std::vector<Sample>& history, double window, size_t& from) {
-    const double end = history.back().t;
-    double low_chi = 1e300, high_chi = 0.0, low_epsilon = 1e300, high_epsilon = 0.0;
-    for (from = history.size(); from > 0 && history[from - 1].t >= end - window; --from) {
-        const TurbulenceState& s = history[from - 1].state;
-        const double chi = shape::turbulent_frequency(s);
-        low_chi = std::min(low_chi, chi);
-        high_chi = std::max(high_chi, chi);
-        low_epsilon = std::min(low_epsilon, s.epsilon);
-        high_epsilon = std::max(high_epsilon, s.epsilon);
-    }
-    return high_chi - low_chi <= settled_spread * high_chi &&
-           high_epsilon - low_epsilon <= settled_spread * high_epsilon;
+WakeProbe make_probe(const TurbulenceOptions& o, const Scales& scales, const MacGrid& grid) {
+    if (!scales.wake) return {};
+    std::array<GridPoint, 2> box = o.body_box;
+    for (GridPoint& corner : box)
+        for (double& x : corner) x /= o.length_l;
+    return {grid, box, scales.d};
 }
 
 // Algorithm 1.
-Run run_flow(const TurbulenceOptions& o, const Scales& scales, MacGrid grid,
+Run run_flow(const TurbulenceOptions& o, const Scales& scales, MacGrid grid, const WakeProbe& probe,
              const std::function<void(double)>& progress) {
     Run run;
     const bool wake = scales.wake;
-    const std::vector<std::array<uint32_t, 3>> probe =
-        wake ? find_probe(grid, scales.d) : std::vector<std::array<uint32_t, 3>>{};
-    MeanFlow flow(std::move(grid));
-    KEpsilon turbulence(flow.grid, shape::inflow_state(1.0, o.intensity, 1.0));
+    const auto window = static_cast<size_t>(std::ceil(settled_window * scales.width / scales.dt));
+    std::vector<TurbulenceState> states;
+    MeanFlow flow(std::move(grid), wake ? enough_divergence / scales.d : 0.0);
+    const TurbulenceState inflow = shape::inflow_state(1.0, o.intensity, 1.0);
+    KEpsilon turbulence(flow.grid, inflow, wake ? std::max(most_wake_k, inflow.k) : 0.0);
     turbulence.follow(flow.grid, scales.dt);
     std::vector<double> viscosity;
     GridPoint particle = scales.body;
@@ -228,8 +214,9 @@ Run run_flow(const TurbulenceOptions& o, const Scales& scales, MacGrid grid,
         return turbulence.strain_at(at[0], at[1], at[2]);
     };
     const auto record = [&](double t) {
-        run.history.push_back(wake ? Sample{t, probe_mean(turbulence, probe), 0.0}
+        run.history.push_back(wake ? Sample{t, probe.mean(turbulence), 0.0}
                                    : Sample{t, turbulence.at(particle), particle_strain()});
+        if (wake) states.push_back(run.history.back().state);
     };
     record(0.0);
 
@@ -262,13 +249,9 @@ Run run_flow(const TurbulenceOptions& o, const Scales& scales, MacGrid grid,
         if (diffuse) turbulence.diffuse(scales.dt, scales.viscosity);
         record(n * scales.dt);
         if (progress) progress(std::min(run.history.back().t / end, 1.0));
-        if (wake && run.history.back().t >= scales.domain[0] &&
-            is_settled(run.history, settled_window * scales.d, run.settled_from)) {
-            run.settled = true;
-            break;
-        }
+        if (wake && run.history.back().t >= scales.domain[0] && is_stationary(states, window)) break;
     }
-    if (wake && !run.settled) run.settled_from = run.history.size() / 2;
+    if (wake) run.wake = summarise_wake(states, window);
     run.max_divergence = flow.max_divergence();
     run.pressure_iterations = flow.pressure_iterations();
     run.converged = flow.converged();
@@ -301,28 +284,32 @@ void fill_table(const TurbulenceOptions& o, const Scales& scales, const Run& run
     table.steps = static_cast<uint32_t>(run.history.size() - 1);
     table.max_divergence = run.max_divergence * scales.d;
     table.pressure_iterations = static_cast<uint32_t>(run.pressure_iterations);
+    table.wake = scales.wake;
+    table.domain_lengths = o.domain_lengths;
+    TurbulenceState stationary = run.history.front().state;
+    table.settled = true;
+    const uint32_t last = o.samples - 1;
+    if (scales.wake) {
+        stationary = run.wake.mean;
+        table.settled = run.wake.end != WakeEnd::unsettled;
+        table.stationary_index = last;
+        if (run.wake.end == WakeEnd::stationary)
+            table.stationary_index =
+                static_cast<uint32_t>(std::min<double>(std::ceil(run.history[run.wake.begin].t / step), last));
+        if (run.wake.end == WakeEnd::loop) {
+            const double period = std::round(static_cast<double>(run.wake.count) * scales.dt / step);
+            table.loop_end = last;
+            table.loop_begin = last - static_cast<uint32_t>(std::clamp<double>(period, 1.0, last));
+        }
+    }
     size_t from = 0;
     for (uint32_t n = 0; n < o.samples; ++n) {
-        const TurbulenceState s = state_at(run.history, run.particle_left, n * step, from);
+        const bool held = scales.wake && n >= table.stationary_index;
+        const TurbulenceState s = held ? stationary : state_at(run.history, run.particle_left, n * step, from);
         table.t.push_back(n * table.dt);
         table.k.push_back(s.k * u2);
         table.chi.push_back(shape::turbulent_frequency(s) / time_unit);
         table.epsilon.push_back(s.epsilon * u2 / time_unit);
-    }
-
-    TurbulenceState stationary = run.history.front().state;
-    table.settled = true;
-    if (scales.wake) {
-        table.settled = run.settled;
-        stationary = {0.0, 0.0};
-        for (size_t n = run.settled_from; n < run.history.size(); ++n) {
-            stationary.k += run.history[n].state.k;
-            stationary.epsilon += run.history[n].state.epsilon;
-        }
-        const double count = static_cast<double>(run.history.size() - run.settled_from);
-        stationary = {stationary.k / count, stationary.epsilon / count};
-        const double index = std::ceil(run.history[run.settled_from].t / step);
-        table.stationary_index = static_cast<uint32_t>(std::min(index, static_cast<double>(o.samples - 1)));
     }
     table.stationary_chi_star = shape::turbulent_frequency(stationary);
     table.stationary_epsilon_star = stationary.epsilon;
@@ -345,7 +332,7 @@ bool compute_turbulence_table(const TurbulenceOptions& options, TurbulenceTable&
         const Scales scales = find_scales(options);
         MacGrid grid(options.cells, scales.domain);
         if (set_velocity(grid, options, found)) {
-            grid.set_solid(options.solid);
+            grid.set_solid(options.solid, options.closed_faces);
             bool open = true;
             for (uint32_t k = 0; k < options.cells[2]; ++k)
                 for (uint32_t j = 0; j < options.cells[1]; ++j) open = open && grid.solid[grid.cell(0, j, k)] == 0;
@@ -353,8 +340,12 @@ bool compute_turbulence_table(const TurbulenceOptions& options, TurbulenceTable&
                 found.push_back({FaultId::parameter_out_of_range, Severity::error, "turbulence.solid",
                                  "The solid closes the stream off.",
                                  "Widen the domain so that fluid can pass around the body."});
+            } else if (const WakeProbe probe = make_probe(options, scales, grid); scales.wake && probe.empty()) {
+                found.push_back({FaultId::parameter_out_of_range, Severity::error, "turbulence.body_box",
+                                 "There is no fluid around the body or behind it.",
+                                 "Give the box of the body, within the domain, and room behind it."});
             } else {
-                const Run run = run_flow(options, scales, std::move(grid), progress);
+                const Run run = run_flow(options, scales, std::move(grid), probe, progress);
                 if (run.converged) {
                     TurbulenceTable made;
                     fill_table(options, scales, run, made);

@@ -8,6 +8,7 @@
 // epsilon over the fluid around the body and one d behind it, which develops in time and becomes steady.
 #pragma once
 
+#include "baker/mac_grid.h"
 #include "format/fault.h"
 
 #include <array>
@@ -27,12 +28,16 @@ struct TurbulenceOptions {
     // Domain in multiples of d, so that a finer grid resolves the same flow. Cubic cells on the default grid.
     std::array<double, 3> domain_lengths{8.0, 8.0, 4.0};
     // Length of the table in l/U0. 0: until chi of a decaying parcel is a tenth of chi0, and with a solid at least
-    // four passages of the domain.
+    // four passages of the domain. A wake: four passages.
     double duration_star = 0.0;
     uint32_t samples = 128; // of the table, 2 to 65536
     // One per cell, x fastest, non-zero: solid. Empty: no solid. The first and last layers in x must be fluid. The
     // body's centre is at body_position().
     std::vector<uint8_t> solid;
+    // Closed faces between fluid cells: a sheet, or the surface of a body, whose inside then becomes solid.
+    ClosedFaces closed_faces;
+    // Lowest and highest corner of the body in the domain, m, needed with closed faces; else the box of the solid cells.
+    std::array<GridPoint, 2> body_box{};
     // Mean velocity at the start, and at x = 0 for ever, in m/s at a point in m; empty: the uniform stream (U0, 0, 0).
     std::function<std::array<double, 3>(const std::array<double, 3>&)> initial_velocity;
     // In a flow with strain, let nu + nu_T act on the mean flow, and diffuse k and epsilon as in Eq. 13 (the paper
@@ -47,10 +52,14 @@ struct TurbulenceTable {
     double c0 = 0.0, r_lambda = 0.0;        // of the stationary state
     std::vector<double> t, chi, epsilon, k; // s, 1/s, m^2/s^3, m^2/s^2
     // For the SPEED clock. Without a solid k can only decay, and a moving body keeps renewing the state that it makes:
-    // the stationary point is sample 0. With a solid, the mean over the steady (or, not `settled`, the last) part.
+    // the stationary point is sample 0. With a body, the table keeps the mean of the steady part from there on; if it
+    // sheds vortices, or does not settle, the mean over a period, or over the last half, is the last sample.
     uint32_t stationary_index = 0;
     double stationary_chi_star = 0.0, stationary_epsilon_star = 0.0;
-    bool settled = false;
+    bool settled = false;                  // the stationary point or loop was reached
+    uint32_t loop_begin = 0, loop_end = 0; // samples [begin, end) repeat; equal: no loop
+    bool wake = false;
+    std::array<double, 3> domain_lengths{}; // in d
     // How it was made.
     std::array<uint32_t, 3> cells{};
     uint32_t steps = 0;

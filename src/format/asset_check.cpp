@@ -111,6 +111,10 @@ void check_table(const TurbulenceData& t, Checker& check) {
         }
     if (t.stationary >= t.chi.size())
         check.fail(FaultId::asset_out_of_range, "turbulence.stationary", "It points behind the table.");
+    if (t.loop_begin > t.loop_end || t.loop_end > t.chi.size())
+        check.fail(FaultId::asset_out_of_range, "turbulence.loop", "It ends before it begins, or behind the table.");
+    for (double side : t.domain) check.range(side, "turbulence.domain", 0.0, 1e9);
+    check.range(t.max_divergence, "turbulence.max_divergence", 0.0, 1e12);
     check.range(t.dt, "turbulence.dt", 1e-9, 1e9);
     check.range(t.c0, "turbulence.c0", 0.0, 100.0);
     check.range(t.intensity, "turbulence.intensity", 0.0, 100.0);

@@ -19,6 +19,11 @@ struct TurbulenceData {
     double c0 = 6.5;
     double intensity = 1.0;
     std::array<uint32_t, 3> cells{0, 0, 0};
+    uint32_t loop_begin = 0, loop_end = 0; // samples [begin, end) repeat; equal: no loop
+    bool wake = false;                     // made with the body in the stream
+    bool settled = true;                   // stationary point or loop reached
+    std::array<double, 3> domain{};        // of the grid, in d; zero: not known
+    double max_divergence = 0.0;           // largest |div u| d/u0 left in the mean flow
 };
 
 struct HullData {

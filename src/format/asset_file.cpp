@@ -105,6 +105,12 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
         out.turbulence.intensity = t.intensity();
         if (t.cells() && t.cells()->size() == 3)
             for (uint32_t i = 0; i < 3; ++i) out.turbulence.cells[i] = t.cells()->Get(i);
+        out.turbulence.loop_begin = t.loop_begin();
+        out.turbulence.loop_end = t.loop_end();
+        out.turbulence.wake = t.wake();
+        out.turbulence.settled = t.settled();
+        if (t.domain()) copy_array(t.domain(), out.turbulence.domain, "turbulence.domain", faults);
+        out.turbulence.max_divergence = t.max_divergence();
     }
     if (a.hull()) {
         copy_vector(a.hull()->vertices(), out.hull.vertices, "hull.vertices", faults);
@@ -132,7 +138,9 @@ std::vector<uint8_t> write_asset(const AssetData& d) {
     const auto turbulence = format::CreateTurbulence(
         b, d.turbulence.dt, b.CreateVector(d.turbulence.chi), b.CreateVector(d.turbulence.epsilon),
         d.turbulence.stationary, d.turbulence.c0, d.turbulence.intensity,
-        b.CreateVector(d.turbulence.cells.data(), d.turbulence.cells.size()));
+        b.CreateVector(d.turbulence.cells.data(), d.turbulence.cells.size()), d.turbulence.loop_begin,
+        d.turbulence.loop_end, d.turbulence.wake, d.turbulence.settled,
+        b.CreateVector(d.turbulence.domain.data(), d.turbulence.domain.size()), d.turbulence.max_divergence);
     const auto hull = format::CreateHull(b, b.CreateVector(d.hull.vertices), b.CreateVector(d.hull.triangles));
     const auto& p = d.provenance;
     const auto provenance =

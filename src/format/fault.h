@@ -39,6 +39,7 @@ enum class FaultId : uint32_t {
     parameter_out_of_range = 301,
     parameter_unknown = 302,
     parameter_not_denser = 303,
+    wake_unsettled = 310,
     // 4xx: the asset file
     asset_too_short = 401,
     asset_foreign = 402,

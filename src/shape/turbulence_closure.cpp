@@ -41,13 +41,15 @@ TurbulenceState evolve(TurbulenceState s0, double strain, double t) {
     const double z = std::sqrt(a * b) * t;
     if (!(z > 1e-9)) return decay(s0, t);
     const double chi0 = turbulent_frequency(s0);
-    const double h = std::tanh(z) / z;
-    const double log_cosh = z + std::log1p(std::exp(-2.0 * z)) - std::log(2.0);
+    const double e = portable_exp(-2.0 * std::min(z, 300.0));
+    const double z2 = z * z;
+    const double h = z > 0.02 ? (1.0 - e) / ((1.0 + e) * z) : 1.0 - z2 * (1.0 / 3.0 - z2 * (2.0 / 15.0));
+    const double log_cosh = z + portable_log(1.0 + e) - 0.69314718055994530942;
     const double qn = 1.0 + a * t * h / chi0;
     const double qd = 1.0 + b * chi0 * t * h;
-    const double growth = (log_cosh + std::log(qn)) / g - (log_cosh + std::log(qd)) / b;
+    const double growth = (log_cosh + portable_log(qn)) / g - (log_cosh + portable_log(qd)) / b;
     // e^230 = 1e100: unbounded growth in an endless strain stays a finite number.
-    const double k = s0.k * std::exp(std::clamp(growth, -230.0, 230.0));
+    const double k = s0.k * portable_exp(std::clamp(growth, -230.0, 230.0));
     return {k, k * (chi0 * (qn / qd))};
 }
 

@@ -123,7 +123,7 @@ TEST_CASE("tables do not depend on the grid") {
         const TurbulenceTable other = make(o);
         const double gap = std::max(largest_gap(other.chi, middle.chi), largest_gap(other.epsilon, middle.epsilon));
         MESSAGE(cells[0] << "x" << cells[1] << "x" << cells[2] << ": " << gap);
-        CHECK(gap < 0.02);
+        CHECK(gap < 1e-12);
         CHECK(relative(other.chi[0], middle.chi[0]) < 1e-12); // chi0 belongs to the body
     }
     // It does depend on the body.
@@ -248,7 +248,7 @@ TEST_CASE("a block in the stream: no flow through it, no divergence, and shear f
 }
 
 TEST_CASE("the stationary point of a wake hardly depends on the grid") {
-    // Without the diffusion of Eq. 13 epsilon* nearly doubles here.
+    // Without the diffusion of Eq. 13 epsilon* nearly doubles here; with it a body of two cells is within 10 % of four.
     TurbulenceOptions o = leaf();
     o.cells = {16, 16, 8};
     o.solid = block(o, {0.5, 0.5, 0.5});
@@ -259,7 +259,7 @@ TEST_CASE("the stationary point of a wake hardly depends on the grid") {
     MESSAGE("chi* " << coarse.stationary_chi_star << " and " << fine.stationary_chi_star << ", epsilon* "
                     << coarse.stationary_epsilon_star << " and " << fine.stationary_epsilon_star);
     CHECK(relative(coarse.stationary_chi_star, fine.stationary_chi_star) < 0.1);
-    CHECK(relative(coarse.stationary_epsilon_star, fine.stationary_epsilon_star) < 0.2);
+    CHECK(relative(coarse.stationary_epsilon_star, fine.stationary_epsilon_star) < 0.1);
 }
 
 TEST_CASE("an all-fluid mask is the empty stream") {

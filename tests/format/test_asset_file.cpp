@@ -29,9 +29,12 @@ bool same(const AssetData& a, const AssetData& b) {
            a.u0 == b.u0 && a.turbulence.dt == b.turbulence.dt && a.turbulence.chi == b.turbulence.chi &&
            a.turbulence.epsilon == b.turbulence.epsilon && a.turbulence.stationary == b.turbulence.stationary &&
            a.turbulence.c0 == b.turbulence.c0 && a.turbulence.intensity == b.turbulence.intensity &&
-           a.turbulence.cells == b.turbulence.cells && hull && p.tool == q.tool && p.tool_version == q.tool_version &&
-           p.source == q.source && p.input_hash == q.input_hash && p.options == q.options && p.faces == q.faces &&
-           p.vertices == q.vertices;
+           a.turbulence.cells == b.turbulence.cells && a.turbulence.loop_begin == b.turbulence.loop_begin &&
+           a.turbulence.loop_end == b.turbulence.loop_end && a.turbulence.wake == b.turbulence.wake &&
+           a.turbulence.settled == b.turbulence.settled && a.turbulence.domain == b.turbulence.domain &&
+           a.turbulence.max_divergence == b.turbulence.max_divergence && hull && p.tool == q.tool &&
+           p.tool_version == q.tool_version && p.source == q.source && p.input_hash == q.input_hash &&
+           p.options == q.options && p.faces == q.faces && p.vertices == q.vertices;
 }
 
 } // namespace
@@ -40,6 +43,12 @@ TEST_CASE("what is written is read back, the same bytes for the same data") {
     AssetData d = test::leaf_data();
     d.turbulence.stationary = 3;
     d.turbulence.cells = {32, 32, 16};
+    d.turbulence.loop_begin = 2;
+    d.turbulence.loop_end = 4;
+    d.turbulence.wake = true;
+    d.turbulence.settled = false;
+    d.turbulence.domain = {5.0, 4.0, 3.0};
+    d.turbulence.max_divergence = 1e-7;
     d.added_mass_error[7] = 1e-9;
     const std::vector<uint8_t> bytes = write_asset(d);
     CHECK(write_asset(d) == bytes);
@@ -127,6 +136,9 @@ TEST_CASE("each impossible number has its fault, at its field") {
         {FaultId::asset_not_finite, "turbulence.epsilon[0]", [](AssetData& a) { a.turbulence.epsilon[0] = infinite; }},
         {FaultId::asset_out_of_range, "turbulence[7]", [](AssetData& a) { a.turbulence.chi[7] = -1.0; }},
         {FaultId::asset_out_of_range, "turbulence.stationary", [](AssetData& a) { a.turbulence.stationary = 256; }},
+        {FaultId::asset_out_of_range, "turbulence.loop", [](AssetData& a) { a.turbulence.loop_begin = 1; }},
+        {FaultId::asset_out_of_range, "turbulence.loop", [](AssetData& a) { a.turbulence.loop_end = 257; }},
+        {FaultId::asset_out_of_range, "turbulence.domain", [](AssetData& a) { a.turbulence.domain[1] = -1.0; }},
         {FaultId::asset_out_of_range, "turbulence.dt", [](AssetData& a) { a.turbulence.dt = 0.0; }},
         {FaultId::asset_out_of_range, "turbulence.c0", [](AssetData& a) { a.turbulence.c0 = -1.0; }},
         {FaultId::asset_not_finite, "turbulence.intensity",
