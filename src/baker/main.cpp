@@ -42,8 +42,9 @@ bool check_outputs(const CommandLine& line, Faults& faults) {
         return false;
     };
     if (good && !line.bake.semi_axes) {
-        good = differ(line.output, line.bake.mesh_path, "The asset would overwrite the mesh.");
-        if (has_report) good = differ(line.report, line.bake.mesh_path, "The report would overwrite the mesh.") && good;
+        good = differ(line.output, line.bake.mesh_path, "The asset would overwrite its input.");
+        if (has_report)
+            good = differ(line.report, line.bake.mesh_path, "The report would overwrite its input.") && good;
     }
     if (good && has_report) good = differ(line.report, line.output, "The report would overwrite the asset.");
     return good;
