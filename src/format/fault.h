@@ -41,6 +41,8 @@ enum class FaultId : uint32_t {
     image_several_pieces = 223,
     image_specks = 224,
     image_too_ragged = 225,
+    // the mesh again
+    mesh_self_intersection = 226,
     // 3xx: a parameter of the bake
     parameter_out_of_range = 301,
     parameter_unknown = 302,
