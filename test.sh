@@ -56,7 +56,7 @@ if [ "${1:-}" != --quick ]; then
     step "Fuzzers, 20 s each"
     configure build/fuzz --preset fuzz
     cmake --build build/fuzz
-    for target in asset mesh; do
+    for target in asset mesh card; do
         mkdir -p "build/fuzz/corpus-$target"
         # assimp loses memory on some damaged files; nothing of ours can give it back.
         ASAN_OPTIONS=detect_leaks=$([ "$target" = mesh ] && echo 0 || echo 1) \
