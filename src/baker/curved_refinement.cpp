@@ -25,7 +25,7 @@ Edge make_edge(uint32_t a, uint32_t b) {
 class Middles {
 public:
     Middles(const Mesh& mesh, double turn) {
-        const std::vector<std::array<Eigen::Vector3d, 3>> normals = corner_normals(mesh);
+        const std::vector<std::array<CornerNormal, 3>> normals = corner_normals(mesh);
         struct Side {
             std::size_t face, corner;
         };
@@ -39,17 +39,17 @@ public:
                 Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
                 Eigen::Vector3d right = Eigen::Vector3d::Zero();
                 double largest = 0.0;
-                const auto add = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& e) {
-                    const Eigen::Vector3d change = to - from, normal = (from + to).normalized();
-                    largest = std::max(largest, change.norm());
+                const auto add = [&](const CornerNormal& from, const CornerNormal& to, const Eigen::Vector3d& e) {
+                    const Eigen::Vector3d normal = (from.round + to.round).normalized();
+                    const double change = bend(from, to, e);
+                    largest = std::max(largest, std::abs(change));
                     normal_matrix += normal * normal.transpose();
-                    // A quadratic curve with this change of the normal along it stands off by an eighth.
-                    right += normal * change.dot(e) / 8.0;
+                    right += normal * change / 8.0;
                 };
                 const auto& [u, i] = first->second;
                 add(normals[t][k], normals[t][(k + 1) % 3], along);
                 add(normals[u][i], normals[u][(i + 1) % 3], -along);
-                if (largest <= turn) continue;
+                if (largest <= turn * along.norm()) continue;
                 const Eigen::Vector3d move = least_motion(normal_matrix, right);
                 const double limit = max_sagitta * along.norm(), length = move.norm();
                 points_[first->first] =

@@ -194,7 +194,7 @@ private:
             warn(FaultId::mesh_merged_vertices, "mesh",
                  std::to_string(joined) + " vertices that lay on a boundary edge of another face were joined with it.",
                  "Nothing; remove T-junctions before export to silence this.");
-        return true;
+        return joined == 0 || remove_collapsed_and_duplicate_faces(); // parts of faces may meet
     }
 
     void collect_edges() {

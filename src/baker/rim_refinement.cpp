@@ -188,7 +188,7 @@ private:
             faces_of_[make_edge(a, middle)].push_back(t);
             faces_of_[make_edge(middle, b)].push_back(other);
             const Edge inner = make_edge(middle, c);
-            faces_of_[inner] = {t, other};
+            faces_of_[inner].insert(faces_of_[inner].end(), {t, other});
             fresh.push_back(inner);
         }
         return fresh;

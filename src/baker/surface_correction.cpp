@@ -37,7 +37,7 @@ public:
             for (uint32_t k = 0; k < 3; ++k) corners_[next[mesh.faces[i][k]]++] = {i, k};
     }
 
-    std::vector<std::array<Eigen::Vector3d, 3>> normals() {
+    std::vector<std::array<CornerNormal, 3>> normals() {
         for (uint32_t v = 0; v < mesh_.vertices.size(); ++v) smooth_groups(v);
         return std::move(corner_normal_);
     }
@@ -71,15 +71,16 @@ private:
                     group.push_back(left[i]);
                     left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
                 }
-            // Weights of Max 1999 (J. Graphics Tools 4): exact for vertices on a sphere.
-            Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+            CornerNormal normal{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
             for (const Corner& c : group) {
                 const Face& f = mesh_.faces[c.face];
                 const Eigen::Vector3d a = at(f[(c.index + 1) % 3]) - at(vertex),
                                       b = at(f[(c.index + 2) % 3]) - at(vertex);
-                normal += a.cross(b) / (a.squaredNorm() * b.squaredNorm());
+                normal.round += a.cross(b) / (a.squaredNorm() * b.squaredNorm());
+                normal.broad += a.cross(b);
             }
-            normal.normalize();
+            normal.round.normalize();
+            normal.broad.normalize();
             for (const Corner& c : group) corner_normal_[c.face][c.index] = normal;
             groups.push_back(std::move(group));
         }
@@ -99,9 +100,9 @@ private:
         double gap = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
-            const Eigen::Vector3d change = corner_normal_[face][next] - corner_normal_[face][k];
-            gap += change.dot(at(mesh_.faces[face][next]) - at(mesh_.faces[face][k]));
-            turn_[face] = std::max(turn_[face], change.norm());
+            const CornerNormal &from = corner_normal_[face][k], &to = corner_normal_[face][next];
+            gap += bend(from, to, at(mesh_.faces[face][next]) - at(mesh_.faces[face][k]));
+            turn_[face] = std::max(turn_[face], (to.round - from.round).norm());
         }
         return gap / 24.0;
     }
@@ -120,7 +121,7 @@ private:
                 const Face& f = mesh_.faces[c.face];
                 shortest = std::min(shortest, (at(f[(c.index + 1) % 3]) - at(vertex)).norm());
             }
-            const Eigen::Vector3d& normal = corner_normal_[group[0].face][group[0].index];
+            const Eigen::Vector3d& normal = corner_normal_[group[0].face][group[0].index].round;
             normal_matrix += normal * normal.transpose();
             right += normal * (weighted / weight);
         }
@@ -132,7 +133,7 @@ private:
     const Mesh& mesh_;
     std::vector<double> area_;
     std::vector<Eigen::Vector3d> normal_;
-    std::vector<std::array<Eigen::Vector3d, 3>> corner_normal_;
+    std::vector<std::array<CornerNormal, 3>> corner_normal_;
     std::vector<double> offset_;
     std::vector<double> turn_;
     std::vector<std::size_t> start_;
@@ -150,7 +151,18 @@ Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::
     return move;
 }
 
-std::vector<std::array<Eigen::Vector3d, 3>> corner_normals(const Mesh& mesh) {
+double bend(const CornerNormal& from, const CornerNormal& to, const Eigen::Vector3d& along) {
+    // Enough for meshes graded by thirds; a long straight side between tight bends stays straight.
+    constexpr double most_broad = 1.5, most_other_end = 3.0;
+    const auto limited = [](double x, double limit) {
+        return x * limit <= 0.0 ? 0.0 : std::abs(x) < std::abs(limit) ? x : limit;
+    };
+    const double start = -limited(from.round.dot(along), most_broad * from.broad.dot(along));
+    const double end = limited(to.round.dot(along), most_broad * to.broad.dot(along));
+    return limited(start, most_other_end * end) + limited(end, most_other_end * start);
+}
+
+std::vector<std::array<CornerNormal, 3>> corner_normals(const Mesh& mesh) {
     return Correction(mesh).normals();
 }
 

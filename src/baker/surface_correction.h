@@ -14,8 +14,18 @@ constexpr double crease_cosine = 0.407;
 // normal_matrix = sum n n^T, right = sum n s. None in directions in which the normals say next to nothing.
 Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::Vector3d& right);
 
-// Of the curved surface at the corners of each face; corners at one vertex that no crease parts have the same.
-std::vector<std::array<Eigen::Vector3d, 3>> corner_normals(const Mesh& mesh);
+// Of the curved surface that a mesh samples, from the faces around a vertex.
+struct CornerNormal {
+    Eigen::Vector3d round; // exact where the curvature is even (weights of Max 1999, J. Graphics Tools 4)
+    Eigen::Vector3d broad; // near to that of the larger faces (weighted by area)
+};
+
+// At the corners of each face; corners at one vertex that no crease parts have the same.
+std::vector<std::array<CornerNormal, 3>> corner_normals(const Mesh& mesh);
+
+// The change of the normal along an edge, times the edge: eight times the height of the curve above its middle. Limited
+// where the ends disagree, or the faces around one of them: there the mesh does not say how the turn is shared out.
+double bend(const CornerNormal& from, const CornerNormal& to, const Eigen::Vector3d& along);
 
 struct CurvedSurface {
     Mesh mesh;

@@ -605,3 +605,13 @@ TEST_CASE("T-junctions are joined: on a closed body and on a sheet, from either 
     REQUIRE(check_sheet(cards, faults));
     CHECK(cards.faces.size() == 6);
 }
+
+TEST_CASE("a face that joining cracks makes a copy of others goes") {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}};
+    mesh.faces = {{0, 1, 2}, {0, 3, 2}, {3, 1, 2}};
+    Faults faults;
+    REQUIRE(check_sheet(mesh, faults));
+    CHECK(mesh.faces.size() == 2);
+    CHECK(faults.size() == 2);
+}

@@ -25,23 +25,44 @@ void check_closed(const Mesh& mesh) {
     CHECK(faults.empty());
 }
 
-// A prism of n sides with closed ends.
-Mesh prism(int n) {
+// A profile (radius, z) from pole to pole, turned about z in n steps.
+Mesh turned(const std::vector<std::pair<double, double>>& profile, int n) {
     Mesh mesh;
-    for (const double z : {-0.5, 0.5}) {
-        mesh.vertices.emplace_back(0.0, 0.0, z);
-        for (int i = 0; i < n; ++i) {
+    std::vector<uint32_t> first;
+    for (const auto& [radius, z] : profile) {
+        first.push_back(static_cast<uint32_t>(mesh.vertices.size()));
+        for (int i = 0; i < (radius > 0.0 ? n : 1); ++i) {
             const double angle = 2.0 * 3.14159265358979323846 * i / n;
-            mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), z);
+            mesh.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
         }
     }
-    const auto at = [&](int end, int i) { return static_cast<uint32_t>(end * (n + 1) + 1 + i % n); };
-    for (int i = 0; i < n; ++i)
-        mesh.faces.insert(mesh.faces.end(), {{0, at(0, i + 1), at(0, i)},
-                                             {static_cast<uint32_t>(n + 1), at(1, i), at(1, i + 1)},
-                                             {at(0, i), at(0, i + 1), at(1, i + 1)},
-                                             {at(0, i), at(1, i + 1), at(1, i)}});
+    const auto at = [&](std::size_t ring, int i) {
+        return first[ring] + (profile[ring].first > 0.0 ? static_cast<uint32_t>(i % n) : 0U);
+    };
+    for (std::size_t ring = 0; ring + 1 < profile.size(); ++ring)
+        for (int i = 0; i < n; ++i) {
+            if (profile[ring].first > 0.0) mesh.faces.push_back({at(ring, i), at(ring, i + 1), at(ring + 1, i)});
+            if (profile[ring + 1].first > 0.0)
+                mesh.faces.push_back({at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)});
+        }
     return mesh;
+}
+
+// A prism of n sides with closed ends.
+Mesh prism(int n) {
+    return turned({{0.0, -0.5}, {1.0, -0.5}, {1.0, 0.5}, {0.0, 0.5}}, n);
+}
+
+// Radius 1/2, straight over the length 1, with half spheres at the ends.
+Mesh capsule(int n, int rings) {
+    std::vector<std::pair<double, double>> profile{{0.0, -1.0}};
+    for (const double end : {-1.0, 1.0})
+        for (int i = 1; i <= rings; ++i) {
+            const double angle = 0.5 * 3.14159265358979323846 * (end < 0.0 ? i : rings + 1 - i) / rings;
+            profile.emplace_back(0.5 * std::sin(angle), end * (0.5 + 0.5 * std::cos(angle)));
+        }
+    profile.emplace_back(0.0, 1.0);
+    return turned(profile, n);
 }
 
 } // namespace
@@ -80,6 +101,27 @@ TEST_CASE("curved refinement of a prism of many sides makes it a cylinder: round
     }
     CHECK(compute_mass_properties(fine).volume == doctest::Approx(3.14159265).epsilon(0.005));
     CHECK(compute_mass_properties(prism(16)).volume < 3.07);
+}
+
+TEST_CASE("long straight sides stay straight: capsule, cone") {
+    const double capsule_volume = 3.14159265358979 * (0.25 + 0.5 / 3.0);
+    const Mesh coarse = capsule(16, 4);
+    check_closed(coarse);
+    const Mesh fine = refine_curved(coarse, 0.1, no_limit);
+    check_closed(fine);
+    for (const Eigen::Vector3d& v : fine.vertices)
+        if (std::abs(v[2]) < 0.45) CHECK(std::hypot(v[0], v[1]) == doctest::Approx(0.5).epsilon(0.02));
+    CHECK(compute_mass_properties(coarse).volume < 0.965 * capsule_volume);
+    CHECK(compute_mass_properties(fine).volume == doctest::Approx(capsule_volume).epsilon(0.02));
+    CHECK(compute_mass_properties(restore_curved_volume(coarse).mesh).volume ==
+          doctest::Approx(capsule_volume).epsilon(0.02));
+
+    const Mesh cone = turned({{0.0, 0.0}, {1.0, 0.0}, {0.75, 0.5}, {0.5, 1.0}, {0.25, 1.5}, {0.0, 2.0}}, 24);
+    const Mesh round = refine_curved(cone, 0.1, no_limit);
+    check_closed(round);
+    for (const Eigen::Vector3d& v : round.vertices)
+        if (v[2] > 1e-9) CHECK(std::abs(std::hypot(v[0], v[1]) - (1.0 - 0.5 * v[2])) < 0.003);
+    CHECK(compute_mass_properties(round).volume == doctest::Approx(3.14159265358979 * 2.0 / 3.0).epsilon(0.005));
 }
 
 TEST_CASE("curved refinement keeps within its number of panels") {

@@ -1,20 +1,73 @@
-// Any bytes as an OBJ, STL or PLY: either numbered faults, or a mesh that has a positive volume.
+// Any bytes as an OBJ, STL, PLY or Collada: either numbered faults, or a solid that has a positive volume, or a sheet
+// whose refinement and unknowns hold together.
+#include "baker/added_mass.h"
+#include "baker/collada_check.h"
 #include "baker/mass_properties.h"
 #include "baker/mesh.h"
 #include "baker/mesh_check.h"
+#include "baker/rim_refinement.h"
+#include "baker/surface_basis.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string_view>
+
+namespace {
+
+using namespace lr;
+using namespace lr::baker;
+
+void require(bool good) {
+    if (!good) std::abort();
+}
+
+void solid(Mesh mesh, const Faults& read) {
+    Faults faults = read;
+    const bool good = check_and_repair(mesh, faults);
+    require(good != has_error(faults));
+    require(!good || compute_mass_properties(mesh).volume > 0.0);
+}
+
+void sheet(Mesh mesh, const Faults& read) {
+    constexpr std::size_t few = 60;
+    Faults faults = read;
+    const bool good = check_sheet(mesh, faults);
+    require(good != has_error(faults));
+    if (!good || mesh.faces.size() > few) return;
+    const double area = compute_sheet_mass_properties(mesh, 1e-3).area;
+    const Mesh fine = refine_sheet(mesh, {2 * few, 2});
+    require(!(std::abs(compute_sheet_mass_properties(fine, 1e-3).area - area) > 1e-6 * area));
+    const SurfaceBasis basis = sheet_basis(fine);
+    require(basis.corners.size() == fine.faces.size());
+    for (const auto& panel : basis.corners)
+        for (const CornerUnknowns& c : panel)
+            require(c.plus < static_cast<int32_t>(basis.unknowns) && c.minus < static_cast<int32_t>(basis.unknowns));
+    AddedMass m;
+    const bool solved = compute_sheet_added_mass(mesh, Eigen::Vector3d::Zero(), {0, 2}, m, faults);
+    require(solved != has_error(faults));
+    require(!solved || m.value.allFinite());
+}
+
+} // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (size < 1) return 0;
-    static constexpr const char* extensions[3] = {"obj", "stl", "ply"};
-    lr::baker::Mesh mesh;
-    lr::Faults faults;
-    const bool ok = lr::baker::read_mesh_memory(data + 1, size - 1, extensions[data[0] % 3], 1.0, mesh, faults) &&
-                    lr::baker::check_and_repair(mesh, faults);
-    if (ok == lr::has_error(faults)) std::abort();
-    if (ok && !(lr::baker::compute_mass_properties(mesh).volume > 0.0)) std::abort();
+    constexpr unsigned readers = 4;
+    static constexpr const char* extensions[readers] = {"obj", "stl", "ply", "dae"};
+    const char* extension = extensions[data[0] % readers];
+    Faults faults;
+    if (extension == std::string_view("dae")) { // assimp itself is not ours to test
+        const bool good = check_collada({reinterpret_cast<const char*>(data) + 1, size - 1}, faults);
+        require(good != has_error(faults));
+        return 0;
+    }
+    Mesh mesh;
+    const bool read = read_mesh_memory(data + 1, size - 1, extension, 1.0, mesh, faults);
+    require(read != has_error(faults));
+    if (!read) return 0;
+    solid(mesh, faults);
+    sheet(mesh, faults);
     return 0;
 }
