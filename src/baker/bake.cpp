@@ -24,6 +24,8 @@ namespace lr::baker {
 namespace {
 
 constexpr std::size_t max_mesh_bytes = std::size_t{1} << 31;
+// Said before minutes go into checks and the hull, not after.
+constexpr std::size_t max_faces = 1'000'000;
 constexpr std::size_t max_name_bytes = 4096; // check_asset
 // Of a sheet, over its length: thicker ones need their edges, which the zero-thickness formulation has not.
 constexpr double max_thickness_share = 0.2;
@@ -149,6 +151,7 @@ private:
         std::vector<uint8_t> bytes;
         if (!read_file(options_.mesh_path, max_mesh_bytes, bytes, faults_)) return false;
         input_.add(bytes.data(), bytes.size());
+        if (!options_.card) std::vector<uint8_t>().swap(bytes); // the readers read the file themselves
         if (!(options_.card ? trace_card(bytes) : read_surface())) return false;
         const std::filesystem::path path(std::u8string(options_.mesh_path.begin(), options_.mesh_path.end()));
         out_.name = utf8(path.stem());
@@ -161,6 +164,7 @@ private:
         if (options_.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(options_.unit);
         how.up = options_.up;
         how.mesh = options_.mesh;
+        how.max_faces = max_faces;
         return read_mesh(options_.mesh_path, how, mesh_, faults_);
     }
 
