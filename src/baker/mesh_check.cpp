@@ -417,6 +417,11 @@ private:
                                 return std::to_string(pairs[i].first) + " and " + std::to_string(pairs[i].second);
                             });
         if (!found.complete) where += " at least";
+        // Where solids overlap, mass and added mass were seen to be wrong by tens of percents.
+        if (!sheet_ && std::any_of(pairs.begin(), pairs.end(),
+                                   [&](const auto& pair) { return component_[pair.first] != component_[pair.second]; }))
+            return error(FaultId::mesh_several_components, std::move(where), "Parts cross or touch each other.",
+                         "Unite the parts (boolean union), or pull them apart.");
         warn(FaultId::mesh_self_intersection, std::move(where), "Faces cross, touch or cover each other.",
              sheet_
                  ? "Cut them where they meet so that they share vertices, or pull them apart."

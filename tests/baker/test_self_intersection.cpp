@@ -198,10 +198,19 @@ TEST_CASE("self-intersection: a bake is told, and goes on") {
         CHECK(check_sheet(mesh, faults));
         CHECK(warnings(faults) == 1);
     }
-    SUBCASE("two parts that cross") {
-        Mesh mesh = joined(test::icosphere(2), shifted(test::icosphere(2), {1.9, 0, 0}));
+    SUBCASE("parts of a solid that cross are refused, in whatever order") {
+        const Mesh sphere = test::icosphere(2);
+        for (const double distance : {-1.9, 1.9})
+            for (const bool first : {false, true}) {
+                const Mesh other = shifted(sphere, {distance, 0, 0});
+                Mesh mesh = first ? joined(sphere, other) : joined(other, sphere);
+                Faults faults;
+                CHECK_FALSE(check_and_repair(mesh, faults));
+                CHECK(faults.back().id == FaultId::mesh_several_components);
+                CHECK(faults.back().severity == Severity::error);
+            }
+        Mesh apart = joined(sphere, shifted(sphere, {2.01, 0, 0}));
         Faults faults;
-        CHECK(check_and_repair(mesh, faults));
-        CHECK(warnings(faults) == 1);
+        CHECK(check_and_repair(apart, faults));
     }
 }
