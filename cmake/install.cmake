@@ -4,6 +4,11 @@ install(TARGETS langevin_rigid EXPORT langevin_rigid_targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 if(TARGET lr_bake)
     install(TARGETS lr_bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    # Apart from the runtime's targets: who uses those alone must not need assimp.
+    install(TARGETS langevin_rigid_baker EXPORT langevin_rigid_baker_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(FILES include/langevin_rigid_baker.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(EXPORT langevin_rigid_baker_targets NAMESPACE langevin_rigid::
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/langevin_rigid)
 endif()
 install(FILES include/langevin_rigid.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,5 +1,7 @@
 #include "baker/assimp_reader.h"
 
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/scene.h>
@@ -8,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <exception>
+#include <memory>
 
 namespace lr::baker {
 namespace {
@@ -124,6 +128,53 @@ Eigen::Matrix4d take_unit(const aiScene& scene, const std::string& extension, Po
     return root;
 }
 
+class ByteStream final : public Assimp::IOStream {
+public:
+    explicit ByteStream(std::shared_ptr<const InputFiles::Bytes> bytes) : bytes_(std::move(bytes)) {}
+
+    std::size_t Read(void* to, std::size_t size, std::size_t count) override {
+        if (size == 0) return 0;
+        const std::size_t whole = std::min(count, (bytes_->size() - at_) / size);
+        if (whole > 0) std::memcpy(to, bytes_->data() + at_, whole * size);
+        at_ += whole * size;
+        return whole;
+    }
+    std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+    aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+        // Offsets from the end or back from here come as negative numbers in an unsigned type.
+        const std::size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : bytes_->size();
+        const std::size_t to = base + offset;
+        if (to > bytes_->size()) return aiReturn_FAILURE;
+        at_ = to;
+        return aiReturn_SUCCESS;
+    }
+    std::size_t Tell() const override { return at_; }
+    std::size_t FileSize() const override { return bytes_->size(); }
+    void Flush() override {}
+
+private:
+    std::shared_ptr<const InputFiles::Bytes> bytes_;
+    std::size_t at_ = 0;
+};
+
+// Regular files only, for reading only; from memory, none.
+class FileAccess final : public Assimp::IOSystem {
+public:
+    explicit FileAccess(InputFiles* files) : files_(files) {}
+
+    bool Exists(const char* path) const override { return files_ && files_->read(path) != nullptr; }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* path, const char* mode) override {
+        if (!files_ || !mode || mode[0] != 'r' || std::strchr(mode, '+')) return nullptr;
+        std::shared_ptr<const InputFiles::Bytes> bytes = files_->read(path);
+        return bytes ? new ByteStream(std::move(bytes)) : nullptr;
+    }
+    void Close(Assimp::IOStream* stream) override { delete stream; }
+
+private:
+    InputFiles* files_;
+};
+
 } // namespace
 
 // No post-processing by assimp: its steps drop or reorder faces silently and trust indices.
@@ -139,6 +190,7 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
         importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, !file.collada_ids);
+        importer.SetIOHandler(new FileAccess(file.files)); // which the importer then owns
         const aiScene* scene = file.path
                                    ? importer.ReadFile(*file.path, 0)
                                    : importer.ReadFileFromMemory(file.bytes, file.size, 0, file.extension.c_str());

@@ -1,6 +1,7 @@
 // Formats without a reader of our own, through assimp.
 #pragma once
 
+#include "baker/input_files.h"
 #include "baker/obj_reader.h"
 
 #include <string>
@@ -10,6 +11,7 @@ namespace lr::baker {
 struct SceneFile {
     std::string where;                 // for faults
     const std::string* path = nullptr; // else from memory
+    InputFiles* files = nullptr;       // with a path: through which it and what it refers to are read
     const void* bytes = nullptr;
     std::size_t size = 0;
     std::string extension;

@@ -1,14 +1,14 @@
 #include "baker/bake.h"
 
 #include "baker/added_mass.h"
+#include "baker/bake_input.h"
 #include "baker/convex_hull.h"
-#include "baker/file_io.h"
+#include "baker/ellipsoid_mesh.h"
 #include "baker/mass_properties.h"
 #include "baker/mesh_check.h"
 #include "baker/text.h"
 #include "baker/turbulence.h"
 #include "format/asset_file.h"
-#include "format/checksum.h"
 #include "shape/body_scales.h"
 #include "shape/ellipsoid.h"
 
@@ -17,15 +17,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <new>
 
 namespace lr::baker {
 namespace {
 
-constexpr std::size_t max_mesh_bytes = std::size_t{1} << 31;
-// Said before minutes go into checks and the hull, not after.
-constexpr std::size_t max_faces = 1'000'000;
 constexpr std::size_t max_name_bytes = 4096; // check_asset
 // Of a sheet, over its length: thicker ones need their edges, which the zero-thickness formulation has not.
 constexpr double max_thickness_share = 0.2;
@@ -79,11 +75,6 @@ bool check_options(const BakeOptions& o, Faults& faults) {
     return good;
 }
 
-std::string utf8(const std::filesystem::path& path) {
-    const std::u8string text = path.u8string();
-    return valid_utf8(std::string(text.begin(), text.end()));
-}
-
 std::array<double, 3> to_array(const Eigen::Vector3d& v) {
     return {v[0], v[1], v[2]};
 }
@@ -91,8 +82,8 @@ std::array<double, 3> to_array(const Eigen::Vector3d& v) {
 class Pipeline {
 public:
     Pipeline(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,
-             const BakeProgress& progress)
-        : options_(options), out_(out), faults_(faults), timings_(timings), progress_(progress),
+             const BakeProgress& progress, const BakeHooks& hooks)
+        : options_(options), out_(out), faults_(faults), timings_(timings), progress_(progress), hooks_(hooks),
           density_(options.density) {
         if (!options.sheet) return;
         thickness_ = options.sheet->thickness / units_per_metre(options.unit);
@@ -135,7 +126,7 @@ private:
         spec.fluid_viscosity = options_.fluid_viscosity;
         spec.intensity = options_.intensity;
         if (options_.center_of_mass) spec.center_of_mass = in_metres(*options_.center_of_mass);
-        out_.name = "ellipsoid";
+        if (hooks_.body) *hooks_.body = ellipsoid_mesh(spec.semi_axes, spec.center_of_mass);
         return phase("closed forms", [&] { return shape::ellipsoid_body(spec, out_, faults_); });
     }
 
@@ -148,31 +139,9 @@ private:
     }
 
     bool read() {
-        std::vector<uint8_t> bytes;
-        if (!read_file(options_.mesh_path, max_mesh_bytes, bytes, faults_)) return false;
-        input_.add(bytes.data(), bytes.size());
-        if (!options_.card) std::vector<uint8_t>().swap(bytes); // the readers read the file themselves
-        if (!(options_.card ? trace_card(bytes) : read_surface())) return false;
-        const std::filesystem::path path(std::u8string(options_.mesh_path.begin(), options_.mesh_path.end()));
-        out_.name = utf8(path.stem());
-        out_.provenance.source = utf8(path.filename());
+        if (!read_input(options_, mesh_, input_, faults_)) return false;
+        out_.provenance.source = source_name(options_);
         return true;
-    }
-
-    bool read_surface() {
-        MeshReadOptions how;
-        if (options_.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(options_.unit);
-        how.up = options_.up;
-        how.mesh = options_.mesh;
-        how.max_faces = max_faces;
-        return read_mesh(options_.mesh_path, how, mesh_, faults_);
-    }
-
-    bool trace_card(const std::vector<uint8_t>& image) {
-        CardOptions how = *options_.card;
-        how.width /= units_per_metre(options_.unit);
-        CardReport unused;
-        return read_card_memory(image.data(), image.size(), how, options_.mesh_path, mesh_, unused, faults_);
     }
 
     bool make_mass() {
@@ -203,6 +172,7 @@ private:
         out_.provenance.faces = static_cast<uint32_t>(mesh_.faces.size());
         out_.provenance.vertices = static_cast<uint32_t>(mesh_.vertices.size());
         for (Eigen::Vector3d& v : mesh_.vertices) v -= center_; // body frame from here on
+        if (hooks_.body) *hooks_.body = mesh_;
         return true;
     }
 
@@ -246,6 +216,9 @@ private:
     }
 
     bool make_added_mass() {
+        // Coarse meshes are refined on the way, and sheets to about twice as many.
+        if (hooks_.before_solve)
+            hooks_.before_solve(std::max<std::size_t>((is_sheet() ? 2 : 1) * mesh_.faces.size(), 5000));
         AddedMass added;
         if (!solve_added_mass(added)) return false;
         for (std::size_t i = 0; i < 36; ++i) {
@@ -328,12 +301,11 @@ private:
         // No minus zeros, which people take for a message.
         for (double& c : out_.center_of_buoyancy) c += 0.0;
         for (double& c : out_.added_mass) c += 0.0;
-        if (options_.name) out_.name = valid_utf8(*options_.name);
+        out_.name = asset_name(options_);
         out_.provenance.tool = "lr_bake";
         out_.provenance.tool_version = baker_version();
         out_.provenance.options = canonical_options(options_);
-        input_.add(out_.provenance.options.data(), out_.provenance.options.size());
-        out_.provenance.input_hash = input_.value();
+        out_.provenance.input_hash = input_hash(input_, out_.provenance.options);
         const std::size_t before = faults_.size();
         if (check_asset(out_, faults_)) return true;
         for (std::size_t i = before; i < faults_.size(); ++i)
@@ -347,8 +319,9 @@ private:
     BakeTimings* timings_;
     const BakeProgress& progress_;
     const char* phase_ = "";
+    const BakeHooks& hooks_;
+    InputFiles input_;
     double density_, thickness_ = 0.0; // kg/m^3, m
-    Fnv1a input_;
     Mesh mesh_;
     MassProperties solid_;
     Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
@@ -410,17 +383,13 @@ std::string canonical_options(const BakeOptions& o) {
 }
 
 bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,
-          const BakeProgress& progress) {
+          const BakeProgress& progress, const BakeHooks& hooks) {
     try {
-        return Pipeline(options, out, faults, timings, progress).run();
+        return Pipeline(options, out, faults, timings, progress, hooks).run();
     } catch (const std::bad_alloc&) {
         return fail(faults, FaultId::mesh_too_many_faces, "memory", "The bake does not fit into memory.",
                     "Decimate the mesh, or use a coarser --grid.");
     }
-}
-
-const char* baker_version() {
-    return LR_VERSION_STRING;
 }
 
 } // namespace lr::baker

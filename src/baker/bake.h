@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,12 @@ enum class Unit { m, cm, mm, file };
 
 double units_per_metre(Unit unit);
 const char* unit_name(Unit unit);
+
+// As programs have them: three coordinates a vertex, three indices a triangle.
+struct MeshArrays {
+    std::span<const double> positions;
+    std::span<const uint32_t> indices;
+};
 
 // The mesh is the middle surface of a sheet.
 struct SheetOptions {
@@ -46,6 +53,9 @@ struct BakeOptions {
     // centroid, everything else is about this point. Without it the centre is that of the uniform solid.
     std::optional<std::array<double, 3>> center_of_mass;
     std::optional<std::string> name; // instead of the file name without its extension
+    // Instead of the mesh file, whose name then only says what the source is called and, for bytes, what format they have.
+    std::optional<std::span<const uint8_t>> mesh_bytes;
+    std::optional<MeshArrays> mesh_arrays;
 };
 
 // The options that change the result, written as on the command line, in one way only.
@@ -55,11 +65,24 @@ using BakeTimings = std::vector<std::pair<std::string, double>>; // phase, s
 // Called with 0 when a phase begins and with 1 when it ends.
 using BakeProgress = std::function<void(const char* phase, double fraction)>;
 
+struct BakeHooks {
+    // Receives the surface in the body frame: repaired, and for an ellipsoid sampled.
+    Mesh* body = nullptr;
+    // Called before what takes memory, with the number of faces; it may wait.
+    std::function<void(std::size_t faces)> before_solve;
+};
+
 // The same bytes and options give the same asset. False when `faults` received an error; repairs are warnings.
 bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings = nullptr,
-          const BakeProgress& progress = {});
+          const BakeProgress& progress = {}, const BakeHooks& hooks = {});
 
-// "0.1.0"
+// The input_hash that a bake with these options would put into the asset now, without baking; and the name and source.
+// Nothing if the input cannot be read.
+std::optional<uint64_t> find_input_hash(const BakeOptions& options);
+std::string asset_name(const BakeOptions& options);
+std::string source_name(const BakeOptions& options);
+
+// "0.1.0+1a2b3c4d": the release, and a hash of the sources that results depend on.
 const char* baker_version();
 
 } // namespace lr::baker

@@ -1,7 +1,8 @@
 #include "baker/file_io.h"
 
+#include "baker/signals_held.h"
+
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -55,23 +56,6 @@ bool write_all(int fd, std::span<const uint8_t> bytes) {
     }
     return true;
 }
-
-// A signal between creating a file aside and renaming it would leave the file behind.
-class SignalsHeld {
-public:
-    SignalsHeld() {
-        sigset_t set;
-        sigemptyset(&set);
-        for (const int s : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&set, s);
-        pthread_sigmask(SIG_BLOCK, &set, &before_);
-    }
-    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    SignalsHeld(const SignalsHeld&) = delete;
-    SignalsHeld& operator=(const SignalsHeld&) = delete;
-
-private:
-    sigset_t before_;
-};
 
 enum class Target { absent, regular, direct, impossible };
 
@@ -233,6 +217,19 @@ bool check_output(const std::string& path, Faults& faults) {
     return ::access(folder.c_str(), W_OK | X_OK) == 0 || cannot_write(faults, path, errno);
 }
 
+bool make_folder(const std::string& path, Faults& faults, bool* made) {
+    struct stat info {};
+    const bool fresh = ::mkdir(path.c_str(), 0777) == 0;
+    const int reason = errno;
+    if (made) *made = fresh;
+    if (fresh) return true;
+    if (reason == EEXIST && ::stat(path.c_str(), &info) == 0) {
+        if (S_ISDIR(info.st_mode)) return true;
+        return fail(faults, FaultId::file_write, path, "This is a file, not a folder.", "Give the name of a folder.");
+    }
+    return cannot_write(faults, path, reason);
+}
+
 bool is_same_file(const std::string& a, const std::string& b) {
     struct stat x {
     }, y{};
@@ -257,7 +254,7 @@ bool write_files(const std::vector<OutputFile>& files, Faults& faults) {
         else if (!write_directly(file, faults))
             return false;
     }
-    const SignalsHeld held;
+    const SignalsHeld held; // one between creating a file aside and renaming it would leave the file behind
     std::vector<AsideFile> staged;
     staged.reserve(aside.size());
     for (const OutputFile* file : aside) {

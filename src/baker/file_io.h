@@ -20,6 +20,9 @@ bool check_output(const std::string& path_utf8, Faults& faults);
 // One regular file, whatever the names, or one name for a file that does not exist yet.
 bool is_same_file(const std::string& path_utf8, const std::string& other_utf8);
 
+// Makes the last folder of the path unless it is there, and says whether it did. Fault 103.
+bool make_folder(const std::string& path_utf8, Faults& faults, bool* made = nullptr);
+
 struct OutputFile {
     std::string path_utf8;
     std::span<const uint8_t> bytes;

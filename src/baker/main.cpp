@@ -1,5 +1,8 @@
 // lr_bake: bakes, shows and checks asset files. Exit code 0 good, 1 a numbered fault, 2 wrong usage.
+#include "baker/bake_job.h"
+#include "baker/batch.h"
 #include "baker/file_io.h"
+#include "baker/memory_budget.h"
 #include "baker/options.h"
 #include "baker/progress.h"
 #include "baker/report.h"
@@ -8,11 +11,15 @@
 
 #include <signal.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 #include <system_error>
+#include <thread>
+#include <vector>
 
 namespace {
 
@@ -32,49 +39,82 @@ void print(const std::string& file, const Faults& faults, bool warnings) {
     }
 }
 
-bool check_outputs(const CommandLine& line, Faults& faults) {
-    const bool has_report = !line.report.empty();
-    bool good = check_output(line.output, faults);
-    if (has_report) good = check_output(line.report, faults) && good;
-    const auto differ = [&](const std::string& output, const std::string& other, const char* what) {
-        if (!is_same_file(output, other)) return true;
-        faults.push_back({FaultId::parameter_out_of_range, Severity::error, output, what, "Give another name."});
-        return false;
-    };
-    if (good && !line.bake.semi_axes) {
-        good = differ(line.output, line.bake.mesh_path, "The asset would overwrite its input.");
-        if (has_report)
-            good = differ(line.report, line.bake.mesh_path, "The report would overwrite its input.") && good;
-    }
-    if (good && has_report) good = differ(line.report, line.output, "The report would overwrite the asset.");
-    return good;
+int run_bake(const CommandLine& line) {
+    BakeJob job;
+    job.bake = line.bake;
+    job.output = line.output;
+    job.report = line.report;
+    job.plots = line.plots;
+    job.if_changed = line.if_changed;
+    Progress progress(line.quiet);
+    BakeOutcome outcome =
+        make_outputs(job, [&](const char* phase, double fraction) { progress.update(phase, fraction); }, {});
+    const std::size_t size = outcome.files.empty() ? 0 : outcome.files[0].size();
+    write_outputs(job, outcome);
+    progress.clear();
+    print(job.input_name(), outcome.faults, !line.quiet);
+    if (outcome.state == BakeOutcome::State::failed) return 1;
+    if (line.quiet) return 0;
+    const std::string output = printable(job.output);
+    if (outcome.state == BakeOutcome::State::unchanged)
+        std::printf("%s: unchanged\n", output.c_str());
+    else
+        std::printf("%s%s  written         %s, %zu bytes\n", summary(outcome.asset).c_str(),
+                    summary(outcome.timings).c_str(), output.c_str(), size);
+    return 0;
 }
 
-int run_bake(const CommandLine& line) {
-    const std::string input = line.bake.semi_axes ? "ellipsoid" : line.bake.mesh_path;
-    Faults faults;
-    AssetData asset;
-    BakeTimings timings;
-    Progress progress(line.quiet);
-    bool good = check_outputs(line, faults) &&
-                bake(line.bake, asset, faults, &timings,
-                     [&](const char* phase, double fraction) { progress.update(phase, fraction); });
-    std::size_t size = 0;
-    if (good) {
-        const std::vector<uint8_t> bytes = write_asset(asset);
-        size = bytes.size();
-        const std::string json = line.report.empty() ? std::string() : report_json(asset, faults, timings);
-        std::vector<OutputFile> files{{line.output, bytes}};
-        if (!line.report.empty())
-            files.push_back({line.report, {reinterpret_cast<const uint8_t*>(json.data()), json.size()}});
-        good = write_files(files, faults);
+std::string describe(const BakeOutcome& outcome) {
+    if (outcome.state == BakeOutcome::State::unchanged) return "unchanged";
+    std::size_t warnings = 0;
+    for (const Fault& fault : outcome.faults) {
+        if (outcome.state == BakeOutcome::State::failed && fault.severity == Severity::error)
+            return "failed, error " + std::to_string(static_cast<uint32_t>(fault.id));
+        warnings += fault.severity == Severity::warning;
     }
+    return warnings == 0 ? "baked" : "baked, " + std::to_string(warnings) + (warnings == 1 ? " warning" : " warnings");
+}
+
+int run_batch(const CommandLine& line) {
+    std::vector<std::string> inputs = line.inputs;
+    Faults faults;
+    if (!line.list.empty() && !read_list(line.list, inputs, faults)) {
+        print(line.list, faults, true);
+        return 1;
+    }
+    std::string clash;
+    const std::optional<std::vector<BakeJob>> jobs =
+        plan_batch(inputs, line.bake, {line.output, line.report, line.plots}, line.if_changed, clash);
+    if (!jobs) return wrong_usage(clash);
+    for (const std::string& folder : {line.output, line.report, line.plots})
+        if (!folder.empty() && !make_folder(folder, faults)) {
+            print(folder, faults, true);
+            return 1;
+        }
+    BatchLimits limits;
+    limits.threads = line.jobs > 0 ? line.jobs : std::max(std::thread::hardware_concurrency(), 1U);
+    limits.memory = available_memory() / 10 * 8;
+    BatchProgress progress(line.quiet, jobs->size());
+    std::size_t baked = 0, unchanged = 0;
+    BatchEvents events;
+    events.progress = [&](double finished) { progress.update(finished); };
+    events.done = [&](const BakeJob& job, const BakeOutcome& outcome) {
+        progress.clear();
+        baked += outcome.state == BakeOutcome::State::baked;
+        unchanged += outcome.state == BakeOutcome::State::unchanged;
+        if (!line.quiet)
+            std::printf("%s: %s, %.2f s\n", printable(job.input_name()).c_str(), describe(outcome).c_str(),
+                        outcome.seconds);
+        std::fflush(stdout);
+        print(job.input_name(), outcome.faults, !line.quiet);
+    };
+    const std::size_t failed = baker::run_batch(*jobs, limits, events);
     progress.clear();
-    print(input, faults, !line.quiet);
-    if (good && !line.quiet)
-        std::printf("%s%s  written         %s, %zu bytes\n", summary(asset).c_str(), summary(timings).c_str(),
-                    printable(line.output).c_str(), size);
-    return good ? 0 : 1;
+    if (!line.quiet) std::printf("%zu baked, %zu unchanged, %zu failed\n", baked, unchanged, failed);
+    if (failed == 0) return 0;
+    std::fflush(stdout);
+    std::fprintf(stderr, "lr_bake: %zu of %zu failed\n", failed, jobs->size());
+    return 1;
 }
 
 int run_on_asset(const CommandLine& line) {
@@ -114,7 +154,8 @@ int main(int argc, char** argv) {
         int exit_code = 0;
         const std::optional<CommandLine> line = parse_command_line(argc, argv, exit_code);
         if (!line) return exit_code;
-        return line->command == CommandLine::Command::bake ? run_bake(*line) : run_on_asset(*line);
+        if (line->command != CommandLine::Command::bake) return run_on_asset(*line);
+        return line->folders ? run_batch(*line) : run_bake(*line);
     } catch (const std::bad_alloc&) {
         std::fputs("lr_bake: error: Out of memory.\n", stderr);
     } catch (const std::exception& error) {

@@ -2,6 +2,7 @@
 
 #include "baker/assimp_reader.h"
 #include "baker/collada_check.h"
+#include "baker/input_files.h"
 #include "baker/obj_reader.h"
 #include "baker/ply_reader.h"
 #include "baker/text.h"
@@ -10,7 +11,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <new>
 #include <set>
 #include <string_view>
@@ -24,8 +24,6 @@ const char* up_name(UpAxis up) {
 
 namespace {
 
-constexpr uint64_t max_file_bytes = uint64_t{1} << 31;
-
 void report(Faults& faults, FaultId id, Severity severity, std::string where, std::string what, std::string remedy) {
     faults.push_back({id, severity, std::move(where), std::move(what), std::move(remedy)});
 }
@@ -37,39 +35,6 @@ std::string lower_case(std::string text) {
 
 std::filesystem::path to_path(const std::string& utf8) {
     return std::filesystem::path(std::u8string(utf8.begin(), utf8.end()));
-}
-
-bool read_bytes(const std::string& path_utf8, std::string& bytes, Faults& faults) {
-    const std::filesystem::path path = to_path(path_utf8);
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) {
-        report(faults, FaultId::file_not_found, Severity::error, path_utf8, "There is no such file.",
-               "Check the path and its spelling.");
-        return false;
-    }
-    if (!std::filesystem::is_regular_file(status)) {
-        report(faults, FaultId::file_read, Severity::error, path_utf8, "This is not a file.",
-               "Give the path of a mesh file, not of a folder or a device.");
-        return false;
-    }
-    const uintmax_t size = std::filesystem::file_size(path, error);
-    if (!error && size > max_file_bytes) {
-        report(faults, FaultId::file_too_large, Severity::error, path_utf8, "The file is larger than 2 GiB.",
-               "Reduce the mesh before baking.");
-        return false;
-    }
-    std::ifstream stream(path, std::ios::binary);
-    if (!error && stream) {
-        bytes.resize(static_cast<std::size_t>(size));
-        stream.read(bytes.data(), static_cast<std::streamsize>(size));
-    }
-    if (error || !stream) {
-        report(faults, FaultId::file_read, Severity::error, path_utf8, "The file cannot be read.",
-               "Check that it may be read and that the disk is sound.");
-        return false;
-    }
-    return true;
 }
 
 // At most twenty, each once.
@@ -184,9 +149,10 @@ double scale_of(const PolygonSoup& soup, const MeshReadOptions& options, const s
     return *options.unit_scale;
 }
 
-// Importers hand over these formats corner by corner: joining them is reading, not repair.
+// Importers hand over these formats corner by corner, and programs keep a vertex for each normal and texture coordinate
+// at its place: joining them is reading, not repair.
 bool repeats_corners(const std::string& extension) {
-    return extension == "stl" || extension == "dae" || extension == "fbx";
+    return extension.empty() || extension == "stl" || extension == "dae" || extension == "fbx";
 }
 
 bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptions& options, const std::string& where,
@@ -328,12 +294,18 @@ bool declares_unit(const std::string& path_utf8) {
     return extension == "dae" || extension == "fbx";
 }
 
-bool read_mesh(const std::string& path_utf8, const MeshReadOptions& options, Mesh& out, Faults& faults) {
-    std::string bytes;
-    if (!read_bytes(path_utf8, bytes, faults)) return false;
+bool read_mesh(const std::string& path_utf8, const MeshReadOptions& options, Mesh& out, Faults& faults,
+               InputFiles* files) {
+    InputFiles own;
+    if (!files) files = &own;
+    const std::shared_ptr<const InputFiles::Bytes> bytes = files->read(path_utf8, &faults);
+    if (!bytes) return false;
     const std::u8string stem = to_path(path_utf8).stem().u8string();
     out.name.assign(stem.begin(), stem.end());
-    return read_any({path_utf8, &path_utf8, bytes.data(), bytes.size(), extension_of(path_utf8)}, options, out, faults);
+    const bool good = read_any({path_utf8, &path_utf8, files, bytes->data(), bytes->size(), extension_of(path_utf8)},
+                               options, out, faults);
+    files->forget_bytes();
+    return good;
 }
 
 bool read_mesh(const std::string& path_utf8, double unit_scale, Mesh& out, Faults& faults) {
@@ -343,12 +315,39 @@ bool read_mesh(const std::string& path_utf8, double unit_scale, Mesh& out, Fault
 bool read_mesh_memory(const void* bytes, std::size_t size, const std::string& extension, const MeshReadOptions& options,
                       Mesh& out, Faults& faults) {
     out.name = "memory";
-    return read_any({"memory", nullptr, bytes, bytes ? size : 0, lower_case(extension)}, options, out, faults);
+    return read_any({"memory", nullptr, nullptr, bytes, bytes ? size : 0, lower_case(extension)}, options, out, faults);
 }
 
 bool read_mesh_memory(const void* bytes, std::size_t size, const std::string& extension, double unit_scale, Mesh& out,
                       Faults& faults) {
     return read_mesh_memory(bytes, size, extension, only_scale(unit_scale), out, faults);
+}
+
+bool read_mesh_arrays(std::span<const double> positions, std::span<const uint32_t> indices,
+                      const MeshReadOptions& options, Mesh& out, Faults& faults) {
+    const std::string where = "arrays";
+    out = {};
+    if (!check_unit(options.unit_scale.value_or(1.0), faults)) return false;
+    if (positions.size() % 3 != 0 || indices.size() % 3 != 0 || positions.size() / 3 >= UINT32_MAX) {
+        report(faults, FaultId::mesh_bad_index, Severity::error, where,
+               "There are not three coordinates for each vertex and three indices for each triangle.",
+               "Check the lengths of both arrays.");
+        return false;
+    }
+    try {
+        PolygonSoup soup;
+        soup.vertices.reserve(positions.size() / 3);
+        for (std::size_t i = 0; i < positions.size(); i += 3)
+            soup.vertices.emplace_back(positions[i], positions[i + 1], positions[i + 2]);
+        soup.polygons.reserve(indices.size() / 3);
+        for (std::size_t i = 0; i < indices.size(); i += 3)
+            soup.polygons.push_back({indices[i], indices[i + 1], indices[i + 2]});
+        return finish(soup, "", options, where, out, faults);
+    } catch (const std::bad_alloc&) {
+        report(faults, FaultId::mesh_too_many_faces, Severity::error, where, "The mesh does not fit into memory.",
+               "Reduce the mesh before baking.");
+        return false;
+    }
 }
 
 } // namespace lr::baker

@@ -9,10 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace lr::baker {
+
+class InputFiles;
 
 using Face = std::array<uint32_t, 3>;
 
@@ -51,8 +54,10 @@ bool declares_unit(const std::string& path_utf8);
 // Reads any format assimp knows. OBJ and PLY have readers of our own: double precision, faults with line numbers, and
 // no endless loop on damaged files, as assimp 5.2 has for PLY.
 // Node transforms are applied, polygons triangulated, vertices at one place joined. What was changed is reported as
-// warnings; false and an error fault if unusable.
-bool read_mesh(const std::string& path_utf8, const MeshReadOptions& options, Mesh& out, Faults& faults);
+// warnings; false and an error fault if unusable. `files`, if given, is what was read: the file and those that it refers
+// to.
+bool read_mesh(const std::string& path_utf8, const MeshReadOptions& options, Mesh& out, Faults& faults,
+               InputFiles* files = nullptr);
 bool read_mesh(const std::string& path_utf8, double unit_scale, Mesh& out, Faults& faults);
 
 // The same from memory. extension: "obj", "stl", ... without the dot; files that refer to other files cannot be read
@@ -61,6 +66,10 @@ bool read_mesh_memory(const void* bytes, std::size_t size, const std::string& ex
                       Mesh& out, Faults& faults);
 bool read_mesh_memory(const void* bytes, std::size_t size, const std::string& extension, double unit_scale, Mesh& out,
                       Faults& faults);
+
+// The same from arrays in memory, as a program has them: three coordinates a vertex, three indices a triangle.
+bool read_mesh_arrays(std::span<const double> positions, std::span<const uint32_t> indices,
+                      const MeshReadOptions& options, Mesh& out, Faults& faults);
 
 // Joins vertices at exactly the same position; the first of each group stays, order is kept. Returns how many went.
 // Positions must be finite.

@@ -1,11 +1,15 @@
 #include "baker/options.h"
 
+#include "baker/text.h"
 #include "format/asset_data.h"
 
 #include <CLI/CLI.hpp>
 
 #include <charconv>
+#include <cstdio>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 namespace lr::baker {
 namespace {
@@ -42,6 +46,8 @@ struct Texts {
     std::string unit, up = "z", mesh, density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
     std::string center_of_mass, name;
     std::string semi_axis[3];
+    std::string output, output_folder, jobs;
+    bool force = false;
     std::string thickness, areal_density;
     std::string width, alpha = "0.5", triangles = "2000", mask = "alpha", piece, speck = "0.001";
 };
@@ -90,7 +96,7 @@ void add_card_options(CLI::App& command, Texts& texts) {
 }
 
 void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
-    command.add_option("-o,--output", line.output, "asset file to write")->required()->type_name("OUT.lrb");
+    command.add_option("-o,--output", texts.output, "asset file to write")->type_name("OUT.lrb");
     const auto add = [&](const char* option, std::string& text, const char* help, const char* type) {
         command.add_option(option, text, help)->capture_default_str()->type_name(type);
     };
@@ -106,7 +112,68 @@ void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
         ->type_name("X,Y,Z");
     command.add_option("--name", texts.name, "name in the asset, instead of the file's")->type_name("NAME");
     command.add_option("--report", line.report, "JSON report to write")->type_name("R.json");
+    command
+        .add_option("--plots", line.plots, "folder for pictures (SVG): turbulence, added mass, its entries and errors")
+        ->type_name("DIR");
+    command.add_flag("--if-changed", line.if_changed,
+                     "do nothing if the outputs were made by this baker from this input with these options");
     command.add_flag("--quiet", line.quiet, "print errors only");
+}
+
+void add_batch_options(CLI::App& command, Texts& texts, CommandLine& line) {
+    command.add_option("IN", line.inputs, "mesh files; more than one with --output-dir")->type_name("");
+    command.add_option("--list", line.list, "more mesh files: one path a line in this file, - for standard input")
+        ->type_name("FILE");
+    command
+        .add_option("-d,--output-dir", texts.output_folder,
+                    "folder for the assets, each named after its mesh; those that are up to date are left alone. "
+                    "--report then names a folder too")
+        ->type_name("DIR");
+    command.add_option("-j,--jobs", texts.jobs, "bakes at once, as far as memory allows")
+        ->default_str("one for each processor")
+        ->type_name("N");
+    command.add_flag("--force", texts.force, "with a folder: bake all, up to date or not");
+}
+
+bool is_folder(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_directory(std::filesystem::path(std::u8string(path.begin(), path.end())), error);
+}
+
+// One input and -o FILE, or any number of inputs and a folder. A folder after -o is taken as one when it is written as
+// one, or when several inputs leave no other sense.
+void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line, bool ellipsoid) {
+    const bool several = line.inputs.size() > 1 || !line.list.empty();
+    if (!ellipsoid && line.inputs.empty() && command.count("--list") == 0) throw CLI::RequiredError("IN");
+    if (!ellipsoid && command.count("--list") > 0 && line.list.empty())
+        throw CLI::ValidationError("--list", "the file name is empty");
+    for (const std::string& input : line.inputs)
+        if (several && input.empty()) throw CLI::ValidationError("IN", "a file name is empty");
+    if (command.count("--report") > 0 && line.report.empty())
+        throw CLI::ValidationError("--report", "the file name is empty");
+    if (command.count("--plots") > 0 && line.plots.empty())
+        throw CLI::ValidationError("--plots", "the folder name is empty");
+    const bool to_folder = !ellipsoid && command.count("--output-dir") > 0;
+    if (to_folder == (command.count("--output") > 0))
+        throw CLI::ValidationError("--output", to_folder ? "not together with --output-dir" : "say where to write to");
+    line.output = to_folder ? texts.output_folder : texts.output;
+    if (line.output.empty()) throw CLI::ValidationError("--output", "the file name is empty");
+    line.folders = to_folder || (!ellipsoid && is_folder(line.output) && (several || line.output.back() == '/'));
+    if (several && !line.folders)
+        throw CLI::ValidationError("--output", "several meshes need a folder: --output-dir DIR");
+    if (ellipsoid) return;
+    if (!line.folders && (texts.force || command.count("--jobs") > 0))
+        throw CLI::ValidationError(texts.force ? "--force" : "--jobs", "only with --output-dir");
+    if (command.count("--jobs") > 0) line.jobs = parse_number<unsigned>(texts.jobs, "--jobs");
+    if (command.count("--jobs") > 0 && (line.jobs < 1 || line.jobs > 1024))
+        throw CLI::ValidationError("--jobs", "'" + texts.jobs + "' is not from 1 to 1024");
+    if (line.folders) {
+        if (texts.force && line.if_changed) throw CLI::ValidationError("--force", "not together with --if-changed");
+        if (several && command.count("--name") > 0) throw CLI::ValidationError("--name", "only for one mesh");
+        line.if_changed = !texts.force;
+    } else {
+        line.bake.mesh_path = line.inputs.front();
+    }
 }
 
 void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
@@ -196,8 +263,8 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     app.footer("Exit code: 0 good; 1 a numbered fault (docs/format.md says what each means); 2 wrong usage.");
 
     CLI::App* mesh = app.add_subcommand(
-        "mesh", "bake a triangle mesh (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...), closed or a sheet");
-    mesh->add_option("IN", line.bake.mesh_path, "mesh file")->required()->type_name("");
+        "mesh", "bake triangle meshes (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...), closed or sheets");
+    add_batch_options(*mesh, texts, line);
     add_mesh_options(*mesh, texts);
     add_sheet_options(*mesh, texts);
     add_bake_options(*mesh, texts, line);
@@ -234,10 +301,8 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
             for (std::size_t i = 0; i < 3; ++i) axes[i] = parse_number<double>(texts.semi_axis[i], axis_names[i]);
             line.bake.semi_axes = axes;
         }
-        if (line.output.empty()) throw CLI::ValidationError("--output", "the file name is empty");
         const CLI::App& command = mesh->parsed() ? *mesh : card->parsed() ? *card : *ellipsoid;
-        if (line.report.empty() && command.count("--report") > 0)
-            throw CLI::ValidationError("--report", "the file name is empty");
+        read_outputs(command, texts, line, !mesh->parsed());
         if (mesh->parsed()) {
             read_mesh_options(*mesh, texts, line.bake);
             read_sheet_options(*mesh, texts, line.bake);
@@ -249,6 +314,11 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
         exit_code = app.exit(error) == 0 ? 0 : usage_error;
     }
     return std::nullopt;
+}
+
+int wrong_usage(const std::string& what) {
+    std::fprintf(stderr, "%s\nRun with --help for more information.\n", printable(what).c_str());
+    return usage_error;
 }
 
 } // namespace lr::baker

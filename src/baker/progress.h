@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 namespace lr::baker {
@@ -22,6 +23,24 @@ private:
     bool quiet_, terminal_, drawn_ = false;
     std::string phase_;
     Clock::time_point start_, shown_;
+};
+
+// For many bakes: one bar for all of them on a terminal, nothing elsewhere.
+class BatchProgress {
+public:
+    BatchProgress(bool quiet, std::size_t total);
+    ~BatchProgress() { clear(); }
+    BatchProgress(const BatchProgress&) = delete;
+    BatchProgress& operator=(const BatchProgress&) = delete;
+
+    void update(double finished); // bakes, with parts of those at work
+    void clear();
+
+private:
+    using Clock = std::chrono::steady_clock;
+    bool shown_, drawn_ = false;
+    double total_;
+    Clock::time_point start_ = Clock::now();
 };
 
 } // namespace lr::baker

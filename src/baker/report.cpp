@@ -15,10 +15,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string hex(uint64_t value) {
-    char buffer[17];
-    std::snprintf(buffer, sizeof buffer, "%016llx", static_cast<unsigned long long>(value));
-    return buffer;
+Json make_json(const ProvenanceData& p) {
+    return {{"tool", valid_utf8(p.tool)},
+            {"tool_version", valid_utf8(p.tool_version)},
+            {"source", valid_utf8(p.source)},
+            {"input_hash", hash_text(p.input_hash)},
+            {"options", valid_utf8(p.options)},
+            {"faces", p.faces},
+            {"vertices", p.vertices}};
 }
 
 Json make_json(const AssetData& a) {
@@ -55,14 +59,7 @@ Json make_json(const AssetData& a) {
                        {"intensity", a.turbulence.intensity},
                        {"cells", a.turbulence.cells}};
     j["hull"] = {{"vertices", a.hull.vertices.size() / 3}, {"triangles", a.hull.triangles.size() / 3}};
-    const ProvenanceData& p = a.provenance;
-    j["provenance"] = {{"tool", valid_utf8(p.tool)},
-                       {"tool_version", valid_utf8(p.tool_version)},
-                       {"source", valid_utf8(p.source)},
-                       {"input_hash", hex(p.input_hash)},
-                       {"options", valid_utf8(p.options)},
-                       {"faces", p.faces},
-                       {"vertices", p.vertices}};
+    j["provenance"] = make_json(a.provenance);
     return j;
 }
 
@@ -77,6 +74,12 @@ __attribute__((format(printf, 2, 3))) void line(std::string& text, const char* f
 }
 
 } // namespace
+
+std::string hash_text(uint64_t value) {
+    char buffer[17];
+    std::snprintf(buffer, sizeof buffer, "%016llx", static_cast<unsigned long long>(value));
+    return buffer;
+}
 
 std::string report_json(const AssetData& asset) {
     return make_json(asset).dump(2) + "\n";
@@ -94,6 +97,11 @@ std::string report_json(const AssetData& asset, const Faults& faults, const Bake
     j["timings"] = Json::object();
     for (const auto& [phase, seconds] : timings) j["timings"][phase] = seconds;
     return j.dump(2) + "\n";
+}
+
+bool is_report_of(std::string_view json, const ProvenanceData& provenance) {
+    const Json j = Json::parse(json, nullptr, false);
+    return j.is_object() && j.contains("provenance") && j["provenance"] == make_json(provenance);
 }
 
 std::string summary(const AssetData& a) {

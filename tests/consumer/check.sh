@@ -11,11 +11,14 @@ mkdir -p "$work"
 check() {
     at=$1
     name=$2
-    cmake -G Ninja -S "$here" -B "$work/$name" -DCMAKE_PREFIX_PATH="$at" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; return 1; }
+    baker=OFF
+    [ ! -e "$at/include/langevin_rigid_baker.hpp" ] || baker=ON
+    cmake -G Ninja -S "$here" -B "$work/$name" -DCMAKE_PREFIX_PATH="$at" -DWITH_BAKER=$baker > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; return 1; }
     cmake --build "$work/$name" >> "$work/$name.log" 2>&1 || { cat "$work/$name.log"; return 1; }
     grep -q "langevin_rigid_DIR:PATH=$at" "$work/$name/CMakeCache.txt" || { echo "another package was found"; return 1; }
     in_c=$("$work/$name/in_c")
     in_cpp=$("$work/$name/in_cpp")
+    [ $baker = OFF ] || "$work/$name/importer"
     config=$(dirname "$(find "$at" -name langevin_rigid.pc)")
     # $flags is a list of words on purpose.
     flags=$(PKG_CONFIG_PATH="$config" pkg-config --cflags --libs langevin_rigid)

@@ -1,0 +1,101 @@
+#include "baker/bake_input.h"
+
+#include "baker/text.h"
+
+#include <filesystem>
+#include <memory>
+#include <new>
+
+namespace lr::baker {
+namespace {
+
+// Said before minutes go into checks and the hull, not after.
+constexpr std::size_t max_faces = 1'000'000;
+
+std::string utf8(const std::filesystem::path& path) {
+    const std::u8string text = path.u8string();
+    return valid_utf8(std::string(text.begin(), text.end()));
+}
+
+std::filesystem::path mesh_path(const BakeOptions& o) {
+    return std::u8string(o.mesh_path.begin(), o.mesh_path.end());
+}
+
+void add_memory(const BakeOptions& o, InputFiles& input) {
+    if (o.mesh_arrays) {
+        input.add(o.mesh_arrays->positions.data(), o.mesh_arrays->positions.size_bytes());
+        input.add(o.mesh_arrays->indices.data(), o.mesh_arrays->indices.size_bytes());
+    } else if (o.mesh_bytes) {
+        input.add(o.mesh_bytes->data(), o.mesh_bytes->size());
+    }
+}
+
+// These formats are read by readers that open no other file; of the rest only reading tells.
+bool stands_alone(const BakeOptions& o) {
+    std::string extension = mesh_path(o).extension().string();
+    for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    return extension == ".obj" || extension == ".ply" || extension == ".stl" || o.card;
+}
+
+bool read_image(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
+    CardOptions how = *o.card;
+    how.width /= units_per_metre(o.unit);
+    CardReport unused;
+    add_memory(o, input);
+    if (o.mesh_bytes)
+        return read_card_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), how, o.mesh_path, mesh, unused, faults);
+    const std::shared_ptr<const InputFiles::Bytes> bytes = input.read(o.mesh_path, &faults);
+    return bytes && read_card_memory(bytes->data(), bytes->size(), how, o.mesh_path, mesh, unused, faults);
+}
+
+} // namespace
+
+bool read_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
+    if (o.card) return read_image(o, mesh, input, faults);
+    MeshReadOptions how;
+    how.max_faces = max_faces;
+    if (o.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(o.unit);
+    how.up = o.up;
+    how.mesh = o.mesh;
+    add_memory(o, input);
+    if (o.mesh_arrays) return read_mesh_arrays(o.mesh_arrays->positions, o.mesh_arrays->indices, how, mesh, faults);
+    if (!o.mesh_bytes) return read_mesh(o.mesh_path, how, mesh, faults, &input);
+    std::string extension = mesh_path(o).extension().string();
+    if (!extension.empty()) extension.erase(0, 1);
+    return read_mesh_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), extension, how, mesh, faults);
+}
+
+uint64_t input_hash(const InputFiles& input, const std::string& options) {
+    Fnv1a hash = input.hash();
+    hash.add(options.data(), options.size());
+    return hash.value();
+}
+
+std::string source_name(const BakeOptions& options) {
+    return options.semi_axes ? "ellipsoid" : utf8(mesh_path(options).filename());
+}
+
+std::string asset_name(const BakeOptions& options) {
+    if (options.name) return valid_utf8(*options.name);
+    return options.semi_axes ? "ellipsoid" : utf8(mesh_path(options).stem());
+}
+
+std::optional<uint64_t> find_input_hash(const BakeOptions& options) {
+    try {
+        InputFiles input;
+        Faults ignored;
+        if (options.mesh_arrays || options.mesh_bytes) {
+            add_memory(options, input);
+        } else if (!options.semi_axes) {
+            Mesh mesh;
+            const bool read = stands_alone(options) ? input.read(options.mesh_path, &ignored) != nullptr
+                                                    : read_input(options, mesh, input, ignored);
+            if (!read) return {};
+        }
+        return input_hash(input, canonical_options(options));
+    } catch (const std::bad_alloc&) {
+        return {};
+    }
+}
+
+} // namespace lr::baker
