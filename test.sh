@@ -58,7 +58,7 @@ if [ "${1:-}" != --quick ]; then
     step "Fuzzers: the loader 20 s, the baker's readers and checks 60 s"
     configure build/fuzz --preset fuzz
     cmake --build build/fuzz
-    for run in asset:20 mesh:60; do
+    for run in asset:20 mesh:60 card:20; do
         target=${run%:*}
         mkdir -p "build/fuzz/corpus-$target"
         # assimp loses memory on some damaged files; nothing of ours can give it back.

@@ -8,8 +8,9 @@ packages=(
     libhwy-dev                                   # kernel: SIMD
     libflatbuffers-dev flatbuffers-compiler      # asset format
     libeigen3-dev libassimp-dev                  # baker
+    libpng-dev libboost-dev                      # baker: images and triangulation of cards
     libcli11-dev nlohmann-json3-dev              # command lines, reports
-    libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev   # pictures without a display
+    libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
 )
 if [ "${1:-build}" = test ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)

@@ -42,6 +42,9 @@ bool in_range(double value, double low, double high, const char* where, const ch
 // The turbulence solver has the same limits, but would name them after minutes of work on the added mass.
 bool check_options(const BakeOptions& o, Faults& faults) {
     bool good = in_range(o.density, 1e-3, 1e6, "density", " kg/m^3", faults);
+    if (o.card && !o.sheet)
+        good = fail(faults, FaultId::parameter_out_of_range, "thickness", "A card has no thickness of its own.",
+                    "Give it one.");
     if (o.sheet) {
         const double thickness = o.sheet->thickness / units_per_metre(o.unit);
         good = in_range(thickness, 1e-8, 10.0, "thickness", " m", faults) && good;
@@ -355,7 +358,7 @@ const char* unit_name(Unit unit) {
 }
 
 std::string canonical_options(const BakeOptions& o) {
-    std::string text = o.semi_axes ? "ellipsoid" : "mesh";
+    std::string text = o.semi_axes ? "ellipsoid" : o.card ? "card" : "mesh";
     const auto add = [&](const char* before, const auto& numbers) {
         text += before;
         char separator = ' ';
@@ -373,7 +376,16 @@ std::string canonical_options(const BakeOptions& o) {
     text += unit_name(same_as_metres ? Unit::m : o.unit);
     if (!o.semi_axes && o.up != UpAxis::z) text += std::string(" --up ") + up_name(o.up);
     if (!o.semi_axes && o.mesh) text += " --mesh " + valid_utf8(*o.mesh);
-    if (!o.semi_axes && o.sheet) add_one(" --sheet --thickness", o.sheet->thickness);
+    if (!o.semi_axes && o.card) {
+        add_one(" --width", o.card->width);
+        if (o.card->channel == MaskChannel::luminance) text += " --mask luminance";
+        add_one(" --alpha", o.card->alpha);
+        add_one(" --triangles", static_cast<double>(o.card->triangles));
+        if (o.card->all_pieces) text += " --piece all";
+        if (o.card->piece) text += " --piece " + std::to_string(*o.card->piece);
+        add_one(" --speck", o.card->speck);
+    }
+    if (!o.semi_axes && o.sheet) add_one(o.card ? " --thickness" : " --sheet --thickness", o.sheet->thickness);
     if (!o.semi_axes && o.sheet && o.sheet->areal_density)
         add_one(" --areal-density", *o.sheet->areal_density);
     else

@@ -1,6 +1,7 @@
 // The whole bake: from a mesh file or three semi-axes to an asset.
 #pragma once
 
+#include "baker/card.h"
 #include "baker/mesh.h"
 #include "format/asset_data.h"
 #include "format/fault.h"
@@ -42,6 +43,7 @@ struct BakeOptions {
     UpAxis up = UpAxis::z;                          // axis of the mesh that becomes +z
     std::optional<std::string> mesh;                // only what has this name in the file
     std::optional<SheetOptions> sheet;              // instead of the boundary of a solid
+    std::optional<CardOptions> card;                // of a sheet: mesh_path is an image, its width in `unit`
     double density = 800.0;                         // kg/m^3; leaf, paper
     double fluid_density = 1.2;                     // kg/m^3; air
     double fluid_viscosity = 1.5e-5;                // m^2/s

@@ -3,10 +3,14 @@
 #include "baker/text.h"
 
 #include <filesystem>
+#include <memory>
 #include <new>
 
 namespace lr::baker {
 namespace {
+
+// Said before minutes go into checks and the hull, not after.
+constexpr std::size_t max_faces = 1'000'000;
 
 std::string utf8(const std::filesystem::path& path) {
     const std::u8string text = path.u8string();
@@ -30,13 +34,26 @@ void add_memory(const BakeOptions& o, InputFiles& input) {
 bool stands_alone(const BakeOptions& o) {
     std::string extension = mesh_path(o).extension().string();
     for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return extension == ".obj" || extension == ".ply" || extension == ".stl";
+    return extension == ".obj" || extension == ".ply" || extension == ".stl" || o.card;
+}
+
+bool read_image(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
+    CardOptions how = *o.card;
+    how.width /= units_per_metre(o.unit);
+    CardReport unused;
+    add_memory(o, input);
+    if (o.mesh_bytes)
+        return read_card_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), how, o.mesh_path, mesh, unused, faults);
+    const std::shared_ptr<const InputFiles::Bytes> bytes = input.read(o.mesh_path, &faults);
+    return bytes && read_card_memory(bytes->data(), bytes->size(), how, o.mesh_path, mesh, unused, faults);
 }
 
 } // namespace
 
 bool read_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
+    if (o.card) return read_image(o, mesh, input, faults);
     MeshReadOptions how;
+    how.max_faces = max_faces;
     if (o.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(o.unit);
     how.up = o.up;
     how.mesh = o.mesh;

@@ -24,8 +24,6 @@ const char* up_name(UpAxis up) {
 
 namespace {
 
-constexpr std::size_t max_faces = 20'000'000;
-
 void report(Faults& faults, FaultId id, Severity severity, std::string where, std::string what, std::string remedy) {
     faults.push_back({id, severity, std::move(where), std::move(what), std::move(remedy)});
 }
@@ -165,9 +163,11 @@ bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptio
         return false;
     }
     if (options.mesh && !select(soup, *options.mesh, where, faults)) return false;
-    if (soup.polygons.size() > max_faces) {
-        report(faults, FaultId::mesh_too_many_faces, Severity::error, where, "The mesh has more than 20 million faces.",
-               "Reduce the mesh before baking.");
+    if (soup.polygons.size() > options.max_faces) {
+        report(faults, FaultId::mesh_too_many_faces, Severity::error, where,
+               "The mesh has " + std::to_string(soup.polygons.size()) + " faces, more than " +
+                   std::to_string(options.max_faces) + ".",
+               "Decimate it before baking.");
         return false;
     }
     const double unit_scale = scale_of(soup, options, where, faults);

@@ -42,6 +42,7 @@ struct MeshReadOptions {
     UpAxis up = UpAxis::z; // as authored
     // Only the objects of this name (of a mesh, a node or a node above it), instead of all as one.
     std::optional<std::string> mesh;
+    std::size_t max_faces = 20'000'000; // fault 211, as soon as the file is parsed
 };
 
 // Two vertices closer than this part of the mesh's largest extent are one.

@@ -2,6 +2,7 @@
 
 #include "baker/crack_repair.h"
 #include "baker/disjoint_sets.h"
+#include "baker/self_intersection.h"
 
 #include <Eigen/Geometry>
 
@@ -20,6 +21,8 @@ constexpr double zero_volume_shape = 1e-9;
 // to 1e-7.
 constexpr double crack_tolerance = 1e-6;
 constexpr std::size_t listed = 5;
+constexpr std::size_t most_crossings = 1000; // pairs of faces; one is enough to tell
+constexpr std::size_t most_searched = 2'000'000;
 
 struct Edge {
     uint32_t low, high; // vertices
@@ -41,13 +44,14 @@ public:
 
     bool run() {
         return check_values() && remove_collapsed_and_duplicate_faces() && remove_isolated_vertices() &&
-               check_shapes() && join_cracks() && check_edges() && orient() && split_touching_fans() && check_volumes();
+               check_shapes() && join_cracks() && check_edges() && orient() && split_touching_fans() &&
+               check_volumes() && name_crossings();
     }
 
     bool run_sheet() {
         sheet_ = true;
         return check_values() && remove_collapsed_and_duplicate_faces() && remove_isolated_vertices() &&
-               check_shapes() && join_cracks() && count_parts();
+               check_shapes() && join_cracks() && count_parts() && name_crossings();
     }
 
 private:
@@ -402,6 +406,28 @@ private:
              "The mesh has " + std::to_string(component_count_) + " separate parts, taken as one rigid body.",
              "Join parts that belong together (boolean union); bake separate bodies one by one.");
         return check_nesting(first);
+    }
+
+    bool name_crossings() {
+        if (mesh_.faces.size() > most_searched) return true; // far more than can be baked: that is said later
+        const SelfIntersections found = find_self_intersections(mesh_, most_crossings);
+        const auto& pairs = found.pairs;
+        if (pairs.empty()) return true;
+        std::string where = "face " + list(pairs.size(), [&](std::size_t i) {
+                                return std::to_string(pairs[i].first) + " and " + std::to_string(pairs[i].second);
+                            });
+        if (!found.complete) where += " at least";
+        // Where solids overlap, mass and added mass were seen to be wrong by tens of percents.
+        if (!sheet_ && std::any_of(pairs.begin(), pairs.end(),
+                                   [&](const auto& pair) { return component_[pair.first] != component_[pair.second]; }))
+            return error(FaultId::mesh_several_components, std::move(where), "Parts cross or touch each other.",
+                         "Unite the parts (boolean union), or pull them apart.");
+        warn(FaultId::mesh_self_intersection, std::move(where), "Faces cross, touch or cover each other.",
+             sheet_
+                 ? "Cut them where they meet so that they share vertices, or pull them apart."
+                 : "Unite the parts (boolean union) or remesh: what lies inside twice counts twice, and the added mass "
+                   "is uncertain.");
+        return true;
     }
 
     // Winding number of a component around a point, by signed solid angles (van Oosterom and Strackee 1983).

@@ -6,7 +6,8 @@
 namespace lr::baker {
 
 // On success the mesh is finite, closed, edge-manifold, consistently wound, outward, of positive volume, without
-// degenerate or duplicate faces and without unused vertices. Every change is a warning, everything else an error.
+// degenerate or duplicate faces and without unused vertices. Every change is a warning, so are
+// faces of one part that cross each other; everything else is an error.
 bool check_and_repair(Mesh& mesh, Faults& faults);
 
 // On success the mesh is finite, without degenerate faces, doubled ones (from either side) or unused vertices. Edges may

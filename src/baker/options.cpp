@@ -49,6 +49,7 @@ struct Texts {
     std::string output, output_folder, jobs;
     bool force = false;
     std::string thickness, areal_density;
+    std::string width, alpha = "0.5", triangles = "2000", mask = "alpha", piece, speck = "0.001";
 };
 
 void add_mesh_options(CLI::App& command, Texts& texts) {
@@ -74,6 +75,24 @@ void add_sheet_options(CLI::App& command, Texts& texts) {
                     "mass of the sheet over its area, kg/m^2, instead of --density (paper: 0.08)")
         ->needs(sheet)
         ->type_name("KG_M2");
+}
+
+void add_card_options(CLI::App& command, Texts& texts) {
+    const auto add = [&](const char* option, std::string& text, const char* help, const char* type) {
+        return command.add_option(option, text, help)->type_name(type);
+    };
+    add("--width", texts.width, "of the whole image, in the unit", "W")->required();
+    add("--thickness", texts.thickness, "of the leaf, in the unit", "T")->required();
+    add("--areal-density", texts.areal_density, "mass of the leaf over its area, kg/m^2, instead of --density",
+        "KG_M2");
+    add("--unit", texts.unit, "unit of every length given: m, cm or mm", "UNIT")->default_str("m");
+    add("--alpha", texts.alpha, "the outline runs where the opacity has this value", "A")->capture_default_str();
+    add("--triangles", texts.triangles, "about as many", "N")->capture_default_str();
+    add("--mask", texts.mask, "alpha, or luminance of a black-and-white mask", "CHANNEL")->capture_default_str();
+    add("--piece", texts.piece, "of several separate regions the N-th by size, or all as one body", "N|all")
+        ->default_str("1");
+    add("--speck", texts.speck, "leave out regions and holes below this part of the largest region", "PART")
+        ->capture_default_str();
 }
 
 void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
@@ -172,15 +191,35 @@ void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions&
     o.mesh = texts.mesh;
 }
 
-void read_sheet_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
-    if (command.count("--sheet") == 0) return;
-    if (command.count("--thickness") == 0) throw CLI::ValidationError("--sheet", "a sheet needs --thickness");
+void read_thickness(const CLI::App& command, const Texts& texts, BakeOptions& o) {
     if (command.count("--areal-density") > 0 && command.count("--density") > 0)
         throw CLI::ValidationError("--areal-density", "it and --density say the same thing: give one");
     o.sheet.emplace();
     o.sheet->thickness = parse_number<double>(texts.thickness, "--thickness");
     if (command.count("--areal-density") > 0)
         o.sheet->areal_density = parse_number<double>(texts.areal_density, "--areal-density");
+}
+
+void read_sheet_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    if (command.count("--sheet") == 0) return;
+    if (command.count("--thickness") == 0) throw CLI::ValidationError("--sheet", "a sheet needs --thickness");
+    read_thickness(command, texts, o);
+}
+
+void read_card_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    CardOptions& card = o.card.emplace();
+    card.width = parse_number<double>(texts.width, "--width");
+    card.alpha = parse_number<double>(texts.alpha, "--alpha");
+    card.triangles = parse_number<uint32_t>(texts.triangles, "--triangles");
+    card.speck = parse_number<double>(texts.speck, "--speck");
+    if (texts.mask == "luminance")
+        card.channel = MaskChannel::luminance;
+    else if (texts.mask != "alpha")
+        throw CLI::ValidationError("--mask", "'" + texts.mask + "' is not alpha or luminance");
+    card.all_pieces = texts.piece == "all";
+    if (command.count("--piece") > 0 && !card.all_pieces) card.piece = parse_number<uint32_t>(texts.piece, "--piece");
+    if (texts.unit == "file") throw CLI::ValidationError("--unit", "'file' is not m, cm or mm");
+    read_thickness(command, texts, o);
 }
 
 void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
@@ -232,6 +271,11 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     add_sheet_options(*mesh, texts);
     add_bake_options(*mesh, texts, line);
 
+    CLI::App* card = app.add_subcommand("card", "bake what the alpha channel of a PNG image leaves of a card: a leaf");
+    card->add_option("IMAGE", line.bake.mesh_path, "PNG image")->required()->type_name("");
+    add_card_options(*card, texts);
+    add_bake_options(*card, texts, line);
+
     CLI::App* ellipsoid = app.add_subcommand("ellipsoid", "bake a solid ellipsoid from closed forms");
     const char* const axis_names[] = {"A", "B", "C"};
     for (std::size_t i = 0; i < 3; ++i)
@@ -259,12 +303,14 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
             for (std::size_t i = 0; i < 3; ++i) axes[i] = parse_number<double>(texts.semi_axis[i], axis_names[i]);
             line.bake.semi_axes = axes;
         }
-        read_outputs(mesh->parsed() ? *mesh : *ellipsoid, texts, line, ellipsoid->parsed());
+        const CLI::App& command = mesh->parsed() ? *mesh : card->parsed() ? *card : *ellipsoid;
+        read_outputs(command, texts, line, !mesh->parsed());
         if (mesh->parsed()) {
             read_mesh_options(*mesh, texts, line.bake);
             read_sheet_options(*mesh, texts, line.bake);
         }
-        read_bake_options(mesh->parsed() ? *mesh : *ellipsoid, texts, line.bake);
+        if (card->parsed()) read_card_options(*card, texts, line.bake);
+        read_bake_options(command, texts, line.bake);
         return line;
     } catch (const CLI::ParseError& error) {
         exit_code = app.exit(error) == 0 ? 0 : usage_error;

@@ -35,6 +35,14 @@ enum class FaultId : uint32_t {
     mesh_several_meshes = 216,
     mesh_ill_conditioned = 217,
     mesh_turned_or_scaled = 218,
+    // 22x: the image of a card
+    image_unreadable = 221,
+    image_no_outline = 222,
+    image_several_pieces = 223,
+    image_specks = 224,
+    image_too_ragged = 225,
+    // the mesh again
+    mesh_self_intersection = 226,
     // 3xx: a parameter of the bake
     parameter_out_of_range = 301,
     parameter_unknown = 302,

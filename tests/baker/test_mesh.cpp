@@ -615,3 +615,15 @@ TEST_CASE("a face that joining cracks makes a copy of others goes") {
     CHECK(mesh.faces.size() == 2);
     CHECK(faults.size() == 2);
 }
+
+TEST_CASE("too many faces are refused as soon as they are counted") {
+    const std::string text = to_obj(test::icosphere(2));
+    MeshReadOptions options;
+    for (const std::size_t limit : {320U, 319U}) {
+        options.max_faces = limit;
+        Mesh mesh;
+        Faults faults;
+        CHECK(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults) == (limit == 320));
+        CHECK(errors(faults, FaultId::mesh_too_many_faces) == (limit == 320 ? 0 : 1));
+    }
+}

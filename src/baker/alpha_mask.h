@@ -1,0 +1,34 @@
+// The opacity of an image: what a leaf texture cuts out of its card.
+#pragma once
+
+#include "format/fault.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lr::baker {
+
+// luminance: a black-and-white mask kept in an image of its own.
+enum class MaskChannel { alpha, luminance };
+
+struct AlphaMask {
+    std::size_t width = 0, height = 0;
+    std::vector<uint16_t> opacity; // 0 to 65535, row by row from the bottom, so that y runs up
+
+    // Transparent outside: the border of the image closes every outline.
+    double at(std::ptrdiff_t x, std::ptrdiff_t y) const {
+        const bool outside =
+            x < 0 || y < 0 || x >= static_cast<std::ptrdiff_t>(width) || y >= static_cast<std::ptrdiff_t>(height);
+        return outside ? 0.0 : opacity[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
+    }
+};
+
+constexpr std::size_t max_image_side = 16384;
+
+// PNG of any kind: 1 to 16 bits, palette, interlaced. Faults 221 and, without an alpha channel, 222.
+bool read_alpha_mask(const void* png, std::size_t size, MaskChannel channel, const std::string& where, AlphaMask& out,
+                     Faults& faults);
+
+} // namespace lr::baker
