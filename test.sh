@@ -55,10 +55,10 @@ if [ "${1:-}" != --quick ]; then
     cmake --build build/tsan
     ctest --test-dir build/tsan -j "$jobs" --output-on-failure
 
-    step "Fuzzers: the loader 20 s, the baker's readers and checks 60 s"
+    step "Fuzzers: the loader 20 s, the baker's readers and checks of meshes and cards 60 s each"
     configure build/fuzz --preset fuzz
     cmake --build build/fuzz
-    for run in asset:20 mesh:60 card:20; do
+    for run in asset:20 mesh:60 card:60; do
         target=${run%:*}
         mkdir -p "build/fuzz/corpus-$target"
         # assimp loses memory on some damaged files; nothing of ours can give it back.

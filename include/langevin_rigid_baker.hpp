@@ -39,6 +39,17 @@ struct BakeSheet {
     std::optional<double> areal_density; // kg/m^2; without it, `density` times the thickness
 };
 
+// What the alpha channel of a PNG image leaves of a card is the middle surface of a sheet, which gives its thickness.
+struct BakeCard {
+    double width = 0.0;             // of the whole image, in `unit`
+    double alpha = 0.5;             // the outline runs where the opacity has this value
+    std::uint32_t triangles = 2000; // about as many
+    bool luminance = false;         // the image is a black-and-white mask
+    std::uint32_t piece = 0;        // of several regions the n-th by size; 0: the largest, and a warning
+    bool all_pieces = false;        // instead, all as one body
+    double speck = 1e-3;            // regions and holes below this part of the largest region are left out
+};
+
 // As the options of the same names of lr_bake. New ones are only ever appended.
 struct BakeOptions {
     Unit unit = Unit::file; // of the mesh
@@ -53,6 +64,8 @@ struct BakeOptions {
     std::optional<std::array<double, 3>> center_of_mass;
     std::string name;               // in the asset; empty: that of the file, "mesh" or "ellipsoid"
     std::optional<BakeSheet> sheet; // instead of the boundary of a solid
+    std::optional<BakeCard> card;   // file or bytes are an image; not for triangles and ellipsoids
+    bool wake = false;              // put the body into the stream of the turbulence table
 };
 
 struct BakeFault {
@@ -97,7 +110,7 @@ BakeResult bake_triangles(const double* positions, std::size_t vertices, const s
                           std::size_t triangles, const BakeOptions& options,
                           const BakeProgress& progress = {}) noexcept;
 
-// A solid ellipsoid, from closed forms. semi_axes: in `unit`. `up`, `mesh` and `sheet` are not used.
+// A solid ellipsoid, from closed forms. semi_axes: in `unit`. `up`, `mesh`, `sheet` and `card` are not used.
 BakeResult bake_ellipsoid(const std::array<double, 3>& semi_axes, const BakeOptions& options,
                           const BakeProgress& progress = {}) noexcept;
 

@@ -212,8 +212,10 @@ private:
     bool solve_added_mass(AddedMass& added) {
         const auto report = [&](double f) { advance(f); };
         const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-        return is_sheet() ? compute_sheet_added_mass(mesh_, origin, Refinement{}, added, faults_, report)
-                          : compute_added_mass(mesh_, origin, added, faults_, report);
+        AddedMassOptions how;
+        how.threads = hooks_.threads;
+        return is_sheet() ? compute_sheet_added_mass(mesh_, origin, Refinement{}, added, faults_, report, how)
+                          : compute_added_mass(mesh_, origin, added, faults_, report, how);
     }
 
     bool make_added_mass() {

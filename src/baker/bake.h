@@ -71,6 +71,7 @@ struct BakeHooks {
     Mesh* body = nullptr;
     // Called before what takes memory, with the number of faces; it may wait.
     std::function<void(std::size_t faces)> before_solve;
+    unsigned threads = 0; // of the solver for large meshes; 0: as many as the machine runs at once
 };
 
 // The same bytes and options give the same asset. False when `faults` received an error; repairs are warnings.

@@ -32,32 +32,34 @@ void add_memory(const BakeOptions& o, InputFiles& input) {
 
 // These formats are read by readers that open no other file; of the rest only reading tells.
 bool stands_alone(const BakeOptions& o) {
+    if (o.card) return true;
     std::string extension = mesh_path(o).extension().string();
     for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return extension == ".obj" || extension == ".ply" || extension == ".stl" || o.card;
+    return extension == ".obj" || extension == ".ply" || extension == ".stl";
 }
 
-bool read_image(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
+bool trace_card(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
     CardOptions how = *o.card;
     how.width /= units_per_metre(o.unit);
     CardReport unused;
-    add_memory(o, input);
     if (o.mesh_bytes)
         return read_card_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), how, o.mesh_path, mesh, unused, faults);
-    const std::shared_ptr<const InputFiles::Bytes> bytes = input.read(o.mesh_path, &faults);
-    return bytes && read_card_memory(bytes->data(), bytes->size(), how, o.mesh_path, mesh, unused, faults);
+    const std::shared_ptr<const InputFiles::Bytes> image = input.read(o.mesh_path, &faults);
+    const bool good = image && read_card_memory(image->data(), image->size(), how, o.mesh_path, mesh, unused, faults);
+    input.forget_bytes();
+    return good;
 }
 
 } // namespace
 
 bool read_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
-    if (o.card) return read_image(o, mesh, input, faults);
     MeshReadOptions how;
-    how.max_faces = max_faces;
     if (o.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(o.unit);
     how.up = o.up;
     how.mesh = o.mesh;
+    how.max_faces = max_faces;
     add_memory(o, input);
+    if (o.card) return trace_card(o, mesh, input, faults);
     if (o.mesh_arrays) return read_mesh_arrays(o.mesh_arrays->positions, o.mesh_arrays->indices, how, mesh, faults);
     if (!o.mesh_bytes) return read_mesh(o.mesh_path, how, mesh, faults, &input);
     std::string extension = mesh_path(o).extension().string();

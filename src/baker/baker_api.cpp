@@ -75,6 +75,17 @@ core::BakeOptions to_core(const BakeOptions& o) {
     options.center_of_mass = o.center_of_mass;
     if (!o.name.empty()) options.name = o.name;
     if (o.sheet) options.sheet = core::SheetOptions{o.sheet->thickness, o.sheet->areal_density};
+    options.wake = o.wake;
+    if (o.card) {
+        core::CardOptions& card = options.card.emplace();
+        card.width = o.card->width;
+        card.alpha = o.card->alpha;
+        card.triangles = o.card->triangles;
+        card.channel = o.card->luminance ? core::MaskChannel::luminance : core::MaskChannel::alpha;
+        if (o.card->piece > 0) card.piece = o.card->piece;
+        card.all_pieces = o.card->all_pieces;
+        card.speck = o.card->speck;
+    }
     return options;
 }
 
@@ -139,6 +150,7 @@ BakeResult bake_arrays(const Number* positions, std::size_t vertices, const std:
         const std::vector<double> copy(positions, positions + 3 * vertices);
         core::BakeOptions options = to_core(o);
         options.mesh_path = "mesh";
+        options.card.reset();
         options.mesh_arrays = core::MeshArrays{copy, {indices, 3 * triangles}};
         run(options, progress, result);
     });
@@ -186,6 +198,7 @@ BakeResult bake_ellipsoid(const std::array<double, 3>& semi_axes, const BakeOpti
         options.up = core::UpAxis::z;
         options.mesh.reset();
         options.sheet.reset();
+        options.card.reset();
         options.semi_axes = semi_axes;
         run(options, progress, result);
     });

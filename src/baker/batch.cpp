@@ -45,6 +45,7 @@ public:
         // Signals come to the thread that writes files, which holds them meanwhile; threads inherit what is held here.
         const SignalsHeld held;
         const std::size_t wanted = std::clamp<std::size_t>(limits.threads, 1, std::max<std::size_t>(jobs.size(), 1));
+        solver_threads_ = std::max(1U, std::thread::hardware_concurrency() / static_cast<unsigned>(wanted));
         threads_.reserve(wanted);
         try {
             while (threads_.size() < wanted) threads_.emplace_back([this] { work(); });
@@ -104,6 +105,7 @@ private:
     void make(std::size_t i) {
         uint64_t reserved = 0;
         BakeHooks hooks;
+        hooks.threads = solver_threads_;
         hooks.before_solve = [&](std::size_t faces) {
             budget_.acquire(solve_memory(faces));
             reserved = solve_memory(faces);
@@ -135,6 +137,7 @@ private:
     std::deque<std::size_t> made_;
     std::vector<char> ready_; // only the calling thread's, as are these
     std::size_t next_shown_ = 0, failed_ = 0;
+    unsigned solver_threads_ = 1; // of each job: jobs share the processors
     std::vector<std::thread> threads_;
 };
 

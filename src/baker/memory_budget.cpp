@@ -36,7 +36,7 @@ uint64_t available_memory() {
 
 uint64_t solve_memory(std::size_t faces) {
     const auto n = static_cast<uint64_t>(faces);
-    return faces <= 8000 ? 8 * n * n : 30000 * n; // a dense matrix of the panels; 3 GB at 100,000
+    return faces <= 8000 ? 8 * n * n : 12000 * n; // a dense matrix of the panels; near blocks of 3 to 9 kB a panel
 }
 
 void MemoryBudget::acquire(uint64_t bytes) {

@@ -123,12 +123,12 @@ void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
 }
 
 void add_batch_options(CLI::App& command, Texts& texts, CommandLine& line) {
-    command.add_option("IN", line.inputs, "mesh files; more than one with --output-dir")->type_name("");
-    command.add_option("--list", line.list, "more mesh files: one path a line in this file, - for standard input")
+    command.add_option("IN", line.inputs, "files; more than one with --output-dir")->type_name("");
+    command.add_option("--list", line.list, "more of them: one path a line in this file, - for standard input")
         ->type_name("FILE");
     command
         .add_option("-d,--output-dir", texts.output_folder,
-                    "folder for the assets, each named after its mesh; those that are up to date are left alone. "
+                    "folder for the assets, each named after its input; those that are up to date are left alone. "
                     "--report then names a folder too")
         ->type_name("DIR");
     command.add_option("-j,--jobs", texts.jobs, "bakes at once, as far as memory allows")
@@ -162,7 +162,7 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
     if (line.output.empty()) throw CLI::ValidationError("--output", "the file name is empty");
     line.folders = to_folder || (!ellipsoid && is_folder(line.output) && (several || line.output.back() == '/'));
     if (several && !line.folders)
-        throw CLI::ValidationError("--output", "several meshes need a folder: --output-dir DIR");
+        throw CLI::ValidationError("--output", "several inputs need a folder: --output-dir DIR");
     if (ellipsoid) return;
     if (!line.folders && (texts.force || command.count("--jobs") > 0))
         throw CLI::ValidationError(texts.force ? "--force" : "--jobs", "only with --output-dir");
@@ -171,7 +171,7 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
         throw CLI::ValidationError("--jobs", "'" + texts.jobs + "' is not from 1 to 1024");
     if (line.folders) {
         if (texts.force && line.if_changed) throw CLI::ValidationError("--force", "not together with --if-changed");
-        if (several && command.count("--name") > 0) throw CLI::ValidationError("--name", "only for one mesh");
+        if (several && command.count("--name") > 0) throw CLI::ValidationError("--name", "only for one input");
         line.if_changed = !texts.force;
     } else {
         line.bake.mesh_path = line.inputs.front();
@@ -271,8 +271,8 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     add_sheet_options(*mesh, texts);
     add_bake_options(*mesh, texts, line);
 
-    CLI::App* card = app.add_subcommand("card", "bake what the alpha channel of a PNG image leaves of a card: a leaf");
-    card->add_option("IMAGE", line.bake.mesh_path, "PNG image")->required()->type_name("");
+    CLI::App* card = app.add_subcommand("card", "bake what the alpha channels of PNG images leave of cards: leaves");
+    add_batch_options(*card, texts, line);
     add_card_options(*card, texts);
     add_bake_options(*card, texts, line);
 
@@ -304,7 +304,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
             line.bake.semi_axes = axes;
         }
         const CLI::App& command = mesh->parsed() ? *mesh : card->parsed() ? *card : *ellipsoid;
-        read_outputs(command, texts, line, !mesh->parsed());
+        read_outputs(command, texts, line, ellipsoid->parsed());
         if (mesh->parsed()) {
             read_mesh_options(*mesh, texts, line.bake);
             read_sheet_options(*mesh, texts, line.bake);

@@ -147,6 +147,10 @@ TEST_CASE("baker API: ellipsoids and sheets") {
     CHECK(paper.mass == doctest::Approx(0.08 * 0.01));
     // physics.md: A = .579 pi/4 a b^2 with semi-axes, of sides 0.1.
     CHECK(paper.added_mass[14] == doctest::Approx(0.579 * 3.14159265 / 4.0 * 1e-3).epsilon(0.01));
+    CHECK_FALSE(paper.turbulence.wake);
+    sheet.wake = true;
+    sheet.grid = {16, 16, 8};
+    CHECK(read(Arrays(square).bake(sheet)).turbulence.wake);
 }
 
 TEST_CASE("baker API: hostile input is numbered faults") {

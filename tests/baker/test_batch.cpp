@@ -3,7 +3,9 @@
 #include "baker/file_io.h"
 #include "baker/memory_budget.h"
 #include "format/asset_file.h"
+#include "langevin_rigid_baker.hpp"
 #include "mesh_shapes.h"
+#include "png_files.h"
 #include "scene_files.h"
 #include "scratch.h"
 
@@ -227,6 +229,48 @@ TEST_CASE("batch: only what changed is baked again") {
     std::filesystem::copy_file(mesh, scratch.path("b.obj"));
     std::filesystem::copy_file(scratch.path("out/a.lrb"), scratch.path("out/b.lrb"));
     CHECK(contains(lr_bake({"mesh", scratch.path("b.obj"), "-d", out}).out, "1 baked"));
+}
+
+TEST_CASE("batch: cards, too, by the tool and in process") {
+    const Scratch scratch;
+    const auto ellipse = [](double a, double b) {
+        return test::png_file(test::draw(64, 64, [=](double x, double y) {
+            return std::pow((x - 32.0) / a, 2) + std::pow((y - 32.0) / b, 2) < 1.0;
+        }));
+    };
+    scratch.write("a.png", ellipse(28.0, 14.0));
+    scratch.write("b.png", ellipse(20.0, 10.0));
+    const std::vector<std::string> arguments{"card",
+                                             scratch.path("a.png"),
+                                             scratch.path("b.png"),
+                                             "-d",
+                                             scratch.path("out"),
+                                             "--width",
+                                             "8",
+                                             "--unit",
+                                             "cm",
+                                             "--thickness",
+                                             "0.02",
+                                             "--triangles",
+                                             "300"};
+    CHECK(contains(lr_bake(arguments).out, "2 baked, 0 unchanged, 0 failed"));
+    CHECK(contains(lr_bake(arguments).out, "0 baked, 2 unchanged, 0 failed"));
+    scratch.write("b.png", ellipse(21.0, 10.0));
+    CHECK(contains(lr_bake(arguments).out, "1 baked, 1 unchanged, 0 failed"));
+
+    langevin_rigid::BakeOptions options;
+    options.unit = langevin_rigid::Unit::centimetre;
+    options.sheet = langevin_rigid::BakeSheet{0.02, {}};
+    options.card.emplace();
+    options.card->width = 8.0;
+    options.card->triangles = 300;
+    const std::string image = scratch.read("a.png"), asset = scratch.read("out/a.lrb");
+    for (const langevin_rigid::BakeResult& result :
+         {langevin_rigid::bake_memory(image.data(), image.size(), "a.png", options),
+          langevin_rigid::bake_file(scratch.path("a.png"), options)}) {
+        REQUIRE(result);
+        CHECK(std::string(result.asset.begin(), result.asset.end()) == asset);
+    }
 }
 
 TEST_CASE("batch: a single bake is skipped only if asked") {
