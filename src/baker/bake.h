@@ -1,8 +1,8 @@
 // The whole bake: from a mesh file or three semi-axes to an asset.
 #pragma once
 
-#include "baker/card.h"
-#include "baker/mesh.h"
+#include "baker/card/card.h"
+#include "baker/mesh/mesh.h"
 #include "format/asset_data.h"
 #include "format/fault.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "baker/bake.h"
-#include "baker/input_files.h"
+#include "baker/mesh/input_files.h"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 // Closed test meshes with known geometry.
 #pragma once
 
-#include "baker/mesh.h"
+#include "baker/mesh/mesh.h"
 
 #include <Eigen/Geometry>
 

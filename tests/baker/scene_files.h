@@ -1,7 +1,7 @@
 // The same small scene in every format that has scenes: two nested nodes, of which the inner one mirrors.
 #pragma once
 
-#include "baker/mesh.h"
+#include "baker/mesh/mesh.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // A folder that lasts as long as the test, files in it, and programs run in it.
 #pragma once
 
-#include "baker/mesh.h"
+#include "baker/mesh/mesh.h"
 
 #include <doctest/doctest.h>
 

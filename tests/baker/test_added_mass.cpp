@@ -1,10 +1,10 @@
-#include "baker/added_mass.h"
-#include "baker/boundary_operators.h"
-#include "baker/mass_properties.h"
-#include "baker/mesh_check.h"
-#include "baker/panel_integrals.h"
-#include "baker/single_cholesky.h"
-#include "baker/surface_correction.h"
+#include "baker/added_mass/added_mass.h"
+#include "baker/added_mass/boundary_operators.h"
+#include "baker/added_mass/panel_integrals.h"
+#include "baker/added_mass/single_cholesky.h"
+#include "baker/added_mass/surface_correction.h"
+#include "baker/mesh/mass_properties.h"
+#include "baker/mesh/mesh_check.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // Many meshes in one call, and what is baked again.
-#include "baker/batch.h"
 #include "baker/file_io.h"
-#include "baker/memory_budget.h"
+#include "baker/tool/batch.h"
+#include "baker/tool/memory_budget.h"
 #include "format/asset_file.h"
 #include "langevin_rigid_baker.hpp"
 #include "mesh_shapes.h"

@@ -1,6 +1,6 @@
 // From the alpha channel of an image to a flat mesh.
 #include "baker/bake.h"
-#include "baker/card.h"
+#include "baker/card/card.h"
 #include "mesh_shapes.h"
 #include "png_files.h"
 #include "scratch.h"

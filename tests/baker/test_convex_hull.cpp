@@ -1,6 +1,6 @@
-#include "baker/convex_hull.h"
-#include "baker/mass_properties.h"
-#include "baker/mesh_check.h"
+#include "baker/mesh/convex_hull.h"
+#include "baker/mesh/mass_properties.h"
+#include "baker/mesh/mesh_check.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // The Delaunay property, in exact arithmetic.
-#include "baker/delaunay.h"
+#include "baker/card/delaunay.h"
 
 #include <doctest/doctest.h>
 

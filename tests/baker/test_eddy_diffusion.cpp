@@ -1,4 +1,4 @@
-#include "baker/eddy_diffusion.h"
+#include "baker/turbulence/eddy_diffusion.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "baker/added_mass.h"
-#include "baker/conjugate_gradients.h"
-#include "baker/fast_system.h"
+#include "baker/added_mass/added_mass.h"
+#include "baker/added_mass/conjugate_gradients.h"
+#include "baker/added_mass/fast_system.h"
 #include "sheet_shapes.h"
 
 #include <doctest/doctest.h>

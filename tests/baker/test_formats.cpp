@@ -1,8 +1,8 @@
 // Scenes through assimp: transforms, units, axes, names.
 #include "baker/bake.h"
-#include "baker/mass_properties.h"
-#include "baker/mesh.h"
-#include "baker/mesh_check.h"
+#include "baker/mesh/mass_properties.h"
+#include "baker/mesh/mesh.h"
+#include "baker/mesh/mesh_check.h"
 #include "scene_files.h"
 #include "scratch.h"
 #include "sheet_shapes.h"

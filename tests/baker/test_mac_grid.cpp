@@ -1,4 +1,4 @@
-#include "baker/mac_grid.h"
+#include "baker/turbulence/mac_grid.h"
 
 #include <doctest/doctest.h>
 

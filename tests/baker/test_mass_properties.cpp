@@ -1,4 +1,4 @@
-#include "baker/mass_properties.h"
+#include "baker/mesh/mass_properties.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>

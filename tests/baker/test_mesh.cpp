@@ -1,7 +1,7 @@
-#include "baker/mass_properties.h"
-#include "baker/mesh.h"
-#include "baker/mesh_check.h"
-#include "baker/obj_reader.h"
+#include "baker/mesh/mass_properties.h"
+#include "baker/mesh/mesh.h"
+#include "baker/mesh/mesh_check.h"
+#include "baker/mesh/obj_reader.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "baker/cluster_tree.h"
-#include "baker/fast_double_layer.h"
-#include "baker/multipole.h"
-#include "baker/near_panels.h"
+#include "baker/added_mass/cluster_tree.h"
+#include "baker/added_mass/fast_double_layer.h"
+#include "baker/added_mass/multipole.h"
+#include "baker/added_mass/near_panels.h"
 #include "baker/parallel.h"
 #include "mesh_shapes.h"
 

@@ -1,5 +1,5 @@
-#include "baker/added_mass.h"
-#include "baker/panel_kernels.h"
+#include "baker/added_mass/added_mass.h"
+#include "baker/added_mass/panel_kernels.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>

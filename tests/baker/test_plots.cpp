@@ -1,9 +1,9 @@
 // The pictures: well-formed, complete, inside their frame, the same every time, and of the right size.
 #include "baker/bake.h"
-#include "baker/ellipsoid_mesh.h"
-#include "baker/plot_axis.h"
-#include "baker/plots.h"
-#include "baker/svg.h"
+#include "baker/mesh/ellipsoid_mesh.h"
+#include "baker/plot/plot_axis.h"
+#include "baker/plot/plots.h"
+#include "baker/plot/svg.h"
 #include "mesh_shapes.h"
 #include "scratch.h"
 

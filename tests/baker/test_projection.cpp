@@ -1,4 +1,4 @@
-#include "baker/projection.h"
+#include "baker/turbulence/projection.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // Finer panels on closed surfaces: curved ones stay curved, creases stay creases, nothing opens.
-#include "baker/curved_refinement.h"
-#include "baker/mass_properties.h"
-#include "baker/mesh_check.h"
-#include "baker/rim_refinement.h"
-#include "baker/surface_correction.h"
+#include "baker/added_mass/curved_refinement.h"
+#include "baker/added_mass/rim_refinement.h"
+#include "baker/added_mass/surface_correction.h"
+#include "baker/mesh/mass_properties.h"
+#include "baker/mesh/mesh_check.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>

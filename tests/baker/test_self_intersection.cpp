@@ -1,7 +1,7 @@
 // Faces that cross, and the exact predicates under them.
-#include "baker/exact_predicates.h"
-#include "baker/mesh_check.h"
-#include "baker/self_intersection.h"
+#include "baker/mesh/exact_predicates.h"
+#include "baker/mesh/mesh_check.h"
+#include "baker/mesh/self_intersection.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>

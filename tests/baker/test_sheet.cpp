@@ -1,9 +1,9 @@
 // Surfaces without thickness: their unknowns, their refinement, their added mass.
-#include "baker/added_mass.h"
-#include "baker/mass_properties.h"
-#include "baker/mesh_check.h"
-#include "baker/rim_refinement.h"
-#include "baker/surface_basis.h"
+#include "baker/added_mass/added_mass.h"
+#include "baker/added_mass/rim_refinement.h"
+#include "baker/added_mass/surface_basis.h"
+#include "baker/mesh/mass_properties.h"
+#include "baker/mesh/mesh_check.h"
 #include "sheet_shapes.h"
 
 #include <doctest/doctest.h>

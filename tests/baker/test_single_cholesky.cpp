@@ -1,4 +1,4 @@
-#include "baker/single_cholesky.h"
+#include "baker/added_mass/single_cholesky.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
-#include "baker/turbulence.h"
+#include "baker/turbulence/turbulence.h"
 
-#include "baker/k_epsilon.h"
-#include "baker/mean_flow.h"
+#include "baker/turbulence/k_epsilon.h"
+#include "baker/turbulence/mean_flow.h"
 #include "shape/turbulence_closure.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "baker/voxelise.h"
+#include "baker/turbulence/voxelise.h"
 
 #include "baker/mesh_shapes.h"
 

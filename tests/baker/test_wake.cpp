@@ -1,12 +1,12 @@
 #include "baker/bake.h"
-#include "baker/k_epsilon.h"
-#include "baker/mass_properties.h"
-#include "baker/mean_flow.h"
+#include "baker/mesh/mass_properties.h"
 #include "baker/mesh_shapes.h"
 #include "baker/report.h"
-#include "baker/stream_body.h"
-#include "baker/turbulence.h"
-#include "baker/wake_history.h"
+#include "baker/turbulence/k_epsilon.h"
+#include "baker/turbulence/mean_flow.h"
+#include "baker/turbulence/stream_body.h"
+#include "baker/turbulence/turbulence.h"
+#include "baker/turbulence/wake_history.h"
 #include "format/asset_file.h"
 
 #include <doctest/doctest.h>

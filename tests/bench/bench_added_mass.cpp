@@ -1,7 +1,7 @@
 // Added mass of an ellipsoid: 320, 1280 and 5120 triangles on one thread with the dense matrix, assembly and solution;
 // 20,480 and 81,920 triangles with expansions on as many threads as there are.
-#include "baker/added_mass.h"
-#include "baker/boundary_operators.h"
+#include "baker/added_mass/added_mass.h"
+#include "baker/added_mass/boundary_operators.h"
 #include "baker/mesh_shapes.h"
 
 #include <benchmark/benchmark.h>

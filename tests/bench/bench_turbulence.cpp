@@ -1,9 +1,9 @@
 // Turbulence tables, one thread: the paper's empty stream on 32x32x8, and the wake of a leaf.
-#include "baker/mass_properties.h"
+#include "baker/mesh/mass_properties.h"
 #include "baker/mesh_shapes.h"
-#include "baker/projection.h"
-#include "baker/stream_body.h"
-#include "baker/turbulence.h"
+#include "baker/turbulence/projection.h"
+#include "baker/turbulence/stream_body.h"
+#include "baker/turbulence/turbulence.h"
 
 #include <benchmark/benchmark.h>
 

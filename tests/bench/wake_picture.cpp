@@ -1,11 +1,11 @@
 // Draws the wake of a mesh as the baker sees it (docs/images/wake.png): speed above, k below, in the plane through the middle of
 // the body that holds the stream and the body's shorter side.
 //   wake_picture MESH.obj OUT.png [cells along the stream [intensity]]
-#include "baker/k_epsilon.h"
-#include "baker/mass_properties.h"
-#include "baker/mean_flow.h"
-#include "baker/mesh_check.h"
-#include "baker/stream_body.h"
+#include "baker/mesh/mass_properties.h"
+#include "baker/mesh/mesh_check.h"
+#include "baker/turbulence/k_epsilon.h"
+#include "baker/turbulence/mean_flow.h"
+#include "baker/turbulence/stream_body.h"
 
 #include <png.h>
 

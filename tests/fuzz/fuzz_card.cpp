@@ -1,8 +1,8 @@
 // Any bytes as a PNG image, and any mask as the opacity of one: either numbered faults, or a mesh that fills the outline.
-#include "baker/card.h"
-#include "baker/outline.h"
-#include "baker/outline_simplify.h"
-#include "baker/planar_mesh.h"
+#include "baker/card/card.h"
+#include "baker/card/outline.h"
+#include "baker/card/outline_simplify.h"
+#include "baker/card/planar_mesh.h"
 
 #include <cmath>
 #include <cstddef>

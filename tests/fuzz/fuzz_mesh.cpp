@@ -1,12 +1,12 @@
 // Any bytes as an OBJ, STL, PLY, Collada or arrays: either numbered faults, or a solid that has a positive volume, or a sheet
 // whose refinement and unknowns hold together.
-#include "baker/added_mass.h"
-#include "baker/collada_check.h"
-#include "baker/mass_properties.h"
-#include "baker/mesh.h"
-#include "baker/mesh_check.h"
-#include "baker/rim_refinement.h"
-#include "baker/surface_basis.h"
+#include "baker/added_mass/added_mass.h"
+#include "baker/added_mass/rim_refinement.h"
+#include "baker/added_mass/surface_basis.h"
+#include "baker/mesh/collada_check.h"
+#include "baker/mesh/mass_properties.h"
+#include "baker/mesh/mesh.h"
+#include "baker/mesh/mesh_check.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,0 +1,464 @@
+#include "baker/added_mass/added_mass.h"
+
+#include "baker/added_mass/boundary_operators.h"
+#include "baker/added_mass/curved_refinement.h"
+#include "baker/added_mass/fast_system.h"
+#include "baker/added_mass/single_cholesky.h"
+#include "baker/added_mass/surface_basis.h"
+#include "baker/added_mass/surface_correction.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// The potential phi of a moving body, grad phi . n = q on its surface, from the hypersingular integral equation
+//   W phi = -(1/2 + K') q
+// with continuous linear elements, tested by the same elements (Galerkin). W goes over to integrals of 1/r between
+// surface curls (Maue 1949, Nedelec 1982), so that constant panels of closed form suffice, the matrix is symmetric and
+// positive, and the energy - the added mass, -integral phi q - converges twice as fast as phi. Unlike equations of the
+// second kind it stays well posed for a thin solid, where the doublets of both sides nearly cancel.
+
+namespace lr::baker {
+namespace {
+
+// A sphere of so many takes 4 GB.
+constexpr std::size_t max_panels = 1000000;
+// Of the matrix in near blocks: 4 GB, three times what the largest sphere needs.
+constexpr std::size_t max_stored_entries = 1000000000;
+// Of the largest entry of its block. A solid whose estimate is above is solved again on finer panels, up to so many.
+constexpr double good_estimate = 0.0025;
+constexpr std::size_t max_refined_panels = 5000;
+// A box of two triangles a side has its limit in the size of the panels, not in their strips.
+constexpr std::size_t min_refined_panels = 1000;
+constexpr double refined_turn = 0.1; // of the normal along an edge, radians
+// Condition of the scaled matrix above which less than about six digits of phi are left.
+constexpr double max_condition = 1e10;
+
+// What the quadrature over neighbouring panels leaves on a sphere, whatever the number of panels.
+constexpr double quadrature_floor = 5e-4;
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+// Constant potentials carry no energy: W is singular in these directions. Adds a square of the mean of each, which
+// fixes the constant and changes no added mass.
+void fix_constants(const Mesh& mesh, const SurfaceBasis& basis, const std::vector<Panel>& panels,
+                   Eigen::MatrixXd& matrix) {
+    if (basis.constants.empty()) return;
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(matrix.rows());
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+        for (const CornerUnknowns& corner : basis.corners[i])
+            for (const int32_t unknown : {corner.plus, corner.minus})
+                if (unknown >= 0) share[unknown] += panels[i].area / 3.0;
+    const double scale = matrix.diagonal().mean();
+    for (const ConstantPotential& constant : basis.constants) {
+        double square = 0.0;
+        for (const int32_t i : constant.unknowns) square += share[i] * share[i];
+        const double factor = scale * 0.1 * static_cast<double>(constant.unknowns.size()) / square;
+        for (std::size_t j = 0; j < constant.unknowns.size(); ++j)
+            for (std::size_t i = 0; i < constant.unknowns.size(); ++i) {
+                const int32_t row = constant.unknowns[i], column = constant.unknowns[j];
+                matrix(row, column) += factor * constant.signs[i] * share[row] * constant.signs[j] * share[column];
+            }
+    }
+}
+
+using Currents = Eigen::Matrix<double, 3, 6>; // n x grad phi on one panel, one column for each mode
+
+std::vector<Currents> surface_currents(const SurfaceBasis& basis, const std::vector<Panel>& panels,
+                                       const RigidModes& phi) {
+    std::vector<Currents> currents(panels.size(), Currents::Zero());
+    for (std::size_t t = 0; t < panels.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const CornerUnknowns& corner = basis.corners[t][k];
+            if (corner.plus >= 0) currents[t] += hat_curl(panels[t], k) * phi.row(corner.plus);
+            if (corner.minus >= 0) currents[t] -= hat_curl(panels[t], k) * phi.row(corner.minus);
+        }
+    return currents;
+}
+
+// Corners of panels over which the surface current is continuous: those at one vertex with the same unknowns. Front and
+// back may change places, which changes the sign of the jump and of the normal.
+std::vector<std::array<uint32_t, 3>> group_corners(const Mesh& mesh, const SurfaceBasis& basis, std::size_t& count) {
+    struct Corner {
+        uint32_t vertex;
+        int32_t low, high;
+        uint32_t face, index;
+        bool same_group(const Corner& o) const { return vertex == o.vertex && low == o.low && high == o.high; }
+    };
+    std::vector<Corner> corners;
+    corners.reserve(3 * mesh.faces.size());
+    for (uint32_t t = 0; t < mesh.faces.size(); ++t)
+        for (uint32_t k = 0; k < 3; ++k) {
+            const CornerUnknowns& c = basis.corners[t][k];
+            corners.push_back({mesh.faces[t][k], std::min(c.plus, c.minus), std::max(c.plus, c.minus), t, k});
+        }
+    std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+        if (a.vertex != b.vertex) return a.vertex < b.vertex;
+        if (a.low != b.low) return a.low < b.low;
+        if (a.high != b.high) return a.high < b.high;
+        return a.face < b.face;
+    });
+    std::vector<std::array<uint32_t, 3>> groups(mesh.faces.size());
+    count = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (i == 0 || !corners[i].same_group(corners[i - 1])) ++count;
+        groups[corners[i].face][corners[i].index] = static_cast<uint32_t>(count - 1);
+    }
+    return groups;
+}
+
+// What linear elements miss: the energy of the difference between the surface current and its average at the vertices
+// (Zienkiewicz and Zhu 1987), each panel with its own inductance. Panels influence each other, hence a factor: on cubes
+// of 192 to 4800 triangles the error is 1.4 to 1.7 times the sum, on thin plates 0.3 times.
+Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const BoundaryOperators& op,
+                             const std::vector<Currents>& currents) {
+    constexpr double factor = 1.8;
+    std::size_t count = 0;
+    const std::vector<std::array<uint32_t, 3>> groups = group_corners(mesh, basis, count);
+    std::vector<Currents> group_current(count, Currents::Zero());
+    std::vector<double> weight(count, 0.0);
+    for (std::size_t t = 0; t < op.panels.size(); ++t)
+        for (const uint32_t g : groups[t]) {
+            group_current[g] += op.panels[t].area * currents[t];
+            weight[g] += op.panels[t].area;
+        }
+    Matrix6 error = Matrix6::Zero();
+    for (std::size_t t = 0; t < op.panels.size(); ++t) {
+        const Panel& panel = op.panels[t];
+        Currents total = Currents::Zero();
+        Matrix6 squares = Matrix6::Zero();
+        for (const uint32_t g : groups[t]) {
+            Currents smooth = group_current[g] / weight[g];
+            smooth -= panel.normal * (panel.normal.transpose() * smooth).eval();
+            const Currents difference = smooth - currents[t];
+            total += difference;
+            squares += difference.transpose() * difference;
+        }
+        error += factor / 12.0 * op.self[t] * (squares + total.transpose() * total);
+    }
+    return error;
+}
+
+// What flat panels miss of a curved surface. Moving the surface out by d changes the energy by d times the square of
+// the velocity along it, seen from the body (Hadamard); the part of the gap that restore_curved_volume cannot know is
+// of second order in the turn of the normal over a panel.
+Matrix6 geometry_error(const BoundaryOperators& op, const std::vector<Currents>& currents,
+                       const CurvedSurface& surface) {
+    constexpr double factor = 0.5; // from ellipsoids up to 1:20 and 10:1
+    Matrix6 error = Matrix6::Zero();
+    for (std::size_t t = 0; t < op.panels.size(); ++t) {
+        const Panel& panel = op.panels[t];
+        Currents slip = currents[t]; // n x (grad phi - velocity of the body)
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
+            slip.col(k) -= panel.normal.cross(axis);
+            slip.col(k + 3) -= panel.normal.cross(axis.cross(panel.centroid));
+        }
+        const double unknown = std::abs(surface.gap[t]) * std::min(1.0, surface.turn[t] * surface.turn[t]);
+        error += factor * panel.area * unknown * (slip.transpose() * slip);
+    }
+    return error;
+}
+
+// Nearest matrix without negative eigenvalues; returns the largest one removed.
+double clamp_to_positive(Matrix6& matrix) {
+    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(matrix);
+    const double lowest = solver.eigenvalues()[0];
+    if (lowest >= 0.0) return 0.0;
+    const Matrix6 vectors = solver.eigenvectors();
+    const Matrix6 result = vectors * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * vectors.transpose();
+    matrix = 0.5 * (result + result.transpose());
+    return -lowest;
+}
+
+// What an entry is to be compared with, for a body of size one: the largest of the diagonal of each block. The turning
+// of a round body has no added mass of its own; it is compared with a hundredth of the mass.
+Matrix6 entry_scale(const Matrix6& matrix) {
+    const double mass = std::max(matrix.diagonal().head<3>().maxCoeff(), 1e-300);
+    Eigen::Matrix<double, 6, 1> scale;
+    scale.head<3>().setConstant(std::sqrt(mass));
+    scale.tail<3>().setConstant(std::sqrt(std::max(matrix.diagonal().tail<3>().maxCoeff(), 0.01 * mass)));
+    return scale * scale.transpose();
+}
+
+struct Solution {
+    Eigen::MatrixXd value;
+    double condition = 0.0, residual = 0.0;
+};
+
+// Largest norm of a column of the inverse, from below and nearly always close (Hager 1984, SIAM J. Sci. Stat. Comput. 5).
+double inverse_norm(const SingleCholesky& factor, Eigen::Index size) {
+    Eigen::MatrixXd x = Eigen::MatrixXd::Constant(size, 1, 1.0 / static_cast<double>(size));
+    double norm = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        Eigen::MatrixXd y = x;
+        factor.solve(y);
+        norm = std::max(norm, y.lpNorm<1>());
+        Eigen::MatrixXd z = y.unaryExpr([](double v) { return v < 0.0 ? -1.0 : 1.0; });
+        factor.solve(z);
+        Eigen::Index row = 0;
+        if (z.col(0).cwiseAbs().maxCoeff(&row) <= std::abs(z.col(0).dot(x.col(0)))) break;
+        x.setZero();
+        x(row, 0) = 1.0;
+    }
+    return norm;
+}
+
+// Iterative refinement: each round divides the residual by about 1e7 over the condition, until rounding in the residual
+// itself stops it.
+bool solve_refined(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, Solution& out) {
+    constexpr int max_rounds = 8;
+    constexpr double good = 1e-12, enough = 1e-10;
+    SingleCholesky factor;
+    if (!factor.factorise(matrix)) return false;
+    out.value = right;
+    factor.solve(out.value);
+    double last = 1.0;
+    for (int i = 0; i < max_rounds; ++i) {
+        Eigen::MatrixXd rest = right - matrix.selfadjointView<Eigen::Lower>() * out.value;
+        out.residual = rest.norm() / right.norm();
+        if (out.residual < good || (out.residual < enough && out.residual > 0.5 * last)) {
+            const double norm = matrix.colwise().lpNorm<1>().maxCoeff();
+            out.condition = norm * inverse_norm(factor, matrix.rows());
+            return true;
+        }
+        last = out.residual;
+        factor.solve(rest);
+        out.value += rest;
+    }
+    return false;
+}
+
+bool solve_in_double(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, Solution& out) {
+    const Eigen::LLT<Eigen::MatrixXd> solver(matrix);
+    if (solver.info() != Eigen::Success) return false;
+    out.value = solver.solve(right);
+    out.residual = (matrix.selfadjointView<Eigen::Lower>() * out.value - right).norm() / right.norm();
+    out.condition = 1.0 / std::max(solver.rcond(), 1e-300);
+    return true;
+}
+
+bool fail(FaultId id, const char* what, const char* remedy, Faults& faults) {
+    faults.push_back({id, Severity::error, "mesh", what, remedy});
+    return false;
+}
+
+bool refuse_singular(Faults& faults) {
+    return fail(FaultId::mesh_ill_conditioned, "The equations for the added mass are singular.",
+                "Look for faces that cross or touch each other and for needle-shaped faces; bake the middle surface of "
+                "a very thin solid with --sheet.",
+                faults);
+}
+
+// Each of these leaves W times the positions in `image`.
+bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position, const Progress& report,
+                 BoundaryOperators& op, RigidModes& phi, Eigen::MatrixXd& image, AddedMass& out, Faults& faults) {
+    op = assemble_boundary_operators(unit, basis, report);
+    Eigen::MatrixXd& matrix = op.hypersingular;
+    if (position.cols() > 0) image = matrix.selfadjointView<Eigen::Lower>() * position;
+    fix_constants(unit, basis, op.panels, matrix);
+    const Eigen::VectorXd scaling = matrix.diagonal().cwiseSqrt().cwiseInverse();
+    if (!scaling.allFinite()) return refuse_singular(faults);
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+        matrix.col(column).array() *= scaling.array() * scaling[column];
+    report(0.85);
+    const Eigen::MatrixXd right = scaling.asDiagonal() * op.right_side;
+    Solution solution;
+    if (!solve_refined(matrix, right, solution) && !solve_in_double(matrix, right, solution))
+        return refuse_singular(faults);
+    phi = scaling.asDiagonal() * solution.value;
+    out.residual = solution.residual;
+    out.condition_estimate = solution.condition;
+    return true;
+}
+
+bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position, unsigned threads,
+                const Progress& report, BoundaryOperators& op, RigidModes& phi, Eigen::MatrixXd& image, AddedMass& out,
+                Faults& faults) {
+    const auto share = [&](double from, double to) {
+        return [&report, from, to](double fraction) { report(from + (to - from) * fraction); };
+    };
+    const auto refuse = [&] {
+        return fail(FaultId::mesh_too_many_faces,
+                    "So many faces are close to so many others that the added mass needs too much memory.",
+                    "Remesh: long faces beside short ones are what makes them close.", faults);
+    };
+    NearSingleLayer near;
+    if (!assemble_without_matrix(unit, basis, threads, share(0.0, 0.5), op, near)) return refuse();
+    FastSystem system(op, near, basis, threads);
+    if (system.stored_entries() > max_stored_entries) return refuse();
+    system.assemble(share(0.2, 0.5));
+    if (position.cols() > 0) image = system.multiply(position);
+    FastSystem::Result result;
+    if (!system.solve(op.right_side, share(0.5, 0.95), result)) return refuse_singular(faults);
+    phi = result.value;
+    out.residual = result.residual;
+    out.condition_estimate = result.condition;
+    out.iterations = result.iterations;
+    return true;
+}
+
+// A body of size one around the centre; what a closed one has lost to flat panels is in `curved`. The estimate of a closed
+// one begins with `geometry`, and leaves its own geometric part there.
+bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, Matrix6& geometry,
+                   AddedMass& out, Faults& faults, const AddedMassOptions& options, const Progress& report) {
+    Eigen::MatrixXd position, image;
+    if (!basis.sheet) {
+        position.resize(static_cast<Eigen::Index>(basis.unknowns), 3);
+        for (std::size_t i = 0; i < unit.vertices.size(); ++i)
+            position.row(static_cast<Eigen::Index>(i)) = unit.vertices[i].transpose();
+    }
+    BoundaryOperators op;
+    RigidModes phi;
+    const bool solved = unit.faces.size() <= options.max_dense
+                            ? solve_dense(unit, basis, position, report, op, phi, image, out, faults)
+                            : solve_fast(unit, basis, position, options.threads, report, op, phi, image, out, faults);
+    if (!solved) return false;
+
+    const Matrix6 raw = -(phi.transpose() * op.moments);
+    Matrix6 value = 0.5 * (raw + raw.transpose());
+    const Matrix6 scale = entry_scale(value);
+    out.asymmetry = ((raw - raw.transpose()).cwiseAbs().array() / scale.array()).maxCoeff();
+    const double removed = clamp_to_positive(value);
+
+    const std::vector<Currents> currents = surface_currents(basis, op.panels, phi);
+    Matrix6 error =
+        discretisation_error(unit, basis, op, currents).cwiseAbs() + 0.5 * (raw - raw.transpose()).cwiseAbs();
+    error += quadrature_floor * value.cwiseAbs();
+    error += geometry;
+    if (curved) {
+        geometry = geometry_error(op, currents, *curved).cwiseAbs();
+        error += geometry;
+    }
+    if (!basis.sheet) {
+        // For translations the interior potential is x itself, so W x = (1/2 - K') n up to quadrature: a check that is
+        // free.
+        const Eigen::MatrixXd defect = image - op.moments.leftCols(3) - op.right_side.leftCols(3);
+        const Eigen::Matrix<double, 6, 3> quadrature = phi.transpose() * defect;
+        error.leftCols<3>() += 0.5 * quadrature.cwiseAbs();
+        error.topRows<3>() += 0.5 * quadrature.cwiseAbs().transpose();
+    }
+
+    out.value = value;
+    out.error = error;
+    if (!out.value.allFinite()) {
+        faults.push_back({FaultId::mesh_ill_conditioned, Severity::error, "mesh", "The added mass is not finite.",
+                          "Remesh with better-shaped triangles."});
+        return false;
+    }
+    if (out.condition_estimate > max_condition || out.asymmetry > 0.02 || removed > 1e-3 * value.trace())
+        faults.push_back({FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
+                          "The added mass is uncertain (condition " + std::to_string(out.condition_estimate) +
+                              ", asymmetry " + std::to_string(out.asymmetry) + ").",
+                          "Remesh with better-shaped triangles, smaller where surfaces are close together."});
+    report(1.0);
+    return true;
+}
+
+bool check_size(const Mesh& mesh, Faults& faults) {
+    if (mesh.faces.size() > max_panels) {
+        faults.push_back({FaultId::mesh_too_many_faces, Severity::error, "mesh",
+                          "The added mass is solved for at most " + std::to_string(max_panels) +
+                              " triangles, this has " + std::to_string(mesh.faces.size()) + ".",
+                          "Decimate the mesh."});
+        return false;
+    }
+    if (mesh.faces.empty()) {
+        faults.push_back(
+            {FaultId::mesh_empty, Severity::error, "mesh", "The mesh has no faces.", "Check the mesh before baking."});
+        return false;
+    }
+    return true;
+}
+
+// Size one around the centre: the result is the same to the last digits whatever the unit and place.
+Mesh scale_to_unit(const Mesh& mesh, const Eigen::Vector3d& centre, double& size) {
+    size = 0.0;
+    for (const Eigen::Vector3d& v : mesh.vertices) size = std::max(size, (v - centre).norm());
+    Mesh unit = mesh;
+    for (Eigen::Vector3d& v : unit.vertices) v = (v - centre) / size;
+    return unit;
+}
+
+Progress or_nothing(const Progress& progress) {
+    return progress ? progress : [](double) {};
+}
+
+void scale_to_size(double size, AddedMass& m) {
+    Eigen::Matrix<double, 6, 1> units;
+    units.head<3>().setConstant(std::pow(size, 1.5));
+    units.tail<3>().setConstant(std::pow(size, 2.5));
+    const Matrix6 products = units * units.transpose(); // symmetric to the last bit, as the value is
+    m.value = m.value.cwiseProduct(products).eval();
+    m.error = m.error.cwiseProduct(products).eval();
+}
+
+bool is_good(const AddedMass& m) {
+    return (m.error.array() <= good_estimate * entry_scale(m.value).array()).all();
+}
+
+// On finer panels where the surface is curved and at creases; no finer than the budget allows.
+Mesh refine(const Mesh& unit) {
+    const Mesh curved = refine_curved(unit, refined_turn, max_refined_panels);
+    for (std::size_t strips = 3; strips > 1; --strips) {
+        Mesh fine = refine_solid(curved, {min_refined_panels, strips});
+        if (fine.faces.size() <= max_refined_panels) return fine;
+    }
+    return curved;
+}
+
+bool solve_solid(const Mesh& unit, Matrix6& geometry, AddedMass& out, Faults& faults, const AddedMassOptions& options,
+                 const Progress& report) {
+    const CurvedSurface surface = restore_curved_volume(unit);
+    return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, geometry, out, faults, options, report);
+}
+
+} // namespace
+
+bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
+                        const Progress& progress, const AddedMassOptions& options) {
+    if (!check_size(mesh, faults)) return false;
+    const double first_share = mesh.faces.size() < max_refined_panels ? 0.2 : 1.0;
+    const Progress report = or_nothing(progress);
+    double size = 0.0;
+    const Mesh unit = scale_to_unit(mesh, centre, size);
+    Matrix6 geometry = Matrix6::Zero();
+    Faults found;
+    const bool good = solve_solid(unit, geometry, out, found, options, [&](double f) { report(first_share * f); });
+    if (good && mesh.faces.size() < max_refined_panels && !is_good(out)) {
+        const Mesh fine = refine(unit);
+        AddedMass better;
+        Faults found_then;
+        // What the vertices leave open about the shape between them, no refinement can tell.
+        if (fine.faces.size() > unit.faces.size() &&
+            solve_solid(fine, geometry, better, found_then, options,
+                        [&](double f) { report(first_share + (1.0 - first_share) * f); })) {
+            out = better;
+            found = found_then;
+        }
+    }
+    faults.insert(faults.end(), found.begin(), found.end());
+    if (!good) return false;
+    scale_to_size(size, out);
+    report(1.0);
+    return true;
+}
+
+bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, const Refinement& refinement,
+                              AddedMass& out, Faults& faults, const Progress& progress,
+                              const AddedMassOptions& options) {
+    if (!check_size(mesh, faults)) return false;
+    double size = 0.0;
+    const Mesh unit = refine_sheet(scale_to_unit(mesh, centre, size), refinement);
+    Matrix6 geometry = Matrix6::Zero();
+    if (!solve_surface(unit, sheet_basis(unit), nullptr, geometry, out, faults, options, or_nothing(progress)))
+        return false;
+    scale_to_size(size, out);
+    return true;
+}
+
+} // namespace lr::baker

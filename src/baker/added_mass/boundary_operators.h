@@ -1,0 +1,48 @@
+// Galerkin boundary element matrices on a closed triangle mesh or on a sheet, with continuous linear elements.
+#pragma once
+
+#include "baker/added_mass/panel_integrals.h"
+#include "baker/added_mass/surface_basis.h"
+
+#include <functional>
+
+namespace lr::baker {
+
+// One column for each of vx vy vz wx wy wz.
+using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+
+// With the elements psi_i of the unknowns, G = 1/(4 pi r), n outward, and the normal velocity q_m of rigid mode m
+// about the origin: n for the translations, x cross n for the rotations.
+struct BoundaryOperators {
+    std::vector<Panel> panels;
+    Eigen::MatrixXd hypersingular; // W_ij = double integral of curl psi_i . curl psi_j G
+    RigidModes moments;            // integral psi_i q_m
+    // - integral q_m (1/2 + K) psi_i, K the double layer; on a sheet, where both sides cancel in K, - integral psi_i q_m
+    RigidModes right_side;
+    std::vector<double> self; // double integral of G over each panel
+};
+
+BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBasis& basis,
+                                              const std::function<void(double)>& progress);
+
+// The single layer of panels that are close together: double integral of G for each pair, in both orders.
+struct NearSingleLayer {
+    std::vector<std::size_t> start; // of each panel's list
+    std::vector<uint32_t> panel;    // ascending
+    std::vector<double> value;
+};
+
+// All but the matrix, in time and memory that grow linearly: what the matrix needs of near panels goes to `near`, far
+// parts of the right side are expanded (fast_double_layer.h). False if so many panels are close to each other that the
+// near ones alone would fill the memory. threads 0: as many as the machine runs at once.
+bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsigned threads,
+                             const std::function<void(double)>& progress, BoundaryOperators& out,
+                             NearSingleLayer& near);
+
+// Surface curl n x grad psi of the hat functions at the corners of a panel.
+inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {
+    // n x gradient is the opposite edge over twice the area: no cross product, no rounding
+    return (panel.corner[(corner + 2) % 3] - panel.corner[(corner + 1) % 3]) / (2.0 * panel.area);
+}
+
+} // namespace lr::baker

@@ -1,0 +1,14 @@
+// sum_doublets (panel_kernels.h) by expansions.
+#pragma once
+
+#include "baker/added_mass/panel_kernels.h"
+
+#include <functional>
+
+namespace lr::baker {
+
+// Of the first `count` points. The same bits for any number of threads.
+void sum_doublets_fast(DoubletArrays& arrays, std::size_t count, unsigned threads,
+                       const std::function<void(double)>& progress);
+
+} // namespace lr::baker

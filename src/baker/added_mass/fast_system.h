@@ -1,0 +1,53 @@
+// The equations of the added mass for meshes that are too large for a dense matrix.
+#pragma once
+
+#include "baker/added_mass/boundary_operators.h"
+#include "baker/added_mass/coarse_space.h"
+#include "baker/added_mass/schwarz.h"
+
+#include <memory>
+
+namespace lr::baker {
+
+class FastSystem {
+public:
+    // Keeps references to `op` and `near` (assemble_without_matrix), of which it needs panels and self terms. The basis
+    // may be that of a closed surface or of a sheet. threads 0: as many as the machine runs at once.
+    FastSystem(const BoundaryOperators& op, const NearSingleLayer& near, const SurfaceBasis& basis, unsigned threads);
+    FastSystem(const FastSystem&) = delete;
+    FastSystem& operator=(const FastSystem&) = delete;
+
+    // Numbers that the matrix will keep in memory: linear in the panels, unless many are so long that they are close to
+    // a good part of the surface.
+    std::size_t stored_entries() const { return matrix_.stored_entries(); }
+
+    // To be called once, before what follows.
+    void assemble(const std::function<void(double)>& progress);
+
+    // W x, for up to eight columns.
+    Eigen::MatrixXd multiply(const Eigen::MatrixXd& x);
+
+    struct Result {
+        RigidModes value;
+        std::size_t iterations = 0;
+        double residual = 0.0, condition = 0.0; // as in ModeSolution
+    };
+    // W x = right, where closed parts have their constants fixed. False if the iteration does not converge.
+    bool solve(const RigidModes& right, const std::function<void(double)>& progress, Result& out);
+
+private:
+    ModeVectors to_tree(const Eigen::MatrixXd& x) const;
+    Eigen::MatrixXd from_tree(const ModeVectors& x, Eigen::Index columns) const;
+    void apply(const ModeVectors& x, ModeVectors& y, std::size_t order);
+
+    unsigned threads_;
+    BasisParts parts_;
+    SurfaceBasis basis_;
+    HypersingularBlocks blocks_;
+    FastHypersingular matrix_;
+    std::unique_ptr<ConstantTerms> constants_;
+    std::unique_ptr<Schwarz> patches_;
+    std::unique_ptr<CoarseSpace> coarse_;
+};
+
+} // namespace lr::baker

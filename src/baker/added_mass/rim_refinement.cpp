@@ -1,0 +1,219 @@
+#include "baker/added_mass/rim_refinement.h"
+
+#include "baker/added_mass/diagonal.h"
+#include "baker/added_mass/surface_correction.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <queue>
+#include <utility>
+
+namespace lr::baker {
+namespace {
+
+using Edge = std::array<uint32_t, 2>;
+
+// Height over longest side of a panel that is not cut.
+constexpr double narrow = 0.25;
+
+Edge make_edge(uint32_t a, uint32_t b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+class Refiner {
+public:
+    Refiner(const Mesh& mesh, bool closed) : mesh_(mesh), closed_(closed) {
+        for (uint32_t t = 0; t < mesh_.faces.size(); ++t)
+            for (std::size_t k = 0; k < 3; ++k) faces_of_[side(t, k)].push_back(t);
+    }
+
+    // Halves the longest edge of all, as long as there are too few panels.
+    void halve_longest(std::size_t panels) {
+        struct Candidate {
+            float square; // edges of one length stay so when the body is turned
+            Edge edge;
+            bool operator<(const Candidate& other) const {
+                return square != other.square ? square < other.square : edge > other.edge;
+            }
+        };
+        std::priority_queue<Candidate> queue;
+        const auto push = [&](const Edge& e) {
+            queue.push({static_cast<float>((mesh_.vertices[e[0]] - mesh_.vertices[e[1]]).squaredNorm()), e});
+        };
+        for (const auto& [edge, faces] : faces_of_) push(edge);
+        while (mesh_.faces.size() < panels && !queue.empty()) {
+            const Edge edge = queue.top().edge;
+            queue.pop();
+            if (!faces_of_.contains(edge)) continue;
+            for (const Edge& fresh : split(edge)) push(fresh);
+        }
+    }
+
+    // A panel with all its corners on rims would be cut off from the jump of the potential: it gets a vertex inside.
+    // The narrow sides of a thin solid stay as they are.
+    void open_corners() {
+        const std::vector<uint8_t> rim = find_rim();
+        std::vector<Edge> chords;
+        for (const auto& [edge, faces] : faces_of_)
+            if (rim[edge[0]] && rim[edge[1]] && !is_sharp(edge, faces) &&
+                !std::any_of(faces.begin(), faces.end(), [&](uint32_t t) { return closed_ && is_narrow(t); }))
+                chords.push_back(edge);
+        for (const Edge& edge : chords) split(edge);
+        std::vector<uint8_t> now = find_rim();
+        for (uint32_t t = 0, count = static_cast<uint32_t>(mesh_.faces.size()); t < count; ++t) {
+            const Face f = mesh_.faces[t];
+            if (!(now[f[0]] && now[f[1]] && now[f[2]]) || (closed_ && is_narrow(t))) continue;
+            const auto middle = static_cast<uint32_t>(mesh_.vertices.size());
+            mesh_.vertices.push_back((mesh_.vertices[f[0]] + mesh_.vertices[f[1]] + mesh_.vertices[f[2]]) / 3.0);
+            now.push_back(0);
+            mesh_.faces[t] = {f[0], f[1], middle};
+            mesh_.faces.push_back({f[1], f[2], middle});
+            mesh_.faces.push_back({f[2], f[0], middle});
+        }
+    }
+
+    // Cuts along lines between the rim (0) and the next vertices (1), at (n/strips)^2.
+    void cut_strips(std::size_t strips) {
+        const std::vector<uint8_t> rim = find_rim();
+        std::map<Edge, std::vector<uint32_t>> cuts; // of an edge from the rim inwards
+        // From the vertex on the rim to the one inside, both included.
+        const auto line = [&](uint32_t from, uint32_t to) {
+            auto [found, fresh] = cuts.try_emplace(make_edge(from, to));
+            std::vector<uint32_t>& points = found->second;
+            if (fresh) {
+                points.push_back(from);
+                for (std::size_t n = 1; n < strips; ++n) {
+                    const double share = static_cast<double>(n * n) / static_cast<double>(strips * strips);
+                    points.push_back(static_cast<uint32_t>(mesh_.vertices.size()));
+                    mesh_.vertices.push_back(mesh_.vertices[from] +
+                                             share * (mesh_.vertices[to] - mesh_.vertices[from]));
+                }
+                points.push_back(to);
+            }
+            return points;
+        };
+        std::vector<Face> faces;
+        for (const Face& f : mesh_.faces) {
+            const int on_rim = rim[f[0]] + rim[f[1]] + rim[f[2]];
+            if (on_rim == 0 || on_rim == 3) {
+                faces.push_back(f);
+                continue;
+            }
+            // a is the corner that differs from the two others
+            std::size_t k = 0;
+            while ((rim[f[k]] != 0) != (on_rim == 1)) ++k;
+            const uint32_t a = f[k], b = f[(k + 1) % 3], c = f[(k + 2) % 3];
+            const std::vector<uint32_t> left = on_rim == 1 ? line(a, b) : line(b, a);
+            const std::vector<uint32_t> right = on_rim == 1 ? line(a, c) : line(c, a);
+            for (std::size_t n = 0; n < strips; ++n) add_strip(left, right, n, on_rim == 1, faces);
+        }
+        mesh_.faces = std::move(faces);
+    }
+
+    Mesh take() { return std::move(mesh_); }
+
+private:
+    Edge side(uint32_t t, std::size_t k) const { return make_edge(mesh_.faces[t][k], mesh_.faces[t][(k + 1) % 3]); }
+
+    // Between the lines n and n + 1; `left` precedes `right` around the panel when the lines start at one vertex.
+    void add_strip(const std::vector<uint32_t>& left, const std::vector<uint32_t>& right, std::size_t n, bool fan,
+                   std::vector<Face>& faces) const {
+        const uint32_t a = left[n], b = left[n + 1], c = right[n + 1], d = right[n];
+        const auto add = [&](uint32_t p, uint32_t q, uint32_t r) {
+            if (p == q || q == r || r == p) return;
+            faces.push_back(fan ? Face{p, q, r} : Face{q, p, r});
+        };
+        if (prefers_diagonal(mesh_.vertices, a, c, b, d)) {
+            add(a, b, c);
+            add(a, c, d);
+        } else {
+            add(a, b, d);
+            add(b, c, d);
+        }
+    }
+
+    // Vertices at which the velocity has a singularity.
+    std::vector<uint8_t> find_rim() const {
+        std::vector<uint8_t> rim(mesh_.vertices.size(), 0);
+        for (const auto& [edge, faces] : faces_of_)
+            if (is_sharp(edge, faces)) rim[edge[0]] = rim[edge[1]] = 1;
+        return rim;
+    }
+
+    // A free edge of a sheet; of a solid, one that the flow has to turn around.
+    bool is_sharp(const Edge& edge, const std::vector<uint32_t>& faces) const {
+        if (!closed_) return faces.size() == 1;
+        const Eigen::Vector3d n = twice_area(faces[0]), m = twice_area(faces[1]);
+        if (n.dot(m) > crease_cosine * n.norm() * m.norm()) return false;
+        const Face& f = mesh_.faces[faces[1]];
+        const uint32_t apex = f[0] != edge[0] && f[0] != edge[1]   ? f[0]
+                              : f[1] != edge[0] && f[1] != edge[1] ? f[1]
+                                                                   : f[2];
+        return n.dot(mesh_.vertices[apex] - mesh_.vertices[edge[0]]) < 0.0;
+    }
+
+    Eigen::Vector3d twice_area(uint32_t t) const {
+        const Face& f = mesh_.faces[t];
+        return (mesh_.vertices[f[1]] - mesh_.vertices[f[0]]).cross(mesh_.vertices[f[2]] - mesh_.vertices[f[0]]);
+    }
+
+    bool is_narrow(uint32_t t) const {
+        double longest = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Edge e = side(t, k);
+            longest = std::max(longest, (mesh_.vertices[e[0]] - mesh_.vertices[e[1]]).squaredNorm());
+        }
+        return twice_area(t).norm() < narrow * longest;
+    }
+
+    // Puts a vertex into the middle of an edge; returns the edges that are new.
+    std::vector<Edge> split(const Edge& edge) {
+        const std::vector<uint32_t> around = faces_of_.at(edge);
+        faces_of_.erase(edge);
+        const auto middle = static_cast<uint32_t>(mesh_.vertices.size());
+        mesh_.vertices.push_back(0.5 * (mesh_.vertices[edge[0]] + mesh_.vertices[edge[1]]));
+        std::vector<Edge> fresh{make_edge(edge[0], middle), make_edge(edge[1], middle)};
+        for (const uint32_t t : around) {
+            std::size_t k = 0;
+            while (side(t, k) != edge) ++k;
+            const uint32_t a = mesh_.faces[t][k], b = mesh_.faces[t][(k + 1) % 3], c = mesh_.faces[t][(k + 2) % 3];
+            const auto other = static_cast<uint32_t>(mesh_.faces.size());
+            mesh_.faces[t] = {a, middle, c};
+            mesh_.faces.push_back({middle, b, c});
+            std::vector<uint32_t>& moved = faces_of_.at(make_edge(b, c));
+            std::replace(moved.begin(), moved.end(), t, other);
+            faces_of_[make_edge(a, middle)].push_back(t);
+            faces_of_[make_edge(middle, b)].push_back(other);
+            const Edge inner = make_edge(middle, c);
+            faces_of_[inner].insert(faces_of_[inner].end(), {t, other});
+            fresh.push_back(inner);
+        }
+        return fresh;
+    }
+
+    Mesh mesh_;
+    bool closed_;
+    std::map<Edge, std::vector<uint32_t>> faces_of_;
+};
+
+Mesh refine(Refiner refiner, const Refinement& how) {
+    refiner.halve_longest(how.panels);
+    refiner.open_corners();
+    if (how.strips > 1) refiner.cut_strips(how.strips);
+    return refiner.take();
+}
+
+} // namespace
+
+Mesh refine_sheet(const Mesh& mesh, const Refinement& how) {
+    return refine(Refiner(mesh, false), how);
+}
+
+Mesh refine_solid(const Mesh& mesh, const Refinement& how) {
+    return refine(Refiner(mesh, true), how);
+}
+
+} // namespace lr::baker

@@ -1,0 +1,228 @@
+#include "baker/card/outline.h"
+
+#include "baker/card/outline_corners.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numeric>
+
+namespace lr::baker {
+namespace {
+
+// A crossing nearer than this to a pixel centre is moved away from it: loops through one pixel then never touch.
+constexpr double clearance = 1.0 / 256.0;
+// Beyond, the mask is noise: 16 bytes each.
+constexpr std::size_t max_points = 1 << 24;
+
+bool fail(Faults& faults, FaultId id, const std::string& where, std::string what, std::string remedy) {
+    faults.push_back({id, Severity::error, where, std::move(what), std::move(remedy)});
+    return false;
+}
+
+// Cell (x, y) has the centres of the pixels (x-1, y-1), (x, y-1), (x, y), (x-1, y) as its corners 0 to 3; edge k runs from
+// corner k to k + 1.
+class Tracer {
+public:
+    Tracer(const AlphaMask& mask, double level, double speck)
+        : mask_(mask), level_(level), speck_(speck), visited_((mask.width + 1) * (mask.height + 1), false) {}
+
+    bool run() {
+        for (std::size_t y = 1; y <= mask_.height; ++y)
+            for (std::size_t x = 0; x <= mask_.width; ++x) {
+                const auto sx = static_cast<std::ptrdiff_t>(x), sy = static_cast<std::ptrdiff_t>(y);
+                if (opaque(sx - 1, sy - 1) && !opaque(sx, sy - 1) && !visited_[y * (mask_.width + 1) + x] &&
+                    !follow(sx, sy))
+                    return false;
+            }
+        return true;
+    }
+
+    std::vector<Loop> outer, holes;
+    std::vector<double> outer_area, hole_area;
+    std::size_t dropped_outer = 0, dropped_holes = 0;
+    double dropped_outer_area = 0.0, dropped_hole_area = 0.0, largest = 0.0;
+
+private:
+    bool opaque(std::ptrdiff_t x, std::ptrdiff_t y) const { return mask_.at(x, y) >= level_; }
+
+    // Enters the cell upwards with the opaque side to its left, and goes round.
+    bool follow(std::ptrdiff_t x, std::ptrdiff_t y) {
+        static constexpr std::ptrdiff_t dx[4] = {-1, 0, 0, -1}, dy[4] = {-1, -1, 0, 0};
+        static constexpr std::ptrdiff_t to_x[4] = {0, 1, 0, -1}, to_y[4] = {-1, 0, 1, 0};
+        const std::ptrdiff_t first_x = x, first_y = y;
+        std::size_t entry = 0;
+        loop_.clear();
+        do {
+            double value[4];
+            for (std::size_t k = 0; k < 4; ++k) value[k] = mask_.at(x + dx[k], y + dy[k]);
+            const auto in = [&](std::size_t k) { return value[k % 4] >= level_; };
+            if (entry == 0)
+                visited_[static_cast<std::size_t>(y) * (mask_.width + 1) + static_cast<std::size_t>(x)] = true;
+            abrupt_ += value[entry] >= 65535.0 && value[(entry + 1) % 4] <= 0.0;
+            ++crossings_;
+            loop_.push_back(crossing(x + dx[entry], y + dy[entry], value[entry], entry, value[(entry + 1) % 4]));
+            std::size_t exit = entry;
+            if (in(entry + 2) && !in(entry + 3)) {
+                // In a saddle the way out on the right joins the opaque corners, the one on the left parts them.
+                const double determinant = value[0] * value[2] - value[1] * value[3];
+                const double twist = value[0] + value[2] - value[1] - value[3];
+                const bool joined = twist > 0.0 ? determinant > level_ * twist : determinant < level_ * twist;
+                exit = joined ? entry + 1 : entry + 3;
+            } else {
+                for (std::size_t turn = 1; turn < 4; ++turn)
+                    if (!in(entry + turn) && in(entry + turn + 1)) exit = entry + turn;
+            }
+            exit %= 4;
+            x += to_x[exit];
+            y += to_y[exit];
+            entry = (exit + 2) % 4;
+        } while (x != first_x || y != first_y || entry != 0);
+        return keep();
+    }
+
+    Eigen::Vector2d crossing(std::ptrdiff_t x, std::ptrdiff_t y, double from, std::size_t edge, double to) const {
+        static constexpr double along_x[4] = {1.0, 0.0, -1.0, 0.0}, along_y[4] = {0.0, 1.0, 0.0, -1.0};
+        const double t = std::clamp((level_ - from) / (to - from), clearance, 1.0 - clearance);
+        const Eigen::Vector2d p(static_cast<double>(x) + 0.5 + t * along_x[edge],
+                                static_cast<double>(y) + 0.5 + t * along_y[edge]);
+        return {std::clamp(p.x(), 0.0, static_cast<double>(mask_.width)),
+                std::clamp(p.y(), 0.0, static_cast<double>(mask_.height))};
+    }
+
+    bool keep() {
+        const double area = signed_area(loop_);
+        const bool hole = area < 0.0;
+        if (!hole) largest = std::max(largest, area);
+        if (std::abs(area) < speck_ * largest) {
+            drop(hole, std::abs(area));
+            return true;
+        }
+        points_ += loop_.size();
+        if (points_ > max_points) return false;
+        (hole ? holes : outer).push_back(loop_);
+        (hole ? hole_area : outer_area).push_back(std::abs(area));
+        return true;
+    }
+
+public:
+    bool stairs() const { return 2 * abrupt_ > crossings_; }
+    void drop(bool hole, double area) {
+        (hole ? dropped_holes : dropped_outer) += 1;
+        (hole ? dropped_hole_area : dropped_outer_area) += area;
+    }
+
+private:
+    const AlphaMask& mask_;
+    const double level_, speck_;
+    std::vector<bool> visited_; // edges between horizontal neighbours, crossed upwards
+    Loop loop_;
+    std::size_t points_ = 0, crossings_ = 0, abrupt_ = 0;
+};
+
+// Even-odd; points of different loops never coincide.
+bool encloses(const Loop& loop, const Eigen::Vector2d& p) {
+    bool inside = false;
+    for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+        const Eigen::Vector2d &a = loop[j], &b = loop[i];
+        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * ((p.y() - a.y()) / (b.y() - a.y())))
+            inside = !inside;
+    }
+    return inside;
+}
+
+// A hole belongs to the smallest region around it.
+void nest(Tracer& traced, double speck, Outlines& out) {
+    std::vector<std::size_t> order(traced.outer.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return traced.outer_area[a] > traced.outer_area[b]; });
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (const std::size_t i : order) {
+        if (traced.outer_area[i] < speck * traced.largest) { // when it was found, no larger one was known
+            traced.drop(false, traced.outer_area[i]);
+            continue;
+        }
+        Eigen::AlignedBox2d box;
+        for (const Eigen::Vector2d& p : traced.outer[i]) box.extend(p);
+        boxes.push_back(box);
+        out.pieces.emplace_back();
+        out.pieces.back().loops.push_back(std::move(traced.outer[i]));
+        out.pieces.back().area = traced.outer_area[i];
+    }
+    const std::size_t count = out.pieces.size();
+    for (std::size_t i = 0; i < traced.holes.size(); ++i) {
+        if (traced.hole_area[i] < speck * traced.largest) {
+            traced.drop(true, traced.hole_area[i]);
+            continue;
+        }
+        const Eigen::Vector2d p = traced.holes[i].front();
+        for (std::size_t k = count; k-- > 0;)
+            if (boxes[k].contains(p) && encloses(out.pieces[k].loops.front(), p)) {
+                out.pieces[k].loops.push_back(std::move(traced.holes[i]));
+                break;
+            }
+    }
+}
+
+} // namespace
+
+double signed_area(const Loop& loop) {
+    double twice = 0.0;
+    if (loop.empty()) return twice;
+    const Eigen::Vector2d origin = loop.front();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Eigen::Vector2d a = loop[i] - origin, b = loop[(i + 1) % loop.size()] - origin;
+        twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return 0.5 * twice;
+}
+
+double perimeter(const Loop& loop) {
+    double length = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i) length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+    return length;
+}
+
+bool trace_outlines(const AlphaMask& mask, double threshold, double speck, const std::string& where, Outlines& out,
+                    Faults& faults) {
+    out = Outlines{};
+    const double level = threshold * 65535.0;
+    const auto [low, high] = std::minmax_element(mask.opacity.begin(), mask.opacity.end());
+    if (mask.opacity.empty() || *high < level)
+        return fail(faults, FaultId::image_no_outline, where,
+                    "No pixel is opaque: the highest opacity is " +
+                        shortest(mask.opacity.empty() ? 0.0 : std::round(*high / 65.535) / 1000.0) + ".",
+                    "Check the alpha channel, or give a lower threshold with --alpha.");
+    if (*low >= level)
+        return fail(faults, FaultId::image_no_outline, where,
+                    "Every pixel is opaque: the lowest opacity is " + shortest(std::round(*low / 65.535) / 1000.0) +
+                        ".",
+                    "Cut the leaf out with an alpha channel, or give a higher threshold with --alpha.");
+    Tracer traced(mask, level, speck);
+    if (!traced.run())
+        return fail(faults, FaultId::image_too_ragged, where,
+                    "The outline of the mask has more than 16 million points.",
+                    "Blur the mask or reduce the image: it looks like noise.");
+    nest(traced, speck, out);
+    CornerRestorer corners(mask, level);
+    for (Piece& piece : out.pieces) {
+        piece.area = 0.0;
+        for (Loop& loop : piece.loops) {
+            corners.restore(loop);
+            piece.area += signed_area(loop);
+        }
+    }
+    std::stable_sort(out.pieces.begin(), out.pieces.end(),
+                     [](const Piece& a, const Piece& b) { return a.area > b.area; });
+    out.stairs = traced.stairs();
+    out.specks = traced.dropped_outer;
+    out.pinholes = traced.dropped_holes;
+    out.speck_area = traced.dropped_outer_area;
+    out.pinhole_area = traced.dropped_hole_area;
+    return true;
+}
+
+} // namespace lr::baker

@@ -1,0 +1,207 @@
+#include "baker/mesh/assimp_reader.h"
+
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/scene.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <memory>
+
+namespace lr::baker {
+namespace {
+
+constexpr std::size_t max_polygons = 20'000'000; // more are refused afterwards
+
+Eigen::Vector3d to_eigen(const aiVector3D& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+Eigen::Matrix4d to_eigen(const aiMatrix4x4& m) {
+    Eigen::Matrix4d result;
+    for (unsigned row = 0; row < 4; ++row)
+        for (unsigned column = 0; column < 4; ++column)
+            result(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+                static_cast<double>(m[row][column]);
+    return result;
+}
+
+class SceneWalk {
+public:
+    SceneWalk(const aiScene& scene, const SceneFile& file, PolygonSoup& soup)
+        : scene_(scene), soup_(soup), split_names_(file.extension == "gltf" || file.extension == "glb") {}
+
+    void append_node(const aiNode& node, const Eigen::Matrix4d& transform, int depth) {
+        if (depth > 200 || soup_.polygons.size() > max_polygons) return;
+        const std::string name = node.mName.C_Str();
+        // The helpers that assimp makes of FBX pivots are not the author's.
+        const bool authored = !name.empty() && name.find("_$AssimpFbx$_") == std::string::npos;
+        if (authored) above_.push_back(name);
+        for (unsigned i = 0; i < node.mNumMeshes; ++i)
+            if (node.mMeshes[i] < scene_.mNumMeshes) append_instance(*scene_.mMeshes[node.mMeshes[i]], name, transform);
+        // A node is one object, however many materials cut it into meshes.
+        ++object_;
+        for (unsigned i = 0; i < node.mNumChildren; ++i)
+            append_node(*node.mChildren[i], transform * to_eigen(node.mChildren[i]->mTransformation), depth + 1);
+        if (authored) above_.pop_back();
+    }
+
+private:
+    // A mirroring transform turns the faces over, so it is undone in their order.
+    void append_instance(const aiMesh& mesh, const std::string& node, const Eigen::Matrix4d& transform) {
+        const auto base = static_cast<uint32_t>(soup_.vertices.size());
+        const bool mirrored = transform.topLeftCorner<3, 3>().determinant() < 0.0;
+        SoupPart part;
+        part.first_polygon = soup_.polygons.size();
+        part.object = object_;
+        part.own_names = {node, mesh_name(mesh)};
+        part.group_names = above_;
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i)
+            soup_.vertices.emplace_back(transform.topLeftCorner<3, 3>() * to_eigen(mesh.mVertices[i]) +
+                                        transform.topRightCorner<3, 1>());
+        for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+            const aiFace& face = mesh.mFaces[i];
+            if (face.mNumIndices < 3) {
+                ++soup_.ignored_points;
+                continue;
+            }
+            std::vector<uint32_t> polygon(face.mIndices, face.mIndices + face.mNumIndices);
+            // An index beyond this mesh must stay beyond all of them.
+            for (uint32_t& index : polygon) index = index < mesh.mNumVertices ? base + index : UINT32_MAX;
+            if (mirrored) std::reverse(polygon.begin(), polygon.end());
+            soup_.polygons.push_back(std::move(polygon));
+        }
+        if (soup_.polygons.size() > part.first_polygon) soup_.parts.push_back(std::move(part));
+    }
+
+    // assimp numbers the primitives of a glTF mesh: "leaf-0", "leaf-1".
+    std::string mesh_name(const aiMesh& mesh) const {
+        std::string name = mesh.mName.C_Str();
+        if (!split_names_) return name;
+        const std::size_t dash = name.find_last_not_of("0123456789");
+        if (dash == std::string::npos || dash == 0 || dash + 1 == name.size() || name[dash] != '-') return name;
+        const std::string stem = name.substr(0, dash + 1);
+        std::size_t siblings = 0;
+        for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+            const std::string other = scene_.mMeshes[i]->mName.C_Str();
+            siblings += other == stem + "0" || other == stem + "1";
+        }
+        return siblings == 2 ? name.substr(0, dash) : name;
+    }
+
+    const aiScene& scene_;
+    PolygonSoup& soup_;
+    bool split_names_;
+    std::size_t object_ = 0;
+    std::vector<std::string> above_;
+};
+
+// What assimp 5.2 does about units: Collada's <unit> multiplies the root node's transform, which is otherwise the
+// identity (the up axis would turn it too; that is switched off). FBX is left in its own unit, which the metadata give
+// in centimetres. Both are brought to the same form here: positions in the file's unit, and that unit beside them.
+Eigen::Matrix4d take_unit(const aiScene& scene, const std::string& extension, PolygonSoup& soup) {
+    Eigen::Matrix4d root = to_eigen(scene.mRootNode->mTransformation);
+    double unit = 0.0;
+    if (extension == "dae") {
+        unit = std::cbrt(std::abs(root.topLeftCorner<3, 3>().determinant()));
+        if (std::isfinite(unit) && unit > 0.0) root.topLeftCorner<3, 3>() /= unit;
+    } else if (extension == "fbx" && scene.mMetaData) {
+        double centimetres = 0.0;
+        float single = 0.0F;
+        if (scene.mMetaData->Get("UnitScaleFactor", centimetres))
+            unit = 0.01 * centimetres;
+        else if (scene.mMetaData->Get("UnitScaleFactor", single))
+            unit = 0.01 * static_cast<double>(single);
+    }
+    if (std::isfinite(unit) && unit > 0.0) {
+        // From single precision to the decimal that was meant: 0.0254, not 0.0253999997.
+        const double digits = std::pow(10.0, 6.0 - std::floor(std::log10(unit)));
+        const double rounded = std::round(unit * digits) / digits;
+        soup.declared_unit = rounded > 0.0 && std::isfinite(rounded) ? rounded : unit;
+    }
+    return root;
+}
+
+class ByteStream final : public Assimp::IOStream {
+public:
+    explicit ByteStream(std::shared_ptr<const InputFiles::Bytes> bytes) : bytes_(std::move(bytes)) {}
+
+    std::size_t Read(void* to, std::size_t size, std::size_t count) override {
+        if (size == 0) return 0;
+        const std::size_t whole = std::min(count, (bytes_->size() - at_) / size);
+        if (whole > 0) std::memcpy(to, bytes_->data() + at_, whole * size);
+        at_ += whole * size;
+        return whole;
+    }
+    std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
+    aiReturn Seek(std::size_t offset, aiOrigin origin) override {
+        // Offsets from the end or back from here come as negative numbers in an unsigned type.
+        const std::size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : bytes_->size();
+        const std::size_t to = base + offset;
+        if (to > bytes_->size()) return aiReturn_FAILURE;
+        at_ = to;
+        return aiReturn_SUCCESS;
+    }
+    std::size_t Tell() const override { return at_; }
+    std::size_t FileSize() const override { return bytes_->size(); }
+    void Flush() override {}
+
+private:
+    std::shared_ptr<const InputFiles::Bytes> bytes_;
+    std::size_t at_ = 0;
+};
+
+// Regular files only, for reading only; from memory, none.
+class FileAccess final : public Assimp::IOSystem {
+public:
+    explicit FileAccess(InputFiles* files) : files_(files) {}
+
+    bool Exists(const char* path) const override { return files_ && files_->read(path) != nullptr; }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char* path, const char* mode) override {
+        if (!files_ || !mode || mode[0] != 'r' || std::strchr(mode, '+')) return nullptr;
+        std::shared_ptr<const InputFiles::Bytes> bytes = files_->read(path);
+        return bytes ? new ByteStream(std::move(bytes)) : nullptr;
+    }
+    void Close(Assimp::IOStream* stream) override { delete stream; }
+
+private:
+    InputFiles* files_;
+};
+
+} // namespace
+
+// No post-processing by assimp: its steps drop or reorder faces silently and trust indices.
+bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) {
+    const auto fail = [&](const char* why) {
+        faults.push_back({FaultId::mesh_unreadable, Severity::error, file.where,
+                          std::string("The file cannot be read as a mesh: ") + why,
+                          "Export it again as OBJ, STL, PLY or glTF; check that the extension fits the content."});
+        return false;
+    };
+    try {
+        Assimp::Importer importer;
+        importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+        importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+        importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, !file.collada_ids);
+        importer.SetIOHandler(new FileAccess(file.files)); // which the importer then owns
+        const aiScene* scene = file.path
+                                   ? importer.ReadFile(*file.path, 0)
+                                   : importer.ReadFileFromMemory(file.bytes, file.size, 0, file.extension.c_str());
+        if (!scene || !scene->mRootNode) return fail(importer.GetErrorString());
+        soup = {};
+        const Eigen::Matrix4d root = take_unit(*scene, file.extension, soup);
+        SceneWalk(*scene, file, soup).append_node(*scene->mRootNode, root, 0);
+        return true;
+    } catch (const std::exception& error) {
+        return fail(error.what());
+    }
+}
+
+} // namespace lr::baker

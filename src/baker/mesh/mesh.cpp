@@ -1,0 +1,353 @@
+#include "baker/mesh/mesh.h"
+
+#include "baker/mesh/assimp_reader.h"
+#include "baker/mesh/collada_check.h"
+#include "baker/mesh/input_files.h"
+#include "baker/mesh/obj_reader.h"
+#include "baker/mesh/ply_reader.h"
+#include "baker/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <new>
+#include <set>
+#include <string_view>
+
+namespace lr::baker {
+
+const char* up_name(UpAxis up) {
+    const char* const names[] = {"x", "y", "z", "-x", "-y", "-z"};
+    return names[static_cast<std::size_t>(up)];
+}
+
+namespace {
+
+void report(Faults& faults, FaultId id, Severity severity, std::string where, std::string what, std::string remedy) {
+    faults.push_back({id, severity, std::move(where), std::move(what), std::move(remedy)});
+}
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+std::filesystem::path to_path(const std::string& utf8) {
+    return std::filesystem::path(std::u8string(utf8.begin(), utf8.end()));
+}
+
+// At most twenty, each once.
+std::string list_names(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 20;
+    std::vector<std::string> distinct;
+    std::set<std::string> seen;
+    for (const std::string& name : names)
+        if (!name.empty() && seen.insert(name).second) distinct.push_back(name);
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, distinct.size()); ++i)
+        text += (i > 0 ? ", '" : "'") + printable(distinct[i]) + "'";
+    if (distinct.size() > most) text += " and " + std::to_string(distinct.size() - most) + " more";
+    return text.empty() ? "objects without names" : text;
+}
+
+std::string object_name(const SoupPart& part) {
+    for (const std::string& name : part.own_names)
+        if (!name.empty()) return name;
+    return {};
+}
+
+bool has_name(const SoupPart& part, const std::string& name) {
+    const auto among = [&](const std::vector<std::string>& names) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    return among(part.own_names) || among(part.group_names);
+}
+
+bool has_name(const PolygonSoup& soup, const std::string& name) {
+    return std::any_of(soup.parts.begin(), soup.parts.end(), [&](const SoupPart& p) { return has_name(p, name); });
+}
+
+// Leaves the named parts, and of the vertices those that no other part alone uses.
+bool select(PolygonSoup& soup, const std::string& name, const std::string& where, Faults& faults) {
+    if (!has_name(soup, name)) {
+        std::vector<std::string> names;
+        for (const SoupPart& part : soup.parts) names.insert(names.end(), part.own_names.begin(), part.own_names.end());
+        report(faults, FaultId::parameter_unknown, Severity::error, "mesh",
+               "The file has no mesh, node or object of the name '" + printable(name) + "'.",
+               "It has: " + list_names(names) + ".");
+        return false;
+    }
+    enum : uint8_t { unused, dropped, kept };
+    std::vector<uint8_t> use(soup.vertices.size(), unused);
+    std::vector<std::vector<uint32_t>> polygons;
+    std::vector<SoupPart> parts;
+    std::vector<std::string> left_out;
+    for (std::size_t i = 0; i < soup.parts.size(); ++i) {
+        SoupPart& part = soup.parts[i];
+        const std::size_t end = i + 1 < soup.parts.size() ? soup.parts[i + 1].first_polygon : soup.polygons.size();
+        const bool keep = has_name(part, name);
+        const std::size_t first = polygons.size();
+        for (std::size_t k = part.first_polygon; k < end; ++k) {
+            for (const uint32_t v : soup.polygons[k])
+                if (v < use.size()) use[v] = std::max<uint8_t>(use[v], keep ? kept : dropped);
+            if (keep) polygons.push_back(std::move(soup.polygons[k]));
+        }
+        if (keep) {
+            part.first_polygon = first;
+            parts.push_back(std::move(part));
+        } else {
+            left_out.push_back(object_name(part));
+        }
+    }
+    std::vector<uint32_t> renumbered(soup.vertices.size(), UINT32_MAX);
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i)
+        if (use[i] != dropped) {
+            renumbered[i] = static_cast<uint32_t>(n);
+            soup.vertices[n++] = soup.vertices[i];
+        }
+    soup.vertices.resize(n);
+    for (std::vector<uint32_t>& polygon : polygons)
+        for (uint32_t& v : polygon) v = v < renumbered.size() ? renumbered[v] : v;
+    soup.polygons = std::move(polygons);
+    soup.parts = std::move(parts);
+    if (!left_out.empty())
+        report(faults, FaultId::mesh_several_meshes, Severity::warning, where,
+               "Only '" + printable(name) + "' was taken; left out: " + list_names(left_out) + ".",
+               "Nothing, if that was meant; without --mesh all are taken as one body.");
+    return true;
+}
+
+void report_several(const PolygonSoup& soup, const std::string& where, Faults& faults) {
+    std::set<std::size_t> objects;
+    std::vector<std::string> names;
+    for (const SoupPart& part : soup.parts) {
+        objects.insert(part.object);
+        names.push_back(object_name(part));
+    }
+    if (objects.size() > 1)
+        report(faults, FaultId::mesh_several_meshes, Severity::warning, where,
+               std::to_string(objects.size()) + " objects were taken together as one body: " + list_names(names) + ".",
+               "Choose one with --mesh if they are separate bodies.");
+}
+
+// Metres in a unit of the positions as read.
+double scale_of(const PolygonSoup& soup, const MeshReadOptions& options, const std::string& where, Faults& faults) {
+    const double declared = soup.declared_unit;
+    if (!options.unit_scale) {
+        if (declared > 0.0 && declared != 1.0)
+            report(faults, FaultId::mesh_turned_or_scaled, Severity::warning, where,
+                   "The file's unit is " + shortest(declared) + " m; its positions were scaled to metres by that.",
+                   "Give --unit if the file is wrong about it.");
+        return declared > 0.0 ? declared : 1.0;
+    }
+    if (declared > 0.0 && std::abs(declared - *options.unit_scale) > 1e-6 * declared)
+        report(faults, FaultId::mesh_turned_or_scaled, Severity::warning, where,
+               "The file's unit is " + shortest(declared) + " m; --unit was taken instead.",
+               "Leave out --unit if the file is right.");
+    return *options.unit_scale;
+}
+
+// Importers hand over these formats corner by corner, and programs keep a vertex for each normal and texture coordinate
+// at its place: joining them is reading, not repair.
+bool repeats_corners(const std::string& extension) {
+    return extension.empty() || extension == "stl" || extension == "dae" || extension == "fbx";
+}
+
+bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptions& options, const std::string& where,
+            Mesh& out, Faults& faults) {
+    if (soup.polygons.empty()) {
+        report(faults, FaultId::mesh_empty, Severity::error, where, "The file holds no faces.",
+               "Export the surface as triangles or polygons.");
+        return false;
+    }
+    if (options.mesh && !select(soup, *options.mesh, where, faults)) return false;
+    if (soup.polygons.size() > options.max_faces) {
+        report(faults, FaultId::mesh_too_many_faces, Severity::error, where,
+               "The mesh has " + std::to_string(soup.polygons.size()) + " faces, more than " +
+                   std::to_string(options.max_faces) + ".",
+               "Decimate it before baking.");
+        return false;
+    }
+    const double unit_scale = scale_of(soup, options, where, faults);
+    const Eigen::Matrix3d rotation = up_rotation(options.up);
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
+        soup.vertices[i] *= unit_scale;
+        if (options.up != UpAxis::z) soup.vertices[i] = rotation * soup.vertices[i];
+        if (soup.vertices[i].allFinite()) continue;
+        report(faults, FaultId::mesh_not_finite, Severity::error, "vertex " + std::to_string(i),
+               "A vertex position is not a finite number.", "Correct or delete this vertex.");
+        return false;
+    }
+    if (options.up != UpAxis::z)
+        report(faults, FaultId::mesh_turned_or_scaled, Severity::warning, where,
+               std::string("The mesh was turned: its ") + up_name(options.up) + " axis is now +z.",
+               "Nothing, if that was meant.");
+    if (!triangulate(soup, out, faults)) return false;
+    if (soup.ignored_points > 0)
+        report(faults, FaultId::mesh_empty, Severity::warning, where,
+               std::to_string(soup.ignored_points) + " points or lines have no surface and were left out.",
+               "Delete them to silence this.");
+    report_several(soup, where, faults);
+    const std::size_t joined = join_identical_vertices(out);
+    if (joined > 0 && !repeats_corners(extension))
+        report(faults, FaultId::mesh_merged_vertices, Severity::warning, where,
+               std::to_string(joined) + " vertices at exactly the same position as another were joined with it.",
+               "Merge vertices by distance before export to silence this.");
+    const std::size_t near = join_near_vertices(out, join_tolerance);
+    if (near > 0)
+        report(faults, FaultId::mesh_merged_vertices, Severity::warning, where,
+               std::to_string(near) + " vertices within " + shortest(join_tolerance) +
+                   " of the mesh's extent from another were joined with it.",
+               "Merge vertices by distance before export to silence this.");
+    return true;
+}
+
+bool check_unit(double unit_scale, Faults& faults) {
+    if (std::isfinite(unit_scale) && unit_scale > 0.0) return true;
+    report(faults, FaultId::parameter_out_of_range, Severity::error, "unit",
+           "The unit scale must be positive and finite.",
+           "Use 1 for metres, 0.01 for centimetres, 0.001 for millimetres.");
+    return false;
+}
+
+bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults& faults) {
+    out.vertices.clear();
+    out.faces.clear();
+    if (!check_unit(options.unit_scale.value_or(1.0), faults)) return false;
+    if (file.size == 0) {
+        report(faults, FaultId::mesh_empty, Severity::error, file.where, "The file is empty.",
+               "Export the mesh again.");
+        return false;
+    }
+    PolygonSoup soup;
+    try {
+        const std::string_view text(static_cast<const char*>(file.bytes), file.size);
+        bool read = false;
+        if (file.extension == "obj") {
+            read = parse_obj(text, soup, faults);
+        } else if (file.extension == "ply") {
+            read = parse_ply(text, soup, faults);
+        } else if (file.extension == "zae") {
+            report(faults, FaultId::mesh_unreadable, Severity::error, file.where, "This is packed Collada.",
+                   "Unpack it (it is a zip archive) and bake the .dae inside.");
+        } else {
+            if (is_collada(text)) file.extension = "dae"; // assimp would know it by any name
+            read = (file.extension != "dae" || check_collada(text, faults)) && read_with_assimp(file, soup, faults);
+            if (read && options.mesh && file.extension == "dae" && !has_name(soup, *options.mesh)) {
+                PolygonSoup by_id;
+                file.collada_ids = true;
+                Faults ignored;
+                if (read_with_assimp(file, by_id, ignored) && has_name(by_id, *options.mesh)) soup = std::move(by_id);
+            }
+        }
+        return read && finish(soup, file.extension, options, file.where, out, faults);
+    } catch (const std::bad_alloc&) {
+        report(faults, FaultId::mesh_too_many_faces, Severity::error, file.where, "The mesh does not fit into memory.",
+               "Reduce the mesh before baking.");
+        return false;
+    }
+}
+
+std::string extension_of(const std::string& path_utf8) {
+    const std::u8string text = to_path(path_utf8).extension().u8string();
+    std::string extension = lower_case(std::string(text.begin(), text.end()));
+    if (!extension.empty()) extension.erase(0, 1);
+    return extension;
+}
+
+MeshReadOptions only_scale(double unit_scale) {
+    MeshReadOptions options;
+    options.unit_scale = unit_scale;
+    return options;
+}
+
+} // namespace
+
+Eigen::Matrix3d up_rotation(UpAxis up) {
+    Eigen::Matrix3d r;
+    switch (up) {
+    case UpAxis::x:
+        r << 0, 0, -1, 0, 1, 0, 1, 0, 0;
+        return r;
+    case UpAxis::y:
+        r << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+        return r;
+    case UpAxis::minus_x:
+        r << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+        return r;
+    case UpAxis::minus_y:
+        r << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+        return r;
+    case UpAxis::minus_z:
+        r << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+        return r;
+    case UpAxis::z:
+        break;
+    }
+    return Eigen::Matrix3d::Identity();
+}
+
+bool declares_unit(const std::string& path_utf8) {
+    const std::string extension = extension_of(path_utf8);
+    return extension == "dae" || extension == "fbx";
+}
+
+bool read_mesh(const std::string& path_utf8, const MeshReadOptions& options, Mesh& out, Faults& faults,
+               InputFiles* files) {
+    InputFiles own;
+    if (!files) files = &own;
+    const std::shared_ptr<const InputFiles::Bytes> bytes = files->read(path_utf8, &faults);
+    if (!bytes) return false;
+    const std::u8string stem = to_path(path_utf8).stem().u8string();
+    out.name.assign(stem.begin(), stem.end());
+    const bool good = read_any({path_utf8, &path_utf8, files, bytes->data(), bytes->size(), extension_of(path_utf8)},
+                               options, out, faults);
+    files->forget_bytes();
+    return good;
+}
+
+bool read_mesh(const std::string& path_utf8, double unit_scale, Mesh& out, Faults& faults) {
+    return read_mesh(path_utf8, only_scale(unit_scale), out, faults);
+}
+
+bool read_mesh_memory(const void* bytes, std::size_t size, const std::string& extension, const MeshReadOptions& options,
+                      Mesh& out, Faults& faults) {
+    out.name = "memory";
+    return read_any({"memory", nullptr, nullptr, bytes, bytes ? size : 0, lower_case(extension)}, options, out, faults);
+}
+
+bool read_mesh_memory(const void* bytes, std::size_t size, const std::string& extension, double unit_scale, Mesh& out,
+                      Faults& faults) {
+    return read_mesh_memory(bytes, size, extension, only_scale(unit_scale), out, faults);
+}
+
+bool read_mesh_arrays(std::span<const double> positions, std::span<const uint32_t> indices,
+                      const MeshReadOptions& options, Mesh& out, Faults& faults) {
+    const std::string where = "arrays";
+    out = {};
+    if (!check_unit(options.unit_scale.value_or(1.0), faults)) return false;
+    if (positions.size() % 3 != 0 || indices.size() % 3 != 0 || positions.size() / 3 >= UINT32_MAX) {
+        report(faults, FaultId::mesh_bad_index, Severity::error, where,
+               "There are not three coordinates for each vertex and three indices for each triangle.",
+               "Check the lengths of both arrays.");
+        return false;
+    }
+    try {
+        PolygonSoup soup;
+        soup.vertices.reserve(positions.size() / 3);
+        for (std::size_t i = 0; i < positions.size(); i += 3)
+            soup.vertices.emplace_back(positions[i], positions[i + 1], positions[i + 2]);
+        soup.polygons.reserve(indices.size() / 3);
+        for (std::size_t i = 0; i < indices.size(); i += 3)
+            soup.polygons.push_back({indices[i], indices[i + 1], indices[i + 2]});
+        return finish(soup, "", options, where, out, faults);
+    } catch (const std::bad_alloc&) {
+        report(faults, FaultId::mesh_too_many_faces, Severity::error, where, "The mesh does not fit into memory.",
+               "Reduce the mesh before baking.");
+        return false;
+    }
+}
+
+} // namespace lr::baker

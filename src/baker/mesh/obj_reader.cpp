@@ -1,0 +1,258 @@
+#include "baker/mesh/obj_reader.h"
+
+#include <Eigen/Geometry>
+
+#include <charconv>
+#include <cmath>
+
+namespace lr::baker {
+namespace {
+
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+// Next blank-separated word of a line; empty at its end.
+std::string_view next_word(std::string_view& rest) {
+    std::size_t begin = 0;
+    while (begin < rest.size() && is_space(rest[begin])) ++begin;
+    std::size_t end = begin;
+    while (end < rest.size() && !is_space(rest[end])) ++end;
+    const std::string_view word = rest.substr(begin, end - begin);
+    rest.remove_prefix(end);
+    return word;
+}
+
+// from_chars: the decimal point does not depend on the process's locale.
+bool parse_number(std::string_view word, double& value) {
+    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error == std::errc::result_out_of_range) {
+        value = 0.0; // underflow and overflow are told apart by the exponent's sign
+        const std::size_t e = word.find_first_of("eE");
+        if (e == std::string_view::npos || e + 1 >= word.size() || word[e + 1] != '-') value = HUGE_VAL;
+        return true;
+    }
+    return error == std::errc() && end == word.data() + word.size() && !word.empty();
+}
+
+bool parse_index(std::string_view word, int64_t& value) {
+    word = word.substr(0, word.find('/'));
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc() && end == word.data() + word.size() && !word.empty();
+}
+
+class ObjParser {
+public:
+    ObjParser(PolygonSoup& soup, Faults& faults) : soup_(soup), faults_(faults) {}
+
+    bool parse(std::string_view text) {
+        std::string joined;
+        while (!text.empty()) {
+            ++line_;
+            std::string_view line = take_line(text);
+            if (!line.empty() && line.back() == '\\') {
+                joined.assign(line.substr(0, line.size() - 1));
+                while (!text.empty()) {
+                    ++line_;
+                    line = take_line(text);
+                    const bool more = !line.empty() && line.back() == '\\';
+                    joined += ' ';
+                    joined += more ? line.substr(0, line.size() - 1) : line;
+                    if (!more) break;
+                }
+                line = joined;
+            }
+            if (!parse_line(line)) return false;
+        }
+        return true;
+    }
+
+private:
+    static std::string_view take_line(std::string_view& text) {
+        const std::size_t end = text.find('\n');
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        return line;
+    }
+
+    bool parse_line(std::string_view line) {
+        const std::string_view keyword = next_word(line);
+        if (keyword == "v") return parse_vertex(line);
+        if (keyword == "f") return parse_face(line);
+        if (keyword == "p" || keyword == "l") ++soup_.ignored_points;
+        if (keyword == "o" || keyword == "g") begin_part(keyword == "o", line);
+        // Free-form surfaces would silently be lost: say so instead.
+        if (keyword == "surf" || keyword == "curv" || keyword == "cstype")
+            return fail(FaultId::mesh_unreadable, "The file holds free-form curves or surfaces.",
+                        "Export the surface as polygons.");
+        return true;
+    }
+
+    // Groups lie inside an object and are no objects of their own: many exporters make one for every material.
+    void begin_part(bool is_object, std::string_view names) {
+        while (!names.empty() && is_space(names.front())) names.remove_prefix(1);
+        while (!names.empty() && is_space(names.back())) names.remove_suffix(1);
+        part_open_ = false;
+        group_names_.clear();
+        if (is_object) {
+            ++object_;
+            object_name_ = names;
+            return;
+        }
+        group_names_.emplace_back(names);
+        for (std::string_view word = next_word(names); !word.empty(); word = next_word(names))
+            if (word != group_names_.front()) group_names_.emplace_back(word);
+    }
+
+    bool parse_vertex(std::string_view line) {
+        Eigen::Vector3d position;
+        for (int axis = 0; axis < 3; ++axis)
+            if (!parse_number(next_word(line), position[axis]))
+                return fail(FaultId::mesh_unreadable, "A vertex needs three numbers.", "Export the file again.");
+        if (!position.allFinite())
+            return fail(FaultId::mesh_not_finite, "A vertex position is not a finite number.",
+                        "Correct or delete this vertex.");
+        soup_.vertices.push_back(position);
+        return true;
+    }
+
+    bool parse_face(std::string_view line) {
+        std::vector<uint32_t> polygon;
+        const auto count = static_cast<int64_t>(soup_.vertices.size());
+        for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+            if (word.front() == '#') break;
+            int64_t index = 0;
+            if (!parse_index(word, index))
+                return fail(FaultId::mesh_unreadable, "A face corner is not a number.", "Export the file again.");
+            const int64_t zero_based = index > 0 ? index - 1 : count + index;
+            if (index == 0 || zero_based < 0 || zero_based > int64_t{UINT32_MAX} - 1)
+                return fail(FaultId::mesh_bad_index, "A face refers to vertex " + std::to_string(index) + ".",
+                            "Vertex numbers start at 1; export the file again.");
+            polygon.push_back(static_cast<uint32_t>(zero_based));
+        }
+        if (polygon.size() < 3)
+            return fail(FaultId::mesh_degenerate_face, "A face has fewer than three corners.", "Delete this face.");
+        if (!part_open_) {
+            const std::string group = group_names_.empty() ? std::string() : group_names_.front();
+            soup_.parts.push_back({soup_.polygons.size(), object_, {object_name_, group}, group_names_});
+        }
+        part_open_ = true;
+        soup_.polygons.push_back(std::move(polygon));
+        return true;
+    }
+
+    bool fail(FaultId id, std::string what, std::string remedy) {
+        faults_.push_back({id, Severity::error, "line " + std::to_string(line_), std::move(what), std::move(remedy)});
+        return false;
+    }
+
+    PolygonSoup& soup_;
+    Faults& faults_;
+    std::size_t line_ = 0;
+    bool part_open_ = false;
+    std::size_t object_ = 0;
+    std::string object_name_;
+    std::vector<std::string> group_names_;
+};
+
+double cross2(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+bool inside_triangle(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                     const Eigen::Vector2d& c) {
+    return cross2(b - a, p - a) >= 0.0 && cross2(c - b, p - b) >= 0.0 && cross2(a - c, p - c) >= 0.0;
+}
+
+// Positions of the polygon's corners in its own plane, counter-clockwise.
+std::vector<Eigen::Vector2d> flatten(const PolygonSoup& soup, const std::vector<uint32_t>& polygon) {
+    const Eigen::Vector3d origin = soup.vertices[polygon[0]];
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // twice the area vector (Newell)
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        normal += (soup.vertices[polygon[i]] - origin).cross(soup.vertices[polygon[i + 1]] - origin);
+    if (normal.norm() == 0.0) normal = Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d u = normal.unitOrthogonal();
+    const Eigen::Vector3d v = normal.normalized().cross(u);
+    std::vector<Eigen::Vector2d> flat;
+    for (const uint32_t i : polygon) {
+        const Eigen::Vector3d d = soup.vertices[i] - origin;
+        flat.emplace_back(d.dot(u), d.dot(v));
+    }
+    return flat;
+}
+
+void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, std::vector<Face>& faces) {
+    const std::vector<Eigen::Vector2d> flat = flatten(soup, polygon);
+    std::vector<std::size_t> ring(polygon.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = i;
+    while (ring.size() > 3) {
+        const std::size_t n = ring.size();
+        std::size_t ear = n;
+        double best = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t before = ring[(i + n - 1) % n];
+            const std::size_t after = ring[(i + 1) % n];
+            const Eigen::Vector2d &a = flat[before], &b = flat[ring[i]], &c = flat[after];
+            const double area = cross2(b - a, c - b);
+            if (area <= 0.0) continue;
+            // The ear with the best-shaped triangle: slivers cost accuracy in the added mass.
+            const double quality = area / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
+            if (quality <= best) continue;
+            bool empty = true;
+            for (std::size_t k = 0; empty && k < n; ++k) {
+                const std::size_t other = ring[k];
+                if (other == before || other == ring[i] || other == after) continue;
+                empty = !inside_triangle(flat[other], a, b, c);
+            }
+            if (!empty) continue;
+            best = quality;
+            ear = i;
+        }
+        if (ear == n) ear = 1; // self-crossing or collapsed: a fan, which the mesh check then judges
+        const std::size_t m = ring.size();
+        faces.push_back({polygon[ring[(ear + m - 1) % m]], polygon[ring[ear]], polygon[ring[(ear + 1) % m]]});
+        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
+    }
+    faces.push_back({polygon[ring[0]], polygon[ring[1]], polygon[ring[2]]});
+}
+
+} // namespace
+
+bool parse_obj(std::string_view text, PolygonSoup& out, Faults& faults) {
+    out = {};
+    return ObjParser(out, faults).parse(text);
+}
+
+bool triangulate(const PolygonSoup& soup, Mesh& out, Faults& faults) {
+    // Ear clipping is cubic in the corners; a polygon this large is a broken file, not a model.
+    constexpr std::size_t max_corners = 1000;
+    out.vertices = soup.vertices;
+    out.faces.clear();
+    for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
+        const std::vector<uint32_t>& polygon = soup.polygons[i];
+        const std::string where = "face " + std::to_string(i);
+        for (const uint32_t index : polygon) {
+            if (index < soup.vertices.size()) continue;
+            faults.push_back({FaultId::mesh_bad_index, Severity::error, where,
+                              "A face refers to vertex " + std::to_string(index) + " of " +
+                                  std::to_string(soup.vertices.size()) + " (counted from 0).",
+                              "Export the file again, or delete this face."});
+            return false;
+        }
+        if (polygon.size() < 3 || polygon.size() > max_corners) {
+            faults.push_back({FaultId::mesh_degenerate_face, Severity::error, where,
+                              "A face has " + std::to_string(polygon.size()) + " corners.",
+                              "Triangulate the mesh before export, or delete this face."});
+            return false;
+        }
+        if (polygon.size() == 3)
+            out.faces.push_back({polygon[0], polygon[1], polygon[2]});
+        else
+            clip_ears(soup, polygon, out.faces);
+    }
+    return true;
+}
+
+} // namespace lr::baker

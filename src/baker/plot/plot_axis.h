@@ -1,0 +1,65 @@
+// Axes of plots: ranges, ticks, and numbers as one prints them in papers.
+#pragma once
+
+#include "baker/plot/svg.h"
+
+#include <string>
+#include <vector>
+
+namespace lr::baker {
+
+struct Tick {
+    double value;
+    std::string label; // empty for minor ones
+};
+
+class Axis {
+public:
+    // Logarithmic if low is positive and high is at least 20 times that. Widened to whole ticks; linear ones include 0 if
+    // that does not cost more than a fifth of the length.
+    static Axis fitting(double low, double high);
+    static Axis linear(double low, double high, int most_ticks);
+    // From 0 to just there, whatever the ticks.
+    static Axis up_to(double high, int most_ticks);
+    static Axis logarithmic(double low, double high);
+
+    // 0 at the beginning, 1 at the end; values outside are moved to the nearer.
+    double at(double value) const;
+    const std::vector<Tick>& ticks() const { return ticks_; }
+    bool is_logarithmic() const { return logarithmic_; }
+    double low() const { return low_; }
+    double high() const { return high_; }
+    // Labels are to be multiplied by this power of ten, which belongs to the unit: "10⁻³ " or nothing.
+    const std::string& factor() const { return factor_; }
+
+private:
+    double low_ = 0.0, high_ = 1.0;
+    bool logarithmic_ = false;
+    std::vector<Tick> ticks_;
+    std::string factor_;
+};
+
+// The frame of a panel, and where a value lies in it.
+struct PlotFrame {
+    double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+    Axis horizontal, vertical;
+
+    SvgPoint at(double h, double v) const {
+        return {x + width * horizontal.at(h), y + height * (1.0 - vertical.at(v))};
+    }
+    // Box, grid, ticks and the labels of the ticks; those below only if asked for.
+    void draw(Svg& svg, bool label_horizontal) const;
+    // What the vertical axis shows, turned, left of its labels.
+    void draw_title(Svg& svg, const std::string& text) const;
+};
+
+// "1.23×10⁻⁵", "0.0123", "−4.5"
+std::string paper_number(double value, int digits);
+
+// "10⁻³"
+std::string power_of_ten(int exponent);
+
+// At most so many characters, with an ellipsis for the rest.
+std::string shortened(const std::string& utf8, std::size_t most);
+
+} // namespace lr::baker

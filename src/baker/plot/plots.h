@@ -1,0 +1,32 @@
+// Pictures of an asset, as SVG for papers and pages. The same asset and mesh give the same text.
+#pragma once
+
+#include "baker/mesh/mesh.h"
+#include "format/asset_data.h"
+
+#include <array>
+#include <string>
+
+namespace lr::baker {
+
+inline constexpr std::array<const char*, 3> plot_names{"turbulence.svg", "added_mass.svg", "entries.svg"};
+
+// k, epsilon and chi over time (the paper's Fig. 2), in SI units.
+std::string plot_turbulence(const AssetData& asset);
+
+// The body in four views, with ellipsoids of its added mass and added inertia. body: in the body frame.
+std::string plot_added_mass(const AssetData& asset, const Mesh& body);
+
+// The 6x6 matrix: entries against the scale of their block, with their estimated errors.
+std::string plot_entries(const AssetData& asset);
+
+// In the order of plot_names.
+std::array<std::string, 3> make_plots(const AssetData& asset, const Mesh& body);
+
+// Was this one drawn of an asset of this provenance?
+bool is_plot_of(std::string_view svg, const ProvenanceData& provenance);
+
+// Text that all of them carry, unseen.
+std::string plot_description(const AssetData& asset);
+
+} // namespace lr::baker

@@ -1,0 +1,72 @@
+// Transport of k and epsilon by a mean flow (paper Eqs. 13 to 17), on the cells of its MAC grid.
+#pragma once
+
+#include "baker/turbulence/eddy_diffusion.h"
+#include "baker/turbulence/mac_grid.h"
+#include "shape/turbulence_closure.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace lr::baker {
+
+class KEpsilon {
+public:
+    // k and epsilon start as the inflow state everywhere. k is held at `most_k`, or (0) below overflow: the strain of a step
+    // does not know yet how much of its energy the mean flow has lost, and out of almost no turbulence a sudden start
+    // would make k of many U0^2.
+    KEpsilon(const MacGrid& grid, shape::TurbulenceState inflow, double most_k = 0.0);
+
+    // Once per step, and again only if the mean flow has changed: the strain of Eq. 15 and the parcels' origins.
+    // Around a body 2 S_ij S_ij gives way to its geometric mean with 2 Omega_ij Omega_ij (Kato and Launder 1993): the same
+    // in shear, but nothing where the stream stagnates, where Eqs. 14 to 17 are known to make far too much k.
+    void follow(const MacGrid& grid, double dt);
+    // Semi-Lagrangian advection, then the exact local solution of Eqs. 16 and 17 over the time since each parcel was
+    // last seen: dt, or less if it came in through the inflow meanwhile. Around a body the length k^(3/2)/epsilon does not
+    // fall below that of the inflow, as it would not at a wall so rough (Richards and Hoxey 1993): at a smooth one epsilon
+    // grows as the inverse distance, and its mean with every refinement of the grid.
+    void step(double dt);
+    // The diffusion of Eq. 13, which Eqs. 16 and 17 drop: a flow with walls needs it, because the parcels that creep
+    // along them gather k for ever, and the more so the finer the grid. `viscosity` is the molecular one.
+    void diffuse(double dt, double viscosity);
+
+    shape::TurbulenceState at(const GridPoint& p) const;
+    shape::TurbulenceState in_cell(uint32_t i, uint32_t j, uint32_t k) const;
+    double strain_at(uint32_t i, uint32_t j, uint32_t k) const; // G = nu_T times it
+    double largest_strain() const { return largest_strain_; }
+    // nu_T of Eq. 14 in every cell, zero in solids.
+    void eddy_viscosity(std::vector<double>& out) const;
+
+private:
+    void find_strain(const MacGrid& grid);
+    void find_origins(const MacGrid& grid, double dt);
+    void fill_solids();
+
+    struct SolidCell { // next to the fluid: takes the mean of its fluid neighbours, for parcels that touch the wall
+        uint32_t sample;
+        uint32_t count;
+        std::array<uint32_t, 6> neighbours;
+    };
+
+    std::array<uint32_t, 3> cells_;
+    std::vector<uint8_t> solid_;
+    shape::TurbulenceState inflow_;
+    double most_k_;
+    GridField k_, epsilon_;
+    std::vector<double> next_k_, next_epsilon_;
+    std::vector<GridStencil> origin_;
+    std::vector<double> age_; // share of the step that the parcel spent inside
+    std::vector<double> strain_;
+    EddyDiffusion diffusion_;
+    std::vector<uint8_t> prescribed_;                  // samples of k_ on the inflow or inside solids
+    std::vector<double> diffusivity_, eddy_viscosity_; // per sample of k_
+    std::array<std::vector<double>, 3> centred_;
+    std::vector<SolidCell> solid_cells_;
+    WallShares walls_;
+    std::vector<uint8_t> wall_sides_; // of each cell: bits 0 to 5, before and after it along x, y, z; empty: no body
+    double largest_strain_ = 0.0;
+};
+
+} // namespace lr::baker

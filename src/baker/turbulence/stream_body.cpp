@@ -1,0 +1,128 @@
+#include "baker/turbulence/stream_body.h"
+
+#include "baker/turbulence/voxelise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace lr::baker {
+namespace {
+
+constexpr double margin = 1.5; // ahead and behind, in w
+constexpr double across = 4.0; // sides of the cross section, in the body's extents
+// Narrower bodies are given the room of one so wide, lest the cells become needles.
+constexpr double narrowest = 0.1;
+
+} // namespace
+
+bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::Vector3d& projected_areas,
+                   TurbulenceOptions& options, Faults& faults) {
+    const auto fail = [&](FaultId id, const char* where, const char* what, const char* remedy) {
+        faults.push_back({id, Severity::error, where, what, remedy});
+        return false;
+    };
+    Eigen::Index broad = 0;
+    projected_areas.maxCoeff(&broad);
+    Eigen::Index along_y = (broad + 1) % 3, along_z = (broad + 2) % 3;
+    const auto extent = [&](Eigen::Index axis, double& low) {
+        low = 1e300;
+        double high = -1e300;
+        for (const Eigen::Vector3d& v : mesh.vertices) {
+            const double x = axes.col(axis).dot(v);
+            low = std::min(low, x);
+            high = std::max(high, x);
+        }
+        return high - low;
+    };
+    for (const Eigen::Vector3d& v : mesh.vertices)
+        if (!v.allFinite() || !axes.allFinite())
+            return fail(FaultId::mesh_not_finite, "wake", "A position is NaN or infinite.",
+                        "Correct or delete the vertex.");
+    double ignored = 0.0;
+    if (extent(along_z, ignored) > extent(along_y, ignored)) std::swap(along_y, along_z);
+    const Eigen::Index order[3] = {broad, along_y, along_z};
+    Eigen::Vector3d low, size;
+    for (Eigen::Index a = 0; a < 3; ++a) size[a] = extent(order[a], low[a]);
+
+    if (!(size[1] > 0.0))
+        return fail(FaultId::parameter_out_of_range, "wake", "The body has no extent across the stream.",
+                    "Check the mesh, or leave out --wake.");
+    const double d = options.length_d;
+    const double width = std::max(std::sqrt(size[1] * size[2]), narrowest * d);
+    GridPoint lengths = {size[0] + d + 2.0 * margin * width, across * size[1],
+                         across * size[2] * std::ceil(size[1] / (16.0 * size[2]))};
+    if (!(size[2] > 1e-9 * size[1])) lengths[2] = 0.25 * size[1];
+    // Whole cells in a thick body, when there are 32 of them or a multiple along the stream.
+    const double whole = 2.0 * std::floor(0.5 * 32.0 * size[0] / lengths[0]);
+    if (whole > 0.0) lengths[0] = 32.0 * size[0] / whole;
+    for (size_t a = 0; a < 3; ++a) options.domain_lengths[a] = lengths[a] / d;
+    const double cell = lengths[0] / options.cells[0];
+    const double ahead = std::max(1.0, std::floor((margin * width + 0.5 * size[0]) / cell + 0.5)) * cell;
+    const Eigen::Vector3d middle(ahead, 0.5 * lengths[1], 0.5 * lengths[2]);
+
+    // No narrower than two cells across the stream, or it would slip between their centres.
+    Eigen::Vector3d stretch = Eigen::Vector3d::Ones();
+    for (Eigen::Index a = 1; a < 3; ++a) {
+        const auto axis = static_cast<size_t>(a);
+        const double least = 2.01 * lengths[axis] / options.cells[axis];
+        if (size[a] > 0.0 && size[a] < least) {
+            stretch[a] = least / size[a];
+            size[a] = least;
+        }
+    }
+    Mesh turned;
+    turned.faces = mesh.faces;
+    turned.vertices.reserve(mesh.vertices.size());
+    for (const Eigen::Vector3d& v : mesh.vertices) {
+        Eigen::Vector3d p;
+        for (Eigen::Index a = 0; a < 3; ++a)
+            p[a] = stretch[a] * (axes.col(order[a]).dot(v) - low[a]) - 0.5 * size[a] + middle[a];
+        turned.vertices.push_back(p);
+    }
+    options.closed_faces = voxelise(turned, options.cells, lengths);
+    bool seen = false;
+    for (const std::vector<uint8_t>& faces : options.closed_faces)
+        seen = seen || std::any_of(faces.begin(), faces.end(), [](uint8_t face) { return face != 0; });
+    if (!seen)
+        return fail(FaultId::parameter_out_of_range, "grid", "The body falls through the cells of the wake's grid.",
+                    "Give more cells with --grid, or leave out --wake.");
+    for (Eigen::Index a = 0; a < 3; ++a) {
+        options.body_box[0][static_cast<size_t>(a)] = middle[a] - 0.5 * size[a];
+        options.body_box[1][static_cast<size_t>(a)] = middle[a] + 0.5 * size[a];
+    }
+    return true;
+}
+
+Mesh wake_ellipsoid(const std::array<double, 3>& semi_axes) {
+    // An octahedron, each level splitting every triangle in four.
+    constexpr int levels = 5;
+    Mesh mesh;
+    mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (const uint32_t x : {0u, 1u})
+        for (const uint32_t y : {2u, 3u})
+            for (const uint32_t z : {4u, 5u})
+                mesh.faces.push_back((x + y + z) % 2 == 0 ? Face{x, y, z} : Face{x, z, y});
+    for (int level = 0; level < levels; ++level) {
+        std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+        const auto middle = [&](uint32_t a, uint32_t b) {
+            const auto [entry, fresh] =
+                middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(mesh.vertices.size()));
+            if (fresh) mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]).normalized());
+            return entry->second;
+        };
+        std::vector<Face> finer;
+        finer.reserve(4 * mesh.faces.size());
+        for (const Face& f : mesh.faces) {
+            const uint32_t a = middle(f[0], f[1]), b = middle(f[1], f[2]), c = middle(f[2], f[0]);
+            finer.insert(finer.end(), {{f[0], a, c}, {f[1], b, a}, {f[2], c, b}, {a, b, c}});
+        }
+        mesh.faces = std::move(finer);
+    }
+    for (Eigen::Vector3d& v : mesh.vertices)
+        for (Eigen::Index a = 0; a < 3; ++a) v[a] *= semi_axes[static_cast<size_t>(a)];
+    return mesh;
+}
+
+} // namespace lr::baker
