@@ -30,7 +30,8 @@ double worst_error(const std::array<double, 3>& axes, int level) {
 
 } // namespace
 
-TEST_CASE("accuracy table: ellipsoids of 320, 1280 and 5120 triangles against Lamb") {
+TEST_CASE("accuracy table: ellipsoids of 320, 1280 and 5120 triangles against Lamb" *
+          doctest::skip(lr::test::sanitized)) {
     struct Row {
         std::array<double, 3> axes;
         std::array<double, 3> limits; // a fifth above what was measured, never over the promised 1.5 % at 1280
@@ -53,7 +54,8 @@ TEST_CASE("accuracy table: ellipsoids of 320, 1280 and 5120 triangles against La
     }
 }
 
-TEST_CASE("accuracy table: sheets of 2000 triangles against closed forms and published values") {
+TEST_CASE("accuracy table: sheets of 2000 triangles against closed forms and published values" *
+          doctest::skip(lr::test::sanitized)) {
     using lr::test::disc;
     using lr::test::rectangle;
     struct Row {

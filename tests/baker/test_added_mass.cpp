@@ -176,7 +176,8 @@ TEST_CASE("curved volume is restored, flat faces and edges stay") {
     }
 }
 
-TEST_CASE("ellipsoids of 1280 triangles: every entry within 1 % of Lamb, and inside the stated error") {
+TEST_CASE("ellipsoids of 1280 triangles: every entry within 1 % of Lamb, and inside the stated error" *
+          doctest::skip(test::sanitized)) {
     for (const Eigen::Vector3d& a :
          {Eigen::Vector3d(4, 2, 1), Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, 1, 0.1), Eigen::Vector3d(1, 0.5, 0.1),
           Eigen::Vector3d(1, 2, 2), Eigen::Vector3d(10, 1, 1)}) {
@@ -190,7 +191,8 @@ TEST_CASE("ellipsoids of 1280 triangles: every entry within 1 % of Lamb, and ins
     }
 }
 
-TEST_CASE("thin ellipsoids by latitude and longitude: a coarse polygon for a rim is seen to be round") {
+TEST_CASE("thin ellipsoids by latitude and longitude: a coarse polygon for a rim is seen to be round" *
+          doctest::skip(test::sanitized)) {
     for (const double c : {0.2, 0.1}) {
         const AddedMass m = solve(test::latitude_longitude({1, 1, c}, 26, 26));
         CHECK(worst_error(m.value, lamb({1, 1, c}), 1.0, 1e-3) < 0.006);
@@ -207,7 +209,8 @@ TEST_CASE("the same where the mesh is not aligned with the body") {
     CHECK(m.asymmetry < 1e-3);
 }
 
-TEST_CASE("ellipsoids of 320, 1280 and 5120 triangles: the more, the better, the last within 0.1 %") {
+TEST_CASE("ellipsoids of 320, 1280 and 5120 triangles: the more, the better, the last within 0.1 %" *
+          doctest::skip(test::sanitized)) {
     const Matrix6 exact = lamb({4, 2, 1});
     const double coarse = worst_error(solve(test::ellipsoid(4, 2, 1, 2)).value, exact, 4.0, 1e-3);
     const double middle = worst_error(solve(test::ellipsoid(4, 2, 1, 3)).value, exact, 4.0, 1e-3);
@@ -219,7 +222,7 @@ TEST_CASE("ellipsoids of 320, 1280 and 5120 triangles: the more, the better, the
     CHECK(middle > 2.0 * fine);
 }
 
-TEST_CASE("thin closed solids: disc and rectangle") {
+TEST_CASE("thin closed solids: disc and rectangle" * doctest::skip(test::sanitized)) {
     const AddedMass disc = solve(test::ellipsoid(1, 1, 0.01, 3));
     CHECK(disc.value(2, 2) == doctest::Approx(8.0 / 3.0).epsilon(0.02));
     CHECK(disc.value(3, 3) == doctest::Approx(16.0 / 45.0).epsilon(0.03));
@@ -244,7 +247,8 @@ TEST_CASE("thin closed solids: disc and rectangle") {
     }
 }
 
-TEST_CASE("cube: converges to A/V = 0.638 from below, isotropic, from two triangles a side on") {
+TEST_CASE("cube: converges to A/V = 0.638 from below, isotropic, from two triangles a side on" *
+          doctest::skip(test::sanitized)) {
     constexpr double limit = 0.6383; // 0.638 is published; the fourth digit from strips at creases and finer panels
     double last = 0.0;
     for (const int n : {1, 4, 14}) {
@@ -260,7 +264,8 @@ TEST_CASE("cube: converges to A/V = 0.638 from below, isotropic, from two triang
     CHECK(last == doctest::Approx(limit).epsilon(0.0005));
 }
 
-TEST_CASE("a leaf blade 8 cm long and 0.3 mm thick converges, with its coupling block") {
+TEST_CASE("a leaf blade 8 cm long and 0.3 mm thick converges, with its coupling block" *
+          doctest::skip(test::sanitized)) {
     Mesh coarse = test::leaf(18, 5, 0.0075, 0.1), fine = test::leaf(30, 7, 0.0075, 0.1);
     test::apply(coarse, 0.04 * Eigen::Matrix3d::Identity());
     test::apply(fine, 0.04 * Eigen::Matrix3d::Identity());
@@ -278,7 +283,7 @@ TEST_CASE("a leaf blade 8 cm long and 0.3 mm thick converges, with its coupling 
     CHECK(a.value(1, 3) == doctest::Approx(b.value(1, 3)).epsilon(0.05));
 }
 
-TEST_CASE("the result turns, shifts and scales with the body") {
+TEST_CASE("the result turns, shifts and scales with the body" * doctest::skip(test::sanitized)) {
     const Mesh mesh = test::leaf(12, 4, 0.05, 0.2);
     const AddedMass reference = solve(mesh);
     const Eigen::Matrix3d rotation = test::some_rotation();
@@ -296,7 +301,7 @@ TEST_CASE("the result turns, shifts and scales with the body") {
     }
 }
 
-TEST_CASE("another centre follows the transfer rule of a 6x6 mass matrix") {
+TEST_CASE("another centre follows the transfer rule of a 6x6 mass matrix" * doctest::skip(test::sanitized)) {
     const Mesh mesh = test::leaf(12, 4, 0.05, 0.2);
     const Eigen::Vector3d centre(0.3, -0.2, 0.5);
     const Matrix6 at_origin = solve(mesh).value, at_centre = solve(mesh, centre).value;

@@ -232,7 +232,7 @@ TEST_CASE("bake: a body of its fluid's density, and one lighter than it") {
 
 TEST_CASE("bake: the same input gives the same bytes, wherever it lies") {
     const test::Scratch here, there;
-    test::Mesh mesh = test::ellipsoid(0.03, 0.02, 0.002, 2);
+    test::Mesh mesh = test::ellipsoid(0.03, 0.027, 0.024, 2);
     const std::string text = test::obj_text(mesh);
     const BakeOptions first = mesh_options(here.write("body.obj", text)),
                       second = mesh_options(there.write("body.obj", text));
@@ -255,7 +255,7 @@ TEST_CASE("bake: the same input gives the same bytes, wherever it lies") {
 
 TEST_CASE("bake: what is written is what is read, to the last digit of the report") {
     const test::Scratch scratch;
-    BakeOptions o = mesh_options(scratch.write("body.obj", test::obj_text(test::ellipsoid(0.03, 0.02, 0.002, 2))));
+    BakeOptions o = mesh_options(scratch.write("body.obj", test::obj_text(test::ellipsoid(0.03, 0.027, 0.024, 2))));
     o.name = "caf\xc3\xa9 \xff"; // not UTF-8 at its end
     const AssetData asset = must_bake(o);
     CHECK(asset.name == "caf\xc3\xa9 \xef\xbf\xbd");
@@ -334,7 +334,7 @@ TEST_CASE("bake: meshes that are no bodies") {
     const auto fault = [&](const std::string& name, const std::string& text) {
         return fault_of(mesh_options(scratch.write(name, text)));
     };
-    const std::string good = test::obj_text(test::ellipsoid(0.03, 0.02, 0.01, 1));
+    const std::string good = test::obj_text(test::ellipsoid(0.03, 0.027, 0.024, 2));
     CHECK(fault("good.obj", good) == FaultId{});
     CHECK(fault_of(mesh_options(scratch.path("none.obj"))) == FaultId::file_not_found);
     CHECK(fault_of(mesh_options(scratch.path(""))) == FaultId::file_read);
@@ -346,12 +346,12 @@ TEST_CASE("bake: meshes that are no bodies") {
     CHECK(fault("index.obj", good + "f 1 2 99999\n") == FaultId::mesh_bad_index);
 
     BakeOptions tiny = mesh_options(scratch.path("good.obj"));
-    const std::string in_nanometres = test::obj_text(test::ellipsoid(0.03, 0.02, 0.01, 1), 1e-6);
+    const std::string in_nanometres = test::obj_text(test::ellipsoid(0.03, 0.027, 0.024, 2), 1e-6);
     tiny.mesh_path = scratch.write("tiny.obj", in_nanometres);
     CHECK(fault_of(tiny) == FaultId::parameter_out_of_range);
 
     BakeOptions outside = mesh_options(scratch.path("good.obj"));
-    outside.center_of_mass = {0.0, 0.0, 0.02};
+    outside.center_of_mass = {0.0, 0.0, 0.05};
     CHECK(fault_of(outside) == FaultId::parameter_out_of_range);
 }
 

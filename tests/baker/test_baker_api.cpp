@@ -58,7 +58,7 @@ uint32_t first_error(const api::BakeResult& result) {
 
 TEST_CASE("baker API: a file gives the bytes that lr_bake writes") {
     const Scratch scratch;
-    const std::string mesh = scratch.write("body.obj", test::obj_text(test::ellipsoid(0.03, 0.02, 0.01, 1), 1000.0));
+    const std::string mesh = scratch.write("body.obj", test::obj_text(test::ellipsoid(0.03, 0.027, 0.024, 2), 1000.0));
     REQUIRE(test::run(LR_BAKE_PATH, {"mesh",
                                      mesh,
                                      "-o",
@@ -154,7 +154,7 @@ TEST_CASE("baker API: ellipsoids and sheets") {
 }
 
 TEST_CASE("baker API: hostile input is numbered faults") {
-    const Arrays good(test::ellipsoid(0.03, 0.02, 0.01, 1));
+    const Arrays good(test::ellipsoid(0.03, 0.027, 0.024, 2));
     const api::BakeOptions options;
     CHECK(first_error(api::bake_file("/nowhere/at/all.obj", options)) == 101);
     CHECK(first_error(api::bake_file("", options)) == 101);
@@ -205,7 +205,7 @@ TEST_CASE("baker API: hostile input is numbered faults") {
 }
 
 TEST_CASE("baker API: progress never falls, ends at 1, and can cancel at every call") {
-    const Arrays mesh(test::ellipsoid(0.03, 0.02, 0.01, 1));
+    const Arrays mesh(test::ellipsoid(0.03, 0.027, 0.024, 2));
     double last = 0.0;
     int calls = 0;
     const std::thread::id here = std::this_thread::get_id();

@@ -30,8 +30,8 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-std::string body(double a, int levels = 1) {
-    return test::obj_text(test::ellipsoid(a, 0.02, 0.01, levels));
+std::string body(double a, int levels = 2) {
+    return test::obj_text(test::ellipsoid(a, 0.9 * a, 0.8 * a, levels));
 }
 
 std::string numbered(const char* before, int i, const char* after) {
@@ -326,7 +326,7 @@ TEST_CASE("input hash: without baking, the same as in the asset, whatever the in
     BakeOptions closed;
     closed.semi_axes = {0.03, 0.02, 0.01};
     check(closed);
-    const Mesh mesh = test::ellipsoid(0.03, 0.02, 0.01, 1);
+    const Mesh mesh = test::ellipsoid(0.03, 0.027, 0.024, 2);
     BakeOptions arrays;
     arrays.mesh_path = "leaf";
     std::vector<double> positions;

@@ -32,7 +32,7 @@ void check_fault(const Outcome& outcome, const std::string& file, int number) {
 }
 
 std::string small_mesh() {
-    return test::obj_text(test::ellipsoid(0.03, 0.02, 0.01, 1));
+    return test::obj_text(test::ellipsoid(0.03, 0.027, 0.024, 2));
 }
 
 // Where a field of the root table lies in a FlatBuffer.
@@ -267,7 +267,7 @@ TEST_CASE("lr_bake: bad input is a numbered fault and leaves the old asset alone
 
 TEST_CASE("lr_bake: repairs are warnings, which --quiet silences and the report keeps") {
     const Scratch scratch;
-    test::Mesh inside_out = test::ellipsoid(0.03, 0.02, 0.01, 1);
+    test::Mesh inside_out = test::ellipsoid(0.03, 0.027, 0.024, 2);
     for (auto& f : inside_out.faces) std::swap(f[1], f[2]);
     const std::string mesh = scratch.write("body.obj", test::obj_text(inside_out)), out = scratch.path("out.lrb");
     const Outcome loud = lr_bake({"mesh", mesh, "-o", out, "--report", scratch.path("r.json")});

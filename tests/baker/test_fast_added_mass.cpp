@@ -62,7 +62,7 @@ Mesh tripod(int n) {
 
 } // namespace
 
-TEST_CASE("fast added mass is that of the dense matrix") {
+TEST_CASE("fast added mass is that of the dense matrix" * doctest::skip(lr::test::sanitized)) {
     struct Case {
         const char* name;
         Mesh mesh;
@@ -130,7 +130,7 @@ TEST_CASE("fast added mass: same bits for any number of threads and instruction 
     }
 }
 
-TEST_CASE("fast added mass turns with the body") {
+TEST_CASE("fast added mass turns with the body" * doctest::skip(lr::test::sanitized)) {
     const Mesh mesh = test::leaf(32, 10, 0.02, 0.2);
     Mesh turned = mesh;
     const Eigen::Matrix3d rotation = test::some_rotation();

@@ -353,7 +353,7 @@ TEST_CASE("lr_bake --plots: three files, or none") {
     const auto lr_bake = [&](const std::vector<std::string>& arguments) {
         return test::run(LR_BAKE_PATH, arguments).exit_code;
     };
-    const std::string mesh = scratch.write("a.obj", test::obj_text(test::ellipsoid(0.03, 0.02, 0.01, 1)));
+    const std::string mesh = scratch.write("a.obj", test::obj_text(test::ellipsoid(0.03, 0.027, 0.024, 2)));
     const std::string bad = scratch.write("bad.obj", "v 0 0 0\nf 1 2 3\n"), out = scratch.path("a.lrb");
     const std::string plots = scratch.path("plots");
     CHECK(lr_bake({"mesh", bad, "-o", out, "--plots", plots, "--quiet"}) == 1);
