@@ -127,7 +127,7 @@ private:
         spec.fluid_viscosity = options_.fluid_viscosity;
         spec.intensity = options_.intensity;
         if (options_.center_of_mass) spec.center_of_mass = in_metres(*options_.center_of_mass);
-        if (hooks_.body) *hooks_.body = ellipsoid_mesh(spec.semi_axes, spec.center_of_mass);
+        if (hooks_.body) *hooks_.body = ellipsoid_mesh(spec.semi_axes, spec.center_of_mass, 4);
         return phase("closed forms", [&] { return shape::ellipsoid_body(spec, out_, faults_); });
     }
 
@@ -311,7 +311,8 @@ private:
     bool put_body_in_stream(TurbulenceOptions& o) {
         if (!options_.semi_axes) return put_in_stream(mesh_, solid_.axes, solid_.projected_areas, o, faults_);
         const auto [a, b, c] = in_metres(*options_.semi_axes);
-        return put_in_stream(wake_ellipsoid({a, b, c}), Eigen::Matrix3d::Identity(), {b * c, a * c, a * b}, o, faults_);
+        return put_in_stream(ellipsoid_mesh({a, b, c}, {}, 5), Eigen::Matrix3d::Identity(), {b * c, a * c, a * b}, o,
+                             faults_);
     }
 
     bool finish() {

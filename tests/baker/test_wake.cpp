@@ -1,4 +1,5 @@
 #include "baker/bake.h"
+#include "baker/mesh/ellipsoid_mesh.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh_shapes.h"
 #include "baker/report.h"
@@ -436,6 +437,6 @@ TEST_CASE("bake with a wake: in the options, the asset and the report") {
     CHECK(k["settled"] == true);
     CHECK(k["stationary"] == 0);
     // The same body as a mesh.
-    const Mesh mesh = wake_ellipsoid({0.04, 0.02, 0.001});
+    const Mesh mesh = ellipsoid_mesh({0.04, 0.02, 0.001}, {}, 5);
     CHECK(compute_mass_properties(mesh).volume == doctest::Approx(wake.volume).epsilon(0.003));
 }

@@ -1,6 +1,7 @@
 #include "baker/added_mass/curved_refinement.h"
 
 #include "baker/added_mass/diagonal.h"
+#include "baker/added_mass/edge.h"
 #include "baker/added_mass/surface_correction.h"
 
 #include <Eigen/Geometry>
@@ -12,14 +13,8 @@
 namespace lr::baker {
 namespace {
 
-using Edge = std::array<uint32_t, 2>;
-
 // No middle leaves its edge by more than this share of its length: a limit for rough meshes.
 constexpr double max_sagitta = 0.15;
-
-Edge make_edge(uint32_t a, uint32_t b) {
-    return {std::min(a, b), std::max(a, b)};
-}
 
 // The middles of the edges that are to be split.
 class Middles {

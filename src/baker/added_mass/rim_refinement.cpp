@@ -1,6 +1,7 @@
 #include "baker/added_mass/rim_refinement.h"
 
 #include "baker/added_mass/diagonal.h"
+#include "baker/added_mass/edge.h"
 #include "baker/added_mass/surface_correction.h"
 
 #include <Eigen/Geometry>
@@ -14,14 +15,8 @@
 namespace lr::baker {
 namespace {
 
-using Edge = std::array<uint32_t, 2>;
-
 // Height over longest side of a panel that is not cut.
 constexpr double narrow = 0.25;
-
-Edge make_edge(uint32_t a, uint32_t b) {
-    return {std::min(a, b), std::max(a, b)};
-}
 
 class Refiner {
 public:

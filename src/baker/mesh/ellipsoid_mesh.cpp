@@ -1,35 +1,42 @@
 #include "baker/mesh/ellipsoid_mesh.h"
 
-#include <cmath>
-#include <cstdint>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <map>
+#include <utility>
 
 namespace lr::baker {
 
-Mesh ellipsoid_mesh(const std::array<double, 3>& semi_axes, const std::array<double, 3>& origin) {
-    constexpr uint32_t around = 48, rings = 23;
-    constexpr double pi = 3.14159265358979323846;
+// An octahedron, each level splitting every triangle in four: square roots only.
+Mesh ellipsoid_mesh(const std::array<double, 3>& semi_axes, const std::array<double, 3>& origin, int levels) {
     Mesh mesh;
-    const auto add = [&](double latitude, double longitude) {
-        mesh.vertices.emplace_back(semi_axes[0] * std::cos(latitude) * std::cos(longitude) - origin[0],
-                                   semi_axes[1] * std::cos(latitude) * std::sin(longitude) - origin[1],
-                                   semi_axes[2] * std::sin(latitude) - origin[2]);
-    };
-    for (uint32_t i = 0; i < rings; ++i)
-        for (uint32_t j = 0; j < around; ++j) add(pi * ((i + 1.0) / (rings + 1.0) - 0.5), 2.0 * pi * j / around);
-    const uint32_t south = rings * around, north = south + 1;
-    add(-0.5 * pi, 0.0);
-    add(0.5 * pi, 0.0);
-    for (uint32_t j = 0; j < around; ++j) {
-        const uint32_t k = (j + 1) % around;
-        mesh.faces.push_back({south, k, j});
-        for (uint32_t i = 0; i + 1 < rings; ++i) {
-            const uint32_t a = i * around, b = a + around;
-            mesh.faces.push_back({a + j, a + k, b + k});
-            mesh.faces.push_back({a + j, b + k, b + j});
+    mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (const uint32_t x : {0u, 1u})
+        for (const uint32_t y : {2u, 3u})
+            for (const uint32_t z : {4u, 5u})
+                mesh.faces.push_back((x + y + z) % 2 == 0 ? Face{x, y, z} : Face{x, z, y});
+    for (int level = 0; level < levels; ++level) {
+        std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+        const auto middle = [&](uint32_t a, uint32_t b) {
+            const auto [entry, fresh] =
+                middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(mesh.vertices.size()));
+            if (fresh) mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]).normalized());
+            return entry->second;
+        };
+        std::vector<Face> finer;
+        finer.reserve(4 * mesh.faces.size());
+        for (const Face& f : mesh.faces) {
+            const uint32_t a = middle(f[0], f[1]), b = middle(f[1], f[2]), c = middle(f[2], f[0]);
+            finer.insert(finer.end(), {{f[0], a, c}, {f[1], b, a}, {f[2], c, b}, {a, b, c}});
         }
-        const uint32_t last = (rings - 1) * around;
-        mesh.faces.push_back({last + j, last + k, north});
+        mesh.faces = std::move(finer);
     }
+    for (Eigen::Vector3d& v : mesh.vertices)
+        for (Eigen::Index a = 0; a < 3; ++a) {
+            const auto k = static_cast<std::size_t>(a);
+            v[a] = v[a] * semi_axes[k] - origin[k];
+        }
     return mesh;
 }
 

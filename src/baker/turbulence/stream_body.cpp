@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace lr::baker {
@@ -93,36 +92,6 @@ bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::V
         options.body_box[1][static_cast<size_t>(a)] = middle[a] + 0.5 * size[a];
     }
     return true;
-}
-
-Mesh wake_ellipsoid(const std::array<double, 3>& semi_axes) {
-    // An octahedron, each level splitting every triangle in four.
-    constexpr int levels = 5;
-    Mesh mesh;
-    mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    for (const uint32_t x : {0u, 1u})
-        for (const uint32_t y : {2u, 3u})
-            for (const uint32_t z : {4u, 5u})
-                mesh.faces.push_back((x + y + z) % 2 == 0 ? Face{x, y, z} : Face{x, z, y});
-    for (int level = 0; level < levels; ++level) {
-        std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
-        const auto middle = [&](uint32_t a, uint32_t b) {
-            const auto [entry, fresh] =
-                middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(mesh.vertices.size()));
-            if (fresh) mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]).normalized());
-            return entry->second;
-        };
-        std::vector<Face> finer;
-        finer.reserve(4 * mesh.faces.size());
-        for (const Face& f : mesh.faces) {
-            const uint32_t a = middle(f[0], f[1]), b = middle(f[1], f[2]), c = middle(f[2], f[0]);
-            finer.insert(finer.end(), {{f[0], a, c}, {f[1], b, a}, {f[2], c, b}, {a, b, c}});
-        }
-        mesh.faces = std::move(finer);
-    }
-    for (Eigen::Vector3d& v : mesh.vertices)
-        for (Eigen::Index a = 0; a < 3; ++a) v[a] *= semi_axes[static_cast<size_t>(a)];
-    return mesh;
 }
 
 } // namespace lr::baker

@@ -22,7 +22,4 @@ namespace lr::baker {
 bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::Vector3d& projected_areas,
                    TurbulenceOptions& options, Faults& faults);
 
-// 8192 triangles, outward; square roots only, so that it has the same bits everywhere.
-Mesh wake_ellipsoid(const std::array<double, 3>& semi_axes);
-
 } // namespace lr::baker
