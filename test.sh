@@ -58,14 +58,22 @@ if [ "${1:-}" != --quick ]; then
     step "Fuzzers: the loader 20 s, the baker's readers and checks of meshes and cards 60 s each"
     configure build/fuzz --preset fuzz
     cmake --build build/fuzz
+    declare -A running
     for run in asset:20 mesh:60 card:60; do
         target=${run%:*}
         mkdir -p "build/fuzz/corpus-$target"
         # assimp loses memory on some damaged files; nothing of ours can give it back.
         ASAN_OPTIONS=detect_leaks=$([ "$target" = mesh ] && echo 0 || echo 1) \
             "build/fuzz/tests/fuzz/fuzz_$target" -max_total_time="${run#*:}" -max_len=40000 -verbosity=0 -print_final_stats=1 \
-            "build/fuzz/corpus-$target" "tests/fuzz/corpus/$target" 2>&1 | grep -E 'number_of_executed_units|ERROR|SUMMARY'
+            "build/fuzz/corpus-$target" "tests/fuzz/corpus/$target" >"build/fuzz/$target.log" 2>&1 &
+        running[$target]=$!
     done
+    good=true
+    for target in "${!running[@]}"; do
+        wait "${running[$target]}" || good=false
+        echo "$target: $(grep -E 'number_of_executed_units|ERROR|SUMMARY' "build/fuzz/$target.log" || true)"
+    done
+    $good
 fi
 
 printf '\nAll tests passed.\n'
