@@ -3,6 +3,7 @@
 #include "baker/added_mass/fast_double_layer.h"
 #include "baker/added_mass/near_panels.h"
 #include "baker/added_mass/panel_kernels.h"
+#include "baker/mesh/half_edges.h"
 #include "baker/parallel.h"
 
 #include <Eigen/Geometry>
@@ -95,23 +96,11 @@ private:
 
     // The rule with nodes at the middles of the edges is exact to degree 2, and neighbours share its nodes.
     void find_edges() {
-        struct Half {
-            uint32_t low, high, face, side;
-        };
-        std::vector<Half> halves;
-        for (uint32_t i = 0; i < mesh_.faces.size(); ++i)
-            for (uint32_t k = 0; k < 3; ++k) {
-                const uint32_t a = mesh_.faces[i][k], b = mesh_.faces[i][(k + 1) % 3];
-                halves.push_back({std::min(a, b), std::max(a, b), i, k});
-            }
-        std::sort(halves.begin(), halves.end(), [](const Half& a, const Half& b) {
-            if (a.low != b.low) return a.low < b.low;
-            return a.high != b.high ? a.high < b.high : a.face < b.face;
-        });
+        const std::vector<HalfEdge> halves = sorted_half_edges(mesh_);
         panel_edges_.resize(mesh_.faces.size());
         for (std::size_t i = 0; i < halves.size(); ++i) {
-            const Half& half = halves[i];
-            const bool fresh = i == 0 || half.low != halves[i - 1].low || half.high != halves[i - 1].high;
+            const HalfEdge& half = halves[i];
+            const bool fresh = i == 0 || !same_edge(half, halves[i - 1]);
             if (fresh) {
                 edges_.push_back({half.low, half.high});
                 middle_.push_back(0.5 * (mesh_.vertices[half.low] + mesh_.vertices[half.high]));

@@ -1,32 +1,21 @@
 #include "baker/mesh/crack_repair.h"
 
+#include "baker/mesh/half_edges.h"
+
 #include <algorithm>
 #include <limits>
 
 namespace lr::baker {
 namespace {
 
-struct OpenEdge {
-    uint32_t low, high, face, side;
-};
-
-std::vector<OpenEdge> find_open_edges(const Mesh& mesh) {
-    std::vector<OpenEdge> edges, open;
-    edges.reserve(3 * mesh.faces.size());
-    for (uint32_t t = 0; t < mesh.faces.size(); ++t)
-        for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t a = mesh.faces[t][k], b = mesh.faces[t][(k + 1) % 3];
-            edges.push_back({std::min(a, b), std::max(a, b), t, k});
-        }
-    std::sort(edges.begin(), edges.end(), [](const OpenEdge& a, const OpenEdge& b) {
-        if (a.low != b.low) return a.low < b.low;
-        return a.high != b.high ? a.high < b.high : a.face < b.face;
-    });
-    const auto same = [](const OpenEdge& a, const OpenEdge& b) { return a.low == b.low && a.high == b.high; };
+std::vector<HalfEdge> find_open_edges(const Mesh& mesh) {
+    const std::vector<HalfEdge> edges = sorted_half_edges(mesh);
+    std::vector<HalfEdge> open;
     for (std::size_t i = 0; i < edges.size(); ++i)
-        if ((i == 0 || !same(edges[i], edges[i - 1])) && (i + 1 == edges.size() || !same(edges[i], edges[i + 1])))
+        if ((i == 0 || !same_edge(edges[i], edges[i - 1])) &&
+            (i + 1 == edges.size() || !same_edge(edges[i], edges[i + 1])))
             open.push_back(edges[i]);
-    std::sort(open.begin(), open.end(), [](const OpenEdge& a, const OpenEdge& b) {
+    std::sort(open.begin(), open.end(), [](const HalfEdge& a, const HalfEdge& b) {
         return a.face != b.face ? a.face < b.face : a.side < b.side;
     });
     return open;
@@ -35,8 +24,8 @@ std::vector<OpenEdge> find_open_edges(const Mesh& mesh) {
 // Sorted along one axis, so that an edge looks at a slice.
 class RimVertices {
 public:
-    RimVertices(const Mesh& mesh, const std::vector<OpenEdge>& open, Eigen::Index axis) : mesh_(mesh), axis_(axis) {
-        for (const OpenEdge& e : open) order_.insert(order_.end(), {e.low, e.high});
+    RimVertices(const Mesh& mesh, const std::vector<HalfEdge>& open, Eigen::Index axis) : mesh_(mesh), axis_(axis) {
+        for (const HalfEdge& e : open) order_.insert(order_.end(), {e.low, e.high});
         std::sort(order_.begin(), order_.end(),
                   [&](uint32_t a, uint32_t b) { return at(a) != at(b) ? at(a) < at(b) : a < b; });
         order_.erase(std::unique(order_.begin(), order_.end()), order_.end());
@@ -86,12 +75,12 @@ std::size_t close_cracks(Mesh& mesh, double tolerance) {
     // One side of a face at a time; new faces may have cracks on their other sides.
     constexpr int max_rounds = 8;
     for (int round = 0; round < max_rounds; ++round) {
-        const std::vector<OpenEdge> open = find_open_edges(mesh);
+        const std::vector<HalfEdge> open = find_open_edges(mesh);
         if (open.empty()) break;
         const RimVertices rim(mesh, open, axis);
         std::size_t before = joined;
         uint32_t last = UINT32_MAX;
-        for (const OpenEdge& e : open) {
+        for (const HalfEdge& e : open) {
             if (e.face == last) continue;
             const Face face = mesh.faces[e.face];
             const uint32_t a = face[e.side], b = face[(e.side + 1) % 3], c = face[(e.side + 2) % 3];
