@@ -26,6 +26,31 @@ struct TurbulenceData {
     double max_divergence = 0.0;           // largest |div u| d/u0 left in the mean flow
 };
 
+// Quasi-steady loads at scale 1, docs/physics.md section 5. All are about the centre of buoyancy, along `axes`, and turn
+// with the body; s: speed through the fluid, (i, j, k) cyclic.
+struct AerodynamicData {
+    std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: unit vectors in the body frame, right-handed
+    // Drag opposes v_r: rho sum_i (v_i/s)^2 [1/2 (drag_i + drag_blunt_i Re/(Re + 8710)) s + layer_i sqrt(nu s) +
+    // stokes_i nu] v_r, Re = s d/nu.
+    std::array<double, 3> drag{};        // m^2, C_D times area
+    std::array<double, 3> drag_blunt{};  // m^2
+    std::array<double, 3> drag_layer{};  // m^(3/2)
+    std::array<double, 3> drag_stokes{}; // m
+    // Lift rho Gamma x v_r, Gamma_k = spin_lift_k w_k - lift_k v_i v_j/s.
+    std::array<double, 3> lift{};      // m^2, positive where j is the thinner direction
+    std::array<double, 3> spin_lift{}; // m^3
+    // Moment of that lift about the centre: rho lift_moment_k v_i v_j; negative of the share of the Munk moment that
+    // separated flow does not make.
+    std::array<double, 3> lift_moment{}; // m^3
+    // Spin drag -rho [spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu] w_k.
+    std::array<double, 3> spin_drag{};        // m^5
+    std::array<double, 3> spin_drag_stream{}; // m^4
+    std::array<double, 3> spin_drag_stokes{}; // m^3
+    // Velocity of the fluid in the body's own wake: per axis intensity times s, correlated over length/s.
+    double intensity = 0.0;
+    double length = 1.0; // m
+};
+
 struct HullData {
     std::vector<float> vertices;     // m, body frame, 3 a vertex
     std::vector<uint32_t> triangles; // 3 a triangle
@@ -57,6 +82,8 @@ struct AssetData {
     double projected_area = 0.0;                           // m^2
     double u0 = 0.0;                                       // m/s
     TurbulenceData turbulence;
+    bool has_aerodynamics = false; // absent in older files: then made from the hull when loaded
+    AerodynamicData aerodynamics;
     HullData hull;
     ProvenanceData provenance;
 
