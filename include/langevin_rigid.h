@@ -237,7 +237,7 @@ typedef struct lr_world_desc {
     float gravity[3];       /* m/s^2; initially 0, -9.81, 0 */
     float fluid_density;    /* kg/m^3, >= 0; initially 0: each batch in the fluid its asset was baked in */
     int32_t simd_target;    /* LR_SIMD_*; initially LR_SIMD_AUTO */
-    uint32_t reserved;      /* 0 */
+    float fluid_viscosity;  /* m^2/s, kinematic, >= 0; initially 0: as each batch's asset was baked */
     lr_allocator allocator; /* copied; initially null functions: the C library's */
     lr_log_fn log;          /* initially null: silence */
     void* log_user;
@@ -321,9 +321,10 @@ LR_API lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Batches                                                                                                            */
 
-#define LR_LOADS_DEFAULT 0  /* LR_LOADS_LANGEVIN in this version */
-#define LR_LOADS_NONE 1     /* gravity, buoyancy and added mass only: Kirchhoff's equations */
-#define LR_LOADS_LANGEVIN 2 /* the paper's turbulent loads, dimensionally repaired; docs/physics.md section 3 */
+#define LR_LOADS_DEFAULT 0     /* LR_LOADS_AERODYNAMIC in this version */
+#define LR_LOADS_NONE 1        /* gravity, buoyancy and added mass only: Kirchhoff's equations */
+#define LR_LOADS_LANGEVIN 2    /* the paper's turbulent loads, dimensionally repaired; docs/physics.md section 4 */
+#define LR_LOADS_AERODYNAMIC 3 /* quasi-steady drag and lift in a turbulent fluid; docs/physics.md section 5 */
 
 #define LR_CLOCK_SPEED 0 /* turbulence scales with the body's present speed through the fluid */
 #define LR_CLOCK_AGE 1   /* the paper: turbulence follows the table at the body's age */

@@ -13,7 +13,7 @@ bool one_of(int32_t value, int32_t last) {
 // Null when fine, else what is wrong.
 const char* wrong_in(const lr_batch_desc& d) {
     if (d.capacity == 0 || d.capacity > lr::max_capacity) return "capacity is not 1 to 2^26";
-    if (!one_of(d.load_model, LR_LOADS_LANGEVIN)) return "unknown load_model";
+    if (!one_of(d.load_model, LR_LOADS_AERODYNAMIC)) return "unknown load_model";
     if (!one_of(d.clock, LR_CLOCK_AGE)) return "unknown clock";
     if (!one_of(d.table_end, LR_TABLE_LOOP)) return "unknown table_end";
     if (!one_of(d.integrator, LR_INTEGRATOR_SPLITTING)) return "unknown integrator";
@@ -61,14 +61,24 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
     if (const char* why = wrong_in(d)) return refuse(world, "lr_batch_create", LR_ERROR_INVALID_ARGUMENT, why);
 
     lr::BatchSettings settings;
-    if (d.load_model == LR_LOADS_NONE)
+    const bool by_age = d.clock == LR_CLOCK_AGE;
+    switch (d.load_model) {
+    case LR_LOADS_NONE:
         settings.loads = lr::Loads::none;
-    else
-        settings.loads = d.clock == LR_CLOCK_AGE ? lr::Loads::langevin_age : lr::Loads::langevin_speed;
+        break;
+    case LR_LOADS_LANGEVIN:
+        settings.loads = by_age ? lr::Loads::langevin_age : lr::Loads::langevin_speed;
+        break;
+    default:
+        settings.loads = by_age ? lr::Loads::aerodynamic_age : lr::Loads::aerodynamic_speed;
+    }
     settings.integrator = d.integrator == LR_INTEGRATOR_RK4 ? lr::Integrator::rk4 : lr::Integrator::splitting;
     settings.loop = d.table_end == LR_TABLE_LOOP;
     settings.force_full = d.tensor == LR_TENSOR_FULL;
-    settings.gains = {static_cast<double>(d.damping_gain), static_cast<double>(d.noise_gain)};
+    settings.gains.damping = static_cast<double>(d.damping_gain);
+    settings.gains.noise = static_cast<double>(d.noise_gain);
+    settings.viscosity =
+        world->fluid_viscosity > 0.0f ? static_cast<double>(world->fluid_viscosity) : d.asset->data.fluid_viscosity;
     settings.fluid_density =
         world->fluid_density > 0.0f ? static_cast<double>(world->fluid_density) : d.asset->data.fluid_density;
     status = guarded([&] { return world->create_batch(*d.asset, d.capacity, settings, *out); });

@@ -30,7 +30,8 @@ lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
     if (status != LR_OK) return status;
     if (!finite(d.gravity) || !std::isfinite(d.fluid_density)) return LR_ERROR_NOT_FINITE;
     if (d.worker_count > lr::WorkerPool::max_workers || !in_range(d.fluid_density, 0.0, 1e6) ||
-        !known_simd(d.simd_target) || d.reserved != 0 || !d.allocator.allocate != !d.allocator.release)
+        !known_simd(d.simd_target) || !in_range(d.fluid_viscosity, 0.0, 1e3) ||
+        !d.allocator.allocate != !d.allocator.release)
         return LR_ERROR_INVALID_ARGUMENT;
     for (float g : d.gravity)
         if (!in_range(g, -1e4, 1e4)) return LR_ERROR_INVALID_ARGUMENT;

@@ -46,8 +46,10 @@ struct AerodynamicData {
     std::array<double, 3> spin_drag{};        // m^5
     std::array<double, 3> spin_drag_stream{}; // m^4
     std::array<double, 3> spin_drag_stokes{}; // m^3
-    // Velocity of the fluid in the body's own wake: per axis intensity times s, correlated over length/s.
+    // Velocity of the fluid in the body's own wake: per axis intensity times s Re/(Re + wake_reynolds), correlated over
+    // length/s. Below some hundreds wakes are laminar.
     double intensity = 0.0;
+    double wake_reynolds = 0.0;
     double length = 1.0; // m
 };
 

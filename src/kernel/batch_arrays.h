@@ -25,6 +25,9 @@ enum Field : size_t {
     field_wz, // rad/s, body frame
     field_scale,
     field_age, // s
+    field_gust_x,
+    field_gust_y,
+    field_gust_z, // m/s, world: the fluid's own velocity as the body sees it, AERODYNAMIC loads only
     field_count
 };
 

@@ -21,6 +21,17 @@ void upper_triangle(const Matrix6& m, float out[21]) {
 
 } // namespace
 
+Matrix6 kernel_mass(const AssetData& a, bool diagonal, double rho) {
+    Matrix6 mass = rigid_mass_matrix(a.mass, a.inertia);
+    for (size_t i = 0; i < 36; ++i) mass[i] += rho * a.added_mass[i];
+    scale_to_unit(mass, a.mass + rho * a.volume, a.length_d);
+    if (diagonal)
+        for (size_t i = 0; i < 6; ++i)
+            for (size_t j = 0; j < 6; ++j)
+                if (i != j) mass[i * 6 + j] = 0.0;
+    return mass;
+}
+
 bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyConstants& out) {
     out = BodyConstants{};
     const double d = a.length_d;
@@ -30,9 +41,7 @@ bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyCons
     for (size_t i = 0; i < 3; ++i)
         out.buoyancy[i] = static_cast<float>(-rho * a.volume * a.center_of_buoyancy[i] / (unit * d));
 
-    Matrix6 mass = rigid_mass_matrix(a.mass, a.inertia);
-    for (size_t i = 0; i < 36; ++i) mass[i] += rho * a.added_mass[i];
-    scale_to_unit(mass, unit, d);
+    const Matrix6 mass = kernel_mass(a, diagonal, rho);
 
     // rho (V I + A) and rho (D + floor): symmetric 3x3 weights of the turbulent loads, without the coupling block.
     Matrix6 load{};
@@ -49,7 +58,7 @@ bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyCons
     if (diagonal)
         for (size_t i = 0; i < 6; ++i)
             for (size_t j = 0; j < 6; ++j)
-                if (i != j) mass[i * 6 + j] = load[i * 6 + j] = 0.0;
+                if (i != j) load[i * 6 + j] = 0.0;
     Matrix6 inverse;
     if (!invert_spd(mass, inverse)) return false;
 

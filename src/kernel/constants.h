@@ -2,13 +2,42 @@
 #pragma once
 
 #include "format/asset_data.h"
+#include "format/matrix6.h"
 
 #include <cstdint>
 
 namespace lr {
 
-enum class Loads : int32_t { none, langevin_speed, langevin_age };
+enum class Loads : int32_t { none, langevin_speed, langevin_age, aerodynamic_speed, aerodynamic_age };
+constexpr bool is_langevin(Loads l) {
+    return l == Loads::langevin_speed || l == Loads::langevin_age;
+}
+constexpr bool is_aerodynamic(Loads l) {
+    return l == Loads::aerodynamic_speed || l == Loads::aerodynamic_age;
+}
 enum class Integrator : int32_t { splitting, rk4 };
+
+// Quasi-steady loads (AerodynamicData) in kernel units. A diagonal body's axes are those of the loads.
+struct AerodynamicConstants {
+    float viscosity; // nu, m^2/s
+    float drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
+    float lift[3], lift_layer[3], lift_stokes[3], spin_lift[3], lift_moment[3];
+    float spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
+    float spin_weight[3]; // spin_drag over its largest
+    // Full path. Q: body axes to those of the loads; P = Q (1, -[r]x): velocity of the centre of the loads.
+    float axes[9], arm[3];   // Q; r = r_b/d
+    float mobility[6];       // P M^-1 P^T, upper triangle
+    float modes[9];          // columns: its eigenvectors
+    float rate[3];           // and eigenvalues
+    float response[18];      // M^-1 P^T, 6x3: twist for an impulse at the centre
+    float from_modes[18];    // twist for a change of velocity along the modes, 6x3
+    float spin_mobility[6];  // Q (M^-1)_22 Q^T
+    float spin_response[18]; // twist for a change of spin by a couple, 6x3
+    // The fluid's own velocity with the SPEED clock: correlation rate and variance, per speed and per square of it.
+    float rate_of_gusts, variance_of_gusts;
+    float wake_reynolds;
+    float gust_gain; // multiplies the variance with the AGE clock
+};
 
 // Mass unit U = m + rho V, length unit d times the body's scale s. Spin is carried as u = d s w, a velocity, so that
 // every entry below is of order one for confetti and banners alike, and scale enters only through 1/(d s).
@@ -33,6 +62,8 @@ struct BodyConstants {
     float inverse_translation[6];       // full path: inverse of the mass matrix' block of v
     float slip[9], reduced_rotation[6]; // full path: C = M12^T M11^-1, S = M22 - C M12
 
+    AerodynamicConstants aerodynamics;
+
     // LANGEVIN with the SPEED clock: alpha = speed_alpha |v_r|/(d s), beta^2 = speed_beta |v_r|^3/(d s).
     float speed_alpha, speed_beta;
     float noise_spin; // d/ell = 2: the angular noise is beta/ell
@@ -53,8 +84,12 @@ struct TurbulenceSample {
 };
 
 struct Gains {
-    double damping = 1.0, noise = 1.0;
+    double damping = 1.0, noise = 1.0;                                // LANGEVIN
+    double drag = 1.0, lift = 1.0, spin_drag = 1.0, turbulence = 1.0; // AERODYNAMIC
 };
+
+// Total mass in kernel units, body and fluid; off-diagonal blocks and entries dropped on the diagonal path.
+Matrix6 kernel_mass(const AssetData& asset, bool diagonal, double fluid_density);
 
 // diagonal: drop what lies off the diagonals, and the offset of buoyancy. False when the mass matrix cannot be
 // inverted.

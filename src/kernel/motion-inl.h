@@ -111,6 +111,7 @@ struct Body {
     Quaternion q;
     Twist t; // relative to the fluid
     VF age;
+    Vec3 gust; // m/s, world; AERODYNAMIC loads
 };
 
 // alpha and beta^2 at an age, linear between samples (docs/physics.md, "AGE clock").
@@ -165,7 +166,7 @@ HWY_INLINE Twist twist_rate(const BodyConstants& c, const Held& held, Vec3 weigh
     f.v = add_scaled(to_body(q, weight), held.inverse_length, cross(p.v, t.u));
     f.u = scale(held.inverse_length, add(cross(p.u, t.u), cross(p.v, t.v)));
     if constexpr (kFull) f.u = add(f.u, cross(broadcast(c.buoyancy), to_body(q, gravity)));
-    if constexpr (kLoads != Loads::none) {
+    if constexpr (is_langevin(kLoads)) {
         VF alpha = held.alpha;
         if constexpr (kLoads == Loads::langevin_speed)
             alpha = hn::Mul(hn::Mul(constant(c.speed_alpha), held.inverse_length), hn::Sqrt(dot(t.v, t.v)));

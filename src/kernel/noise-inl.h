@@ -75,6 +75,17 @@ HWY_INLINE void six_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[6]
     gaussian_pair(b.word[0], b.word[1], out[4], out[5]);
 }
 
+// The first three of them.
+HWY_INLINE void three_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[3]) {
+    const DU du;
+    Counter a{{key, hn::Set(du, static_cast<uint32_t>(substep)), hn::Set(du, static_cast<uint32_t>(substep >> 32)),
+               hn::Set(du, 0)}};
+    philox(a, seed);
+    VF unused;
+    gaussian_pair(a.word[0], a.word[1], out[0], out[1]);
+    gaussian_pair(a.word[2], a.word[3], out[2], unused);
+}
+
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -6,6 +6,7 @@
 #define LR_KERNEL_RK4_INL_H_
 #endif
 
+#include "kernel/aerodynamic-inl.h"
 #include "kernel/motion-inl.h"
 #include "kernel/step.h"
 
@@ -17,7 +18,7 @@ template <bool kFull, Loads kLoads>
 HWY_INLINE void rk4_substep(const StepInput& in, const BodyConstants& c, Held& held, Vec3 weight, Vec3 gravity,
                             VF beta_unit, const VF gauss[6], Body& b) {
     const VF h = constant(in.h), half = constant(0.5f * in.h), quarter = constant(0.25f * in.h);
-    if constexpr (kLoads != Loads::none) {
+    if constexpr (is_langevin(kLoads)) {
         VF beta;
         if constexpr (kLoads == Loads::langevin_speed) {
             const VF s2 = dot(b.t.v, b.t.v);
@@ -30,10 +31,13 @@ HWY_INLINE void rk4_substep(const StepInput& in, const BodyConstants& c, Held& h
         beta = hn::Mul(beta, constant(in.inverse_sqrt_h));
         const VF spin_beta = hn::Mul(beta, constant(c.noise_spin));
         held.noise = dragged<kFull>(
-            c, {scale(beta, {gauss[0], gauss[1], gauss[2]}), scale(spin_beta, {gauss[3], gauss[4], gauss[5]})});
+            c, {scale(beta, Vec3{gauss[0], gauss[1], gauss[2]}), scale(spin_beta, Vec3{gauss[3], gauss[4], gauss[5]})});
     }
-    const auto rate = [&](Quaternion q, Twist t)
-                          HWY_ATTR { return twist_rate<kFull, kLoads>(c, held, weight, gravity, q, t); };
+    const auto rate = [&](Quaternion q, Twist t) HWY_ATTR {
+        const Twist r = twist_rate<kFull, kLoads>(c, held, weight, gravity, q, t);
+        if constexpr (!is_aerodynamic(kLoads)) return r;
+        return add(r, acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held.inverse_length, t)));
+    };
     const auto spin = [&](Twist t) HWY_ATTR { return scale(held.inverse_length, t.u); };
 
     const Twist k1 = rate(b.q, b.t);

@@ -6,6 +6,7 @@
 #include "kernel/step.h"
 
 #include "hwy/highway.h"
+#include "kernel/aerodynamic_splitting-inl.h"
 #include "kernel/noise-inl.h"
 #include "kernel/rk4-inl.h"
 #include "kernel/splitting-inl.h"
@@ -30,6 +31,40 @@ HWY_INLINE VF without_dust(VF v) {
     return hn::IfThenElseZero(hn::Ge(hn::Abs(v), constant(1e-15f)), v);
 }
 
+// A body in its own patch of moving air: quasi-steady motion through it, then the patch's next velocity, which the body
+// meets with the world velocity it has.
+template <bool kFull, Loads kLoads, Integrator kIntegrator>
+HWY_INLINE void aerodynamic_substep(const StepInput& in, const BodyConstants& c, Held& held, Vec3 weight, Vec3 gravity,
+                                    VU key, uint32_t substep, Body& b) {
+    const VF speed = hn::Sqrt(speed_squared(b.t.v));
+    VF alpha, variance;
+    if constexpr (kLoads == Loads::aerodynamic_speed) {
+        alpha = hn::Mul(hn::Mul(constant(c.aerodynamics.rate_of_gusts), held.inverse_length), speed);
+        const VF laminar =
+            hn::Mul(constant(c.aerodynamics.wake_reynolds * c.aerodynamics.viscosity), held.inverse_length);
+        const VF turbulent = hn::Div(hn::Mul(speed, speed), hn::Add(speed, laminar));
+        variance = hn::Mul(constant(c.aerodynamics.variance_of_gusts), hn::Mul(turbulent, turbulent));
+    } else {
+        VF beta_squared;
+        sample_table(in.table, mul_add(constant(0.5f), constant(in.h), b.age), alpha, beta_squared);
+        variance = hn::Div(hn::Mul(constant(c.aerodynamics.gust_gain), beta_squared),
+                           hn::Add(hn::Add(alpha, alpha), constant(1e-20f)));
+    }
+    b.x = add(b.x, scale(constant(in.h), b.gust));
+    VF gauss[6];
+    if constexpr (kIntegrator == Integrator::splitting) {
+        aerodynamic_splitting_substep<kFull>(in, c, held, weight, gravity, b);
+        b.x = add(b.x, scale(constant(in.h), broadcast(in.wind)));
+        b.age = hn::Add(b.age, constant(in.h));
+    } else {
+        rk4_substep<kFull, kLoads>(in, c, held, weight, gravity, hn::Zero(DF()), gauss, b);
+    }
+    three_gaussians(key, in.first_substep + substep, in.seed, gauss);
+    const Vec3 gust = next_gust(b.gust, alpha, variance, in.h, gauss);
+    b.t.v = add(b.t.v, to_body(b.q, sub(b.gust, gust)));
+    b.gust = gust;
+}
+
 template <bool kFull, Loads kLoads, Integrator kIntegrator>
 HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
     const DF d;
@@ -48,12 +83,22 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         held.inverse_length = hn::Div(constant(1.0f), length);
         held.alpha = held.beta = hn::Zero(d);
         // In a uniform wind the body moves through the fluid as if that were still: work with the relative velocity.
-        b.t.v = sub(load3(a, field_vx, at), to_body(b.q, broadcast(in.wind)));
+        b.gust = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+        Vec3 stream = broadcast(in.wind);
+        if constexpr (is_aerodynamic(kLoads)) {
+            b.gust = load3(a, field_gust_x, at);
+            stream = add(stream, b.gust);
+        }
+        b.t.v = sub(load3(a, field_vx, at), to_body(b.q, stream));
         b.t.u = scale(length, load3(a, field_wx, at));
         const VU key = hn::Load(du, a.key + at);
         const VF beta_unit = hn::Mul(constant(c.speed_beta), held.inverse_length);
 
         for (uint32_t i = 0; i < in.substeps; ++i) {
+            if constexpr (is_aerodynamic(kLoads)) {
+                aerodynamic_substep<kFull, kLoads, kIntegrator>(in, c, held, weight, gravity, key, i, b);
+                continue;
+            }
             VF gauss[6];
             if constexpr (kLoads != Loads::none) six_gaussians(key, in.first_substep + i, in.seed, gauss);
             if constexpr (kIntegrator == Integrator::splitting)
@@ -62,7 +107,12 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
                 rk4_substep<kFull, kLoads>(in, c, held, weight, gravity, beta_unit, gauss, b);
         }
 
-        const Vec3 v = add(b.t.v, to_body(b.q, broadcast(in.wind)));
+        if constexpr (is_aerodynamic(kLoads)) {
+            b.gust = {without_dust(b.gust.x), without_dust(b.gust.y), without_dust(b.gust.z)};
+            store3(a, field_gust_x, at, b.gust);
+            stream = add(broadcast(in.wind), b.gust);
+        }
+        const Vec3 v = add(b.t.v, to_body(b.q, stream));
         const Vec3 w = scale(held.inverse_length, b.t.u);
         store3(a, field_x, at, b.x);
         hn::Store(b.q.x, d, a.field[field_qx] + at);
@@ -91,6 +141,10 @@ template <bool kFull> void choose_loads(const StepInput& in, const BatchArrays& 
         return choose_integrator<kFull, Loads::langevin_speed>(in, a, begin, end);
     case Loads::langevin_age:
         return choose_integrator<kFull, Loads::langevin_age>(in, a, begin, end);
+    case Loads::aerodynamic_speed:
+        return choose_integrator<kFull, Loads::aerodynamic_speed>(in, a, begin, end);
+    case Loads::aerodynamic_age:
+        return choose_integrator<kFull, Loads::aerodynamic_age>(in, a, begin, end);
     }
 }
 

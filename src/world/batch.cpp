@@ -1,5 +1,7 @@
 #include "world/batch.h"
 
+#include "kernel/aerodynamics.h"
+
 #include <algorithm>
 #include <new>
 
@@ -33,7 +35,10 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
         status = LR_ERROR_INTERNAL;
     } else {
         if (settings.force_full) batch->step.body.diagonal = false;
-        if (batch->allocate(capacity) && batch->set_asset_table()) status = LR_OK;
+        if (!batch->set_aerodynamics(asset.data.aerodynamics, settings.gains))
+            status = LR_ERROR_INTERNAL;
+        else if (batch->allocate(capacity) && batch->set_asset_table())
+            status = LR_OK;
     }
     if (status == LR_OK) return batch;
     destroy(batch);
@@ -145,7 +150,37 @@ uint32_t Batch::padded_count() const {
     return padded(count_);
 }
 
+bool Batch::make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const {
+    out = step.body;
+    if (!make_aerodynamics(asset_->data, loads, gains, asset_->diagonal, settings_.fluid_density, settings_.viscosity,
+                           out))
+        return false;
+    if (stationary_.u0 > 0.0) set_gust_turbulence(stationary_, gains, out);
+    return true;
+}
+
+bool Batch::can_use(const AerodynamicData& loads, const Gains& gains) const {
+    BodyConstants ignored;
+    return make_loads(loads, gains, ignored);
+}
+
+bool Batch::set_aerodynamics(const AerodynamicData& loads, const Gains& gains) {
+    BodyConstants body;
+    if (!make_loads(loads, gains, body)) return false;
+    aerodynamics_ = loads;
+    settings_.gains = gains;
+    step.body = body;
+    return true;
+}
+
 bool Batch::set_table(const TableView& t) {
+    if (!fill_table(t)) return false;
+    stationary_ = {static_cast<double>(t.chi[t.stationary]), static_cast<double>(t.epsilon[t.stationary]), t.u0, t.l,
+                   t.c0};
+    return set_aerodynamics(aerodynamics_, settings_.gains);
+}
+
+bool Batch::fill_table(const TableView& t) {
     if (t.count == 0 || !t.chi || !t.epsilon) return false;
     Buffer<float> table;
     if (!table.allocate(*allocator_, size_t{2} * t.count)) return false;
@@ -173,8 +208,11 @@ bool Batch::set_asset_table() {
         samples[i] = static_cast<float>(t.chi[i] * rate);
         samples[count + i] = static_cast<float>(t.epsilon[i] * power);
     }
-    return set_table({samples.data(), samples.data() + count, count, t.stationary, t.dt * a.length_l / a.u0, a.u0,
-                      a.length_l, t.c0});
+    if (!fill_table({samples.data(), samples.data() + count, count, t.stationary, t.dt * a.length_l / a.u0, a.u0,
+                     a.length_l, t.c0}))
+        return false;
+    stationary_ = {};
+    return set_aerodynamics(aerodynamics_, settings_.gains);
 }
 
 } // namespace lr

@@ -16,6 +16,7 @@ struct BatchSettings {
     bool force_full = false;
     Gains gains;
     double fluid_density = 1.2; // kg/m^3
+    double viscosity = 1.5e-5;  // m^2/s, kinematic
 };
 
 // A body's state in the frames of storage: position and orientation in the world, velocities in the body frame.
@@ -52,6 +53,11 @@ public:
     // Both leave the old table in place when they fail.
     bool set_table(const TableView& table);
     bool set_asset_table();
+    // Quasi-steady loads other than the asset's own; false, and nothing has changed, when they cannot be used.
+    bool set_aerodynamics(const AerodynamicData& loads, const Gains& gains);
+    bool can_use(const AerodynamicData& loads, const Gains& gains) const;
+    const AerodynamicData& aerodynamics() const { return aerodynamics_; }
+    const Gains& gains() const { return settings_.gains; }
 
     uint32_t count() const { return count_; }
     uint32_t capacity() const { return capacity_; }
@@ -71,6 +77,8 @@ private:
     ~Batch();
     bool allocate(uint32_t capacity);
     void clear_lane(uint32_t index);
+    bool fill_table(const TableView& table);
+    bool make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const;
 
     Allocator* allocator_;
     const lr_asset* asset_ = nullptr;
@@ -87,6 +95,8 @@ private:
     Buffer<uint32_t> free_;        // ring of free slots, oldest first, so that a slot rests long before its next life
     uint32_t free_head_ = 0;
     Buffer<float> table_; // alpha, then beta^2
+    AerodynamicData aerodynamics_;
+    TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
 };
 
 } // namespace lr

@@ -1,17 +1,19 @@
 #include "world/snapshot.h"
 
+#include "kernel/aerodynamics.h"
 #include "world/world.h"
 
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <new>
+#include <type_traits>
 
 namespace lr {
 namespace {
 
 constexpr uint64_t magic = 0x31304e53444c524cull; // "LRLDSN01", little-endian
-constexpr uint32_t version = 1;
+constexpr uint32_t version = 2;
 
 struct Header {
     uint64_t magic;
@@ -39,7 +41,11 @@ struct BatchHeader {
     float inverse_dt;
     float speed_alpha, speed_beta;
     uint32_t reserved;
+    Gains gains;
+    TurbulenceSample stationary;
+    AerodynamicData aerodynamics;
 };
+static_assert(std::is_trivially_copyable_v<BatchHeader>);
 static_assert(sizeof(Header) % 8 == 0 && sizeof(BatchHeader) % 8 == 0);
 
 // Over all words but the checksum's own. Each step is a bijection of the state: one changed word always changes the
@@ -86,6 +92,9 @@ public:
         h.inverse_dt = b.step.table.inverse_dt;
         h.speed_alpha = b.step.body.speed_alpha;
         h.speed_beta = b.step.body.speed_beta;
+        h.gains = b.settings_.gains;
+        h.stationary = b.stationary_;
+        h.aerodynamics = b.aerodynamics_;
         return h;
     }
 
@@ -171,6 +180,18 @@ public:
         b.step.table.inverse_dt = h.inverse_dt;
         b.step.body.speed_alpha = h.speed_alpha;
         b.step.body.speed_beta = h.speed_beta;
+        b.stationary_ = h.stationary;
+        b.set_aerodynamics(h.aerodynamics, h.gains); // as it was when saved: it has been checked
+    }
+    static bool usable_loads(const BatchHeader& h, const Batch& b) {
+        const Gains& g = h.gains;
+        for (double v : {g.damping, g.noise, g.drag, g.lift, g.spin_drag, g.turbulence})
+            if (!(v >= 0.0 && v <= 100.0)) return false;
+        const TurbulenceSample& s = h.stationary;
+        for (double v : {s.chi, s.epsilon, s.u0, s.l, s.c0})
+            if (!(v >= 0.0 && v <= 1e12)) return false;
+        if (s.u0 > 0.0 && !(s.l > 0.0)) return false;
+        return is_usable(h.aerodynamics) && b.can_use(h.aerodynamics, g);
     }
 };
 
@@ -256,7 +277,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
                 return LR_ERROR_SNAPSHOT_MISMATCH;
             if (h.count > h.capacity || h.table_count == 0 || h.table_count > 65536 || !(h.inverse_dt > 0.0f) ||
                 !std::isfinite(h.inverse_dt) || !std::isfinite(h.speed_alpha) || !std::isfinite(h.speed_beta) ||
-                h.speed_alpha < 0.0f || h.speed_beta < 0.0f)
+                h.speed_alpha < 0.0f || h.speed_beta < 0.0f || !SnapshotAccess::usable_loads(h, *batch))
                 return LR_ERROR_SNAPSHOT_FORMAT;
             const uint64_t bytes = batch_bytes(h.capacity, h.count, h.table_count);
             Buffer<uint32_t> seen;

@@ -27,6 +27,7 @@ lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
     world->seed = desc.seed;
     std::copy(desc.gravity, desc.gravity + 3, world->gravity);
     world->fluid_density = desc.fluid_density;
+    world->fluid_viscosity = desc.fluid_viscosity;
     world->log_callback = desc.log;
     world->log_user = desc.log_user;
     if (!world->pool.start(desc.worker_count)) {
@@ -151,11 +152,12 @@ uint64_t lr_world::hash() const {
     for (uint32_t b = 0; b < batch_slots; ++b) {
         if (!batches[b].batch) continue;
         const Batch& batch = *batches[b].batch;
+        const size_t fields = lr::is_aerodynamic(batch.step.loads) ? lr::field_count : size_t{lr::field_gust_x};
         // A sum over bodies, so that their order in memory does not matter.
         uint64_t sum = 0;
         for (uint32_t i = 0; i < batch.count(); ++i) {
             uint64_t body = mix(batch.arrays().key[i] + 1ull);
-            for (size_t f = 0; f < lr::field_count; ++f)
+            for (size_t f = 0; f < fields; ++f)
                 body = mix(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
             sum += body;
         }

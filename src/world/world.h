@@ -40,6 +40,7 @@ struct lr_world {
     uint64_t seed = 0;
     float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2
     float fluid_density = 0.0f;            // kg/m^3; 0: each asset's own
+    float fluid_viscosity = 0.0f;          // m^2/s; 0: each asset's own
     lr::Fluid fluid;
     uint64_t substep_count = 0;
     double time = 0.0; // s
