@@ -1,6 +1,7 @@
 #include "api/arguments.h"
 #include "asset/asset.h"
 #include "format/asset_file.h"
+#include "shape/aerodynamics.h"
 #include "shape/ellipsoid.h"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ lr_status load(const void* bytes, uint64_t size, lr_asset** out) {
     lr::AssetData data;
     lr::Faults faults;
     if (!lr::read_asset(bytes, static_cast<size_t>(size), data, faults)) return status_of(faults);
+    lr::shape::complete_aerodynamics(data);
     *out = new lr_asset(std::move(data), lr::asset_format_version);
     return LR_OK;
 }

@@ -12,7 +12,7 @@ class Checker {
 public:
     explicit Checker(Faults& faults) : faults_(faults) {}
 
-    void range(double value, const char* field, double low, double high) {
+    void range(double value, const std::string& field, double low, double high) {
         if (!std::isfinite(value)) {
             fail(FaultId::asset_not_finite, field, "The value is not a finite number.");
         } else if (value < low || value > high) {
@@ -144,6 +144,44 @@ void check_hull(const AssetData& d, Checker& check) {
         }
 }
 
+void check_aerodynamics(const AssetData& d, Checker& check) {
+    const AerodynamicData& a = d.aerodynamics;
+    if (!check.finite(a.axes, "aerodynamics.axes")) return;
+    const auto dot = [&](size_t i, size_t j) {
+        return a.axes[3 * i] * a.axes[3 * j] + a.axes[3 * i + 1] * a.axes[3 * j + 1] +
+               a.axes[3 * i + 2] * a.axes[3 * j + 2];
+    };
+    const auto& e = a.axes;
+    const double determinant =
+        e[0] * (e[4] * e[8] - e[5] * e[7]) + e[1] * (e[5] * e[6] - e[3] * e[8]) + e[2] * (e[3] * e[7] - e[4] * e[6]);
+    bool is_rotation = determinant > 0.0;
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j <= i; ++j) is_rotation = is_rotation && std::abs(dot(i, j) - (i == j ? 1.0 : 0.0)) < 1e-9;
+    if (!is_rotation)
+        check.fail(FaultId::asset_bad_axes, "aerodynamics.axes",
+                   "The axes are not three orthogonal unit vectors, right-handed.");
+
+    // In units of the body; folded and bristling surfaces have many times the area of their silhouette.
+    constexpr double most = 1e6;
+    const double d1 = d.length_d, d2 = d1 * d1, d3 = d2 * d1;
+    const auto range = [&](const std::array<double, 3>& values, const char* field, double low, double unit) {
+        for (size_t k = 0; k < 3; ++k)
+            check.range(values[k], std::string(field) + "[" + std::to_string(k) + "]", low * unit, most * unit);
+    };
+    range(a.drag, "aerodynamics.drag", 0.0, d2);
+    range(a.drag_blunt, "aerodynamics.drag_blunt", 0.0, d2);
+    range(a.drag_layer, "aerodynamics.drag_layer", 0.0, d1 * std::sqrt(d1));
+    range(a.drag_stokes, "aerodynamics.drag_stokes", 0.0, d1);
+    range(a.lift, "aerodynamics.lift", -most, d2);
+    range(a.spin_lift, "aerodynamics.spin_lift", -most, d3);
+    range(a.lift_moment, "aerodynamics.lift_moment", -most, d3);
+    range(a.spin_drag, "aerodynamics.spin_drag", 0.0, d3 * d2);
+    range(a.spin_drag_stream, "aerodynamics.spin_drag_stream", 0.0, d2 * d2);
+    range(a.spin_drag_stokes, "aerodynamics.spin_drag_stokes", 0.0, d3);
+    check.range(a.intensity, "aerodynamics.intensity", 0.0, 10.0);
+    check.range(a.length, "aerodynamics.length", 1e-9, 1e5);
+}
+
 } // namespace
 
 bool check_asset(const AssetData& d, Faults& faults) {
@@ -171,6 +209,7 @@ bool check_asset(const AssetData& d, Faults& faults) {
     check_matrices(d, check);
     check_table(d.turbulence, check);
     check_hull(d, check);
+    if (d.has_aerodynamics) check_aerodynamics(d, check);
     return check.ok();
 }
 
@@ -194,6 +233,15 @@ uint64_t content_hash(const AssetData& d) {
     numbers(d.hull.vertices);
     hash.add_u64(d.hull.triangles.size());
     for (uint32_t i : d.hull.triangles) hash.add_u64(i);
+    if (d.has_aerodynamics) {
+        const AerodynamicData& a = d.aerodynamics;
+        numbers(a.axes);
+        for (const auto* values : {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.lift, &a.spin_lift,
+                                   &a.lift_moment, &a.spin_drag, &a.spin_drag_stream, &a.spin_drag_stokes})
+            numbers(*values);
+        number(a.intensity);
+        number(a.length);
+    }
     return hash.value();
 }
 

@@ -66,6 +66,26 @@ std::string text(const flatbuffers::String* s) {
     return s ? s->str() : std::string();
 }
 
+template <class Need>
+void decode_aerodynamics(const format::Aerodynamics& from, AerodynamicData& out, Faults& faults, const Need& need) {
+    const auto vector = [&](const format::Vec3* v, const char* name, std::array<double, 3>& to) {
+        if (need(v, name)) to = {v->x(), v->y(), v->z()};
+    };
+    copy_array(from.axes(), out.axes, "aerodynamics.axes", faults);
+    vector(from.drag(), "aerodynamics.drag", out.drag);
+    vector(from.drag_blunt(), "aerodynamics.drag_blunt", out.drag_blunt);
+    vector(from.drag_layer(), "aerodynamics.drag_layer", out.drag_layer);
+    vector(from.drag_stokes(), "aerodynamics.drag_stokes", out.drag_stokes);
+    vector(from.lift(), "aerodynamics.lift", out.lift);
+    vector(from.spin_lift(), "aerodynamics.spin_lift", out.spin_lift);
+    vector(from.lift_moment(), "aerodynamics.lift_moment", out.lift_moment);
+    vector(from.spin_drag(), "aerodynamics.spin_drag", out.spin_drag);
+    vector(from.spin_drag_stream(), "aerodynamics.spin_drag_stream", out.spin_drag_stream);
+    vector(from.spin_drag_stokes(), "aerodynamics.spin_drag_stokes", out.spin_drag_stokes);
+    out.intensity = from.intensity();
+    out.length = from.length();
+}
+
 bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     const size_t before = faults.size();
     const auto need = [&](const void* field, const char* name, size_t alignment = alignof(double)) {
@@ -112,6 +132,8 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
         if (t.domain()) copy_array(t.domain(), out.turbulence.domain, "turbulence.domain", faults);
         out.turbulence.max_divergence = t.max_divergence();
     }
+    out.has_aerodynamics = a.aerodynamics() && need(a.aerodynamics(), "aerodynamics", alignof(flatbuffers::soffset_t));
+    if (out.has_aerodynamics) decode_aerodynamics(*a.aerodynamics(), out.aerodynamics, faults, need);
     if (a.hull()) {
         copy_vector(a.hull()->vertices(), out.hull.vertices, "hull.vertices", faults);
         copy_vector(a.hull()->triangles(), out.hull.triangles, "hull.triangles", faults);
@@ -123,6 +145,17 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
                           p.vertices()};
     }
     return faults.size() == before;
+}
+
+flatbuffers::Offset<format::Aerodynamics> encode(const AerodynamicData& a, flatbuffers::FlatBufferBuilder& b) {
+    const auto vector = [](const std::array<double, 3>& v) { return format::Vec3(v[0], v[1], v[2]); };
+    const auto axes = b.CreateVector(a.axes.data(), a.axes.size());
+    const format::Vec3 drag = vector(a.drag), blunt = vector(a.drag_blunt), layer = vector(a.drag_layer);
+    const format::Vec3 stokes = vector(a.drag_stokes), lift = vector(a.lift), spin_lift = vector(a.spin_lift);
+    const format::Vec3 moment = vector(a.lift_moment), spin_drag = vector(a.spin_drag);
+    const format::Vec3 spin_stream = vector(a.spin_drag_stream), spin_stokes = vector(a.spin_drag_stokes);
+    return format::CreateAerodynamics(b, axes, &drag, &blunt, &layer, &stokes, &lift, &spin_lift, &moment, &spin_drag,
+                                      &spin_stream, &spin_stokes, a.intensity, a.length);
 }
 
 } // namespace
@@ -146,13 +179,15 @@ std::vector<uint8_t> write_asset(const AssetData& d) {
     const auto provenance =
         format::CreateProvenance(b, b.CreateString(p.tool), b.CreateString(p.tool_version), b.CreateString(p.source),
                                  p.input_hash, b.CreateString(p.options), p.faces, p.vertices);
+    const auto aerodynamics =
+        d.has_aerodynamics ? encode(d.aerodynamics, b) : flatbuffers::Offset<format::Aerodynamics>();
     const format::Vec3 com(d.center_of_mass[0], d.center_of_mass[1], d.center_of_mass[2]);
     const format::Vec3 cob(d.center_of_buoyancy[0], d.center_of_buoyancy[1], d.center_of_buoyancy[2]);
     const format::Fluid fluid(d.fluid_density, d.fluid_viscosity);
     const format::Lengths lengths(d.length_d, d.length_b, d.length_l);
     const auto root = format::CreateAsset(b, asset_format_version, 0, name, d.mass, d.volume, d.density, &com, &cob,
                                           inertia, added_mass, added_mass_error, &fluid, &lengths, d.projected_area,
-                                          d.u0, turbulence, hull, provenance);
+                                          d.u0, turbulence, hull, provenance, aerodynamics);
     format::FinishAssetBuffer(b, root);
 
     std::vector<uint8_t> bytes(b.GetBufferPointer(), b.GetBufferPointer() + b.GetSize());

@@ -62,6 +62,7 @@ enum class FaultId : uint32_t {
     asset_not_positive = 411,
     asset_bad_hull = 412,
     asset_inconsistent = 413,
+    asset_bad_axes = 414,
 };
 
 struct Fault {

@@ -12,20 +12,25 @@ namespace lr::shape {
 // principal, so that nothing has to be turned.
 struct AerodynamicGeometry {
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: principal axes, unit vectors in the body frame
-    std::array<double, 3> extent{};    // m, full, along the axes
-    std::array<double, 3> area{};      // m^2, silhouette along each axis
+    std::array<double, 3> extent{};                        // m, full, along the axes
+    std::array<double, 3> area{};                          // m^2, silhouette along each axis
     std::array<double, 3> bluntness{}; // int |n.e_k|^2 dA / int |n.e_k| dA: 1 for flat faces, 2/3 for a sphere
     double surface = 0.0;              // m^2, int dA
+    double volume = 0.0;               // m^3, of the body
     // Strokes of a rotation about e_k, c = n.(e_k x r), the speed of the surface along its normal.
     std::array<double, 3> stroke2{}; // m^4, 1/2 int |c|^2 dA: a flat plate's second moment of area
     std::array<double, 3> stroke3{}; // m^5, 1/2 int |c|^3 dA: its third
     std::array<double, 3> rub{};     // m^5, int |e_k x r|^3 dA: what skin friction against spin grows with
 };
 
-// Semi-axes in m; axes of the body, centre of buoyancy at the centre.
+// Semi-axes in m, each positive; axes of the body, centre of buoyancy at the centre.
 AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes);
 
 // The default coefficients: one set of rules for all shapes.
 AerodynamicData default_aerodynamics(const AerodynamicGeometry& geometry);
+
+// Gives the coefficients to an asset that has none: from its hull, or without a usable one from the ellipsoid with its
+// mass and inertia. An asset that has them stays as it is.
+void complete_aerodynamics(AssetData& asset);
 
 } // namespace lr::shape

@@ -1,6 +1,7 @@
 #include "shape/ellipsoid.h"
 
 #include "format/matrix6.h"
+#include "shape/aerodynamics.h"
 #include "shape/body_scales.h"
 #include "shape/lamb.h"
 #include "shape/turbulence_closure.h"
@@ -110,6 +111,8 @@ bool ellipsoid_body(const EllipsoidSpec& spec, AssetData& out, Faults& faults) {
     out.length_b = scales.b;
     out.length_l = scales.l;
     out.u0 = scales.u0;
+    out.aerodynamics = default_aerodynamics(ellipsoid_geometry(a));
+    out.has_aerodynamics = true;
     out.hull = ellipsoid_hull(a, spec.center_of_mass);
     out.provenance.source = "ellipsoid";
     return true;

@@ -17,6 +17,13 @@ namespace {
 const double not_a_number = std::numeric_limits<double>::quiet_NaN(),
              infinite = std::numeric_limits<double>::infinity();
 
+bool same(const AerodynamicData& a, const AerodynamicData& b) {
+    return a.axes == b.axes && a.drag == b.drag && a.drag_blunt == b.drag_blunt && a.drag_layer == b.drag_layer &&
+           a.drag_stokes == b.drag_stokes && a.lift == b.lift && a.spin_lift == b.spin_lift &&
+           a.lift_moment == b.lift_moment && a.spin_drag == b.spin_drag && a.spin_drag_stream == b.spin_drag_stream &&
+           a.spin_drag_stokes == b.spin_drag_stokes && a.intensity == b.intensity && a.length == b.length;
+}
+
 bool same(const AssetData& a, const AssetData& b) {
     const auto hull = a.hull.vertices == b.hull.vertices && a.hull.triangles == b.hull.triangles;
     const auto& p = a.provenance;
@@ -34,7 +41,8 @@ bool same(const AssetData& a, const AssetData& b) {
            a.turbulence.settled == b.turbulence.settled && a.turbulence.domain == b.turbulence.domain &&
            a.turbulence.max_divergence == b.turbulence.max_divergence && hull && p.tool == q.tool &&
            p.tool_version == q.tool_version && p.source == q.source && p.input_hash == q.input_hash &&
-           p.options == q.options && p.faces == q.faces && p.vertices == q.vertices;
+           p.options == q.options && p.faces == q.faces && p.vertices == q.vertices &&
+           a.has_aerodynamics == b.has_aerodynamics && same(a.aerodynamics, b.aerodynamics);
 }
 
 } // namespace
@@ -50,6 +58,9 @@ TEST_CASE("what is written is read back, the same bytes for the same data") {
     d.turbulence.domain = {5.0, 4.0, 3.0};
     d.turbulence.max_divergence = 1e-7;
     d.added_mass_error[7] = 1e-9;
+    d.aerodynamics.axes = {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0};
+    d.aerodynamics.lift_moment = {1e-9, -2e-9, 3e-9};
+    d.aerodynamics.spin_drag_stream = {1e-12, 2e-12, 3e-12};
     const std::vector<uint8_t> bytes = write_asset(d);
     CHECK(write_asset(d) == bytes);
     CHECK(std::memcmp(bytes.data() + 4, "LRBA", 4) == 0);
@@ -82,6 +93,20 @@ TEST_CASE("the content hash sees everything that moves a body, and no names") {
         [](AssetData& a) { a.turbulence.stationary = 1; },
         [](AssetData& a) { a.turbulence.c0 = 1.0; },
         [](AssetData& a) { a.turbulence.dt *= 2.0; },
+        [](AssetData& a) { a.has_aerodynamics = false; },
+        [](AssetData& a) { std::swap(a.aerodynamics.axes[0], a.aerodynamics.axes[1]); },
+        [](AssetData& a) { a.aerodynamics.drag[1] *= 1.1; },
+        [](AssetData& a) { a.aerodynamics.drag_blunt[1] *= 1.1; },
+        [](AssetData& a) { a.aerodynamics.drag_layer[1] *= 1.1; },
+        [](AssetData& a) { a.aerodynamics.drag_stokes[1] *= 1.1; },
+        [](AssetData& a) { a.aerodynamics.lift[0] *= 1.1; },
+        [](AssetData& a) { a.aerodynamics.spin_lift[0] *= 1.1; },
+        [](AssetData& a) { a.aerodynamics.lift_moment[2] = -1e-9; },
+        [](AssetData& a) { a.aerodynamics.spin_drag[0] *= 1.1; },
+        [](AssetData& a) { a.aerodynamics.spin_drag_stream[2] = 1e-12; },
+        [](AssetData& a) { a.aerodynamics.spin_drag_stokes[0] *= 1.1; },
+        [](AssetData& a) { a.aerodynamics.intensity = 0.1; },
+        [](AssetData& a) { a.aerodynamics.length *= 2.0; },
         [](AssetData& a) { a.hull.vertices[0] += 0.1f; },
         [](AssetData& a) { std::swap(a.hull.triangles[0], a.hull.triangles[1]); }};
     for (const auto& change : matter) {
@@ -149,6 +174,33 @@ TEST_CASE("each impossible number has its fault, at its field") {
          [](AssetData& a) { a.hull.vertices[5] = std::numeric_limits<float>::quiet_NaN(); }},
         {FaultId::asset_bad_hull, "hull.vertices[2]", [](AssetData& a) { a.hull.vertices[2] = 99.0f; }},
         {FaultId::asset_bad_hull, "hull.triangles[1]", [](AssetData& a) { a.hull.triangles[1] = 42; }},
+        {FaultId::asset_not_finite, "aerodynamics.axes[4]",
+         [](AssetData& a) { a.aerodynamics.axes[4] = not_a_number; }},
+        {FaultId::asset_bad_axes, "aerodynamics.axes", [](AssetData& a) { a.aerodynamics.axes[0] = 1.001; }},
+        {FaultId::asset_bad_axes, "aerodynamics.axes", [](AssetData& a) { a.aerodynamics.axes[1] = 0.001; }},
+        {FaultId::asset_bad_axes, "aerodynamics.axes", [](AssetData& a) { a.aerodynamics.axes[8] = -1.0; }},
+        {FaultId::asset_bad_axes, "aerodynamics.axes", [](AssetData& a) { a.aerodynamics.axes.fill(0.0); }},
+        {FaultId::asset_out_of_range, "aerodynamics.drag[2]", [](AssetData& a) { a.aerodynamics.drag[2] = -1e-9; }},
+        {FaultId::asset_not_finite, "aerodynamics.drag_blunt[0]",
+         [](AssetData& a) { a.aerodynamics.drag_blunt[0] = infinite; }},
+        {FaultId::asset_out_of_range, "aerodynamics.drag_layer[1]",
+         [](AssetData& a) { a.aerodynamics.drag_layer[1] = 1e9; }},
+        {FaultId::asset_out_of_range, "aerodynamics.drag_stokes[1]",
+         [](AssetData& a) { a.aerodynamics.drag_stokes[1] = -1.0; }},
+        {FaultId::asset_not_finite, "aerodynamics.lift[0]",
+         [](AssetData& a) { a.aerodynamics.lift[0] = not_a_number; }},
+        {FaultId::asset_out_of_range, "aerodynamics.spin_lift[0]",
+         [](AssetData& a) { a.aerodynamics.spin_lift[0] = -1e9; }},
+        {FaultId::asset_not_finite, "aerodynamics.lift_moment[2]",
+         [](AssetData& a) { a.aerodynamics.lift_moment[2] = -infinite; }},
+        {FaultId::asset_out_of_range, "aerodynamics.spin_drag[0]",
+         [](AssetData& a) { a.aerodynamics.spin_drag[0] = -1e-20; }},
+        {FaultId::asset_not_finite, "aerodynamics.spin_drag_stream[0]",
+         [](AssetData& a) { a.aerodynamics.spin_drag_stream[0] = not_a_number; }},
+        {FaultId::asset_out_of_range, "aerodynamics.spin_drag_stokes[2]",
+         [](AssetData& a) { a.aerodynamics.spin_drag_stokes[2] = 1e9; }},
+        {FaultId::asset_out_of_range, "aerodynamics.intensity", [](AssetData& a) { a.aerodynamics.intensity = -0.1; }},
+        {FaultId::asset_out_of_range, "aerodynamics.length", [](AssetData& a) { a.aerodynamics.length = 0.0; }},
         {FaultId::asset_out_of_range, "name", [](AssetData& a) { a.name.assign(5000, 'x'); }}};
     for (const Case& c : cases) {
         CAPTURE(std::string(c.where));
@@ -175,6 +227,16 @@ TEST_CASE("a hull is optional") {
     Faults faults;
     const std::vector<uint8_t> bytes = write_asset(d);
     CHECK(read_asset(bytes.data(), bytes.size(), back, faults));
+}
+
+TEST_CASE("coefficients of the loads are optional, and impossible ones that are not there do no harm") {
+    AssetData d = test::leaf_data(), back;
+    d.has_aerodynamics = false;
+    d.aerodynamics.drag[0] = -1.0;
+    Faults faults;
+    const std::vector<uint8_t> bytes = write_asset(d);
+    REQUIRE(read_asset(bytes.data(), bytes.size(), back, faults));
+    CHECK_FALSE(back.has_aerodynamics);
 }
 
 // Sealed with a right checksum, so that every change reaches the checks behind it; AddressSanitizer watches.
