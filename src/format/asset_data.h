@@ -42,6 +42,10 @@ struct AerodynamicData {
     // Moment of that lift about the centre: rho lift_moment_k v_i v_j; negative of the share of the Munk moment that
     // separated flow does not make.
     std::array<double, 3> lift_moment{}; // m^3
+    // Stall: sigma = sum_i broadside_i (v_i/s)^2 takes lift_stall sigma off `lift` and adds lift_moment_stalled_k sigma.
+    std::array<double, 3> broadside{};
+    double lift_stall = 0.0;
+    std::array<double, 3> lift_moment_stalled{}; // m^3
     // Spin drag -rho [spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu] w_k.
     std::array<double, 3> spin_drag{};        // m^5
     std::array<double, 3> spin_drag_stream{}; // m^4

@@ -47,13 +47,20 @@ HWY_INLINE VF drag_rate(const AerodynamicConstants& c, VF b, VF nu, Vec3 v) {
     return hn::Mul(b, mul_add(s, form, mul_add(nu, weighted(c.drag_stokes, part), layer)));
 }
 
+// How far the flow is from edge-on: sin^2 of the angle of attack for a sheet.
+HWY_INLINE VF stall(const AerodynamicConstants& c, VF s2, Vec3 v) {
+    return hn::Div(weighted(c.broadside, times(v, v)), s2);
+}
+
 // Lift is circulation x v, per mass unit: of translation, of rotation, and the sideways part of an uneven viscous drag.
 HWY_INLINE Vec3 circulation(const AerodynamicConstants& c, VF b, VF nu, Vec3 v, Vec3 u) {
     const VF s2 = speed_squared(v), s = hn::Sqrt(s2);
     const VF inverse = hn::Div(b, s2);
     const VF root = hn::Sqrt(hn::Mul(s, nu));
+    const VF attached = neg_mul_add(constant(c.lift_stall), stall(c, s2, v), constant(1.0f));
+    const VF full = hn::Mul(s, attached);
     const auto along = [&](int k, VF vi, VF vj, VF uk) HWY_ATTR {
-        const VF sum = mul_add(constant(c.lift[k]), s,
+        const VF sum = mul_add(constant(c.lift[k]), full,
                                mul_add(constant(c.lift_layer[k]), root, hn::Mul(constant(c.lift_stokes[k]), nu)));
         return mul_sub(hn::Mul(b, constant(c.spin_lift[k])), uk, hn::Mul(hn::Mul(inverse, hn::Mul(vi, vj)), sum));
     };
@@ -72,7 +79,12 @@ HWY_INLINE Vec3 spin_drag_rate(const AerodynamicConstants& c, VF b, VF nu, VF s,
 }
 
 HWY_INLINE Vec3 lift_moment(const AerodynamicConstants& c, VF b, Vec3 v) {
-    return scale(b, scaled_by(c.lift_moment, Vec3{hn::Mul(v.y, v.z), hn::Mul(v.z, v.x), hn::Mul(v.x, v.y)}));
+    const VF sigma = stall(c, speed_squared(v), v);
+    const auto along = [&](int k, VF vi, VF vj) HWY_ATTR {
+        return hn::Mul(hn::Mul(b, hn::Mul(vi, vj)),
+                       mul_add(constant(c.lift_moment_stalled[k]), sigma, constant(c.lift_moment[k])));
+    };
+    return {along(0, v.y, v.z), along(1, v.z, v.x), along(2, v.x, v.y)};
 }
 
 template <bool kFull> HWY_INLINE Vec3 centre_velocity(const AerodynamicConstants& c, Twist t) {

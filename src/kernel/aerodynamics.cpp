@@ -123,7 +123,8 @@ bool is_usable(const AerodynamicData& a) {
     for (const auto* v : {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.spin_drag, &a.spin_drag_stream,
                           &a.spin_drag_stokes})
         if (!within(*v, 0.0, most)) return false;
-    for (const auto* v : {&a.lift, &a.spin_lift, &a.lift_moment})
+    if (!within(a.broadside, 0.0, 1.0) || !(std::abs(a.lift_stall) <= 10.0)) return false;
+    for (const auto* v : {&a.lift, &a.spin_lift, &a.lift_moment, &a.lift_moment_stalled})
         if (!within(*v, -most, most)) return false;
     if (!(a.intensity >= 0.0 && a.intensity <= 10.0) || !(a.length > 0.0 && a.length <= 1e6) ||
         !(a.wake_reynolds >= 0.0 && a.wake_reynolds <= 1e9))
@@ -153,6 +154,9 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     narrow(loads.lift, gains.lift * per_unit * d, out.lift);
     narrow(loads.spin_lift, gains.lift * per_unit, out.spin_lift);
     narrow(loads.lift_moment, gains.lift * per_unit, out.lift_moment);
+    narrow(loads.lift_moment_stalled, gains.lift * per_unit, out.lift_moment_stalled);
+    narrow(loads.broadside, 1.0, out.broadside);
+    out.lift_stall = static_cast<float>(loads.lift_stall);
     narrow(loads.spin_drag, gains.spin_drag * per_unit / (d * d), out.spin_drag);
     narrow(loads.spin_drag_stream, gains.spin_drag * per_unit / d, out.spin_drag_stream);
     narrow(loads.spin_drag_stokes, gains.spin_drag * per_unit, out.spin_drag_stokes);

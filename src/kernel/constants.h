@@ -22,6 +22,7 @@ struct AerodynamicConstants {
     float viscosity; // nu, m^2/s
     float drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
     float lift[3], lift_layer[3], lift_stokes[3], spin_lift[3], lift_moment[3];
+    float broadside[3], lift_stall, lift_moment_stalled[3];
     float spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
     float spin_weight[3]; // spin_drag over its largest
     // Full path. Q: body axes to those of the loads; P = Q (1, -[r]x): velocity of the centre of the loads.

@@ -2,6 +2,7 @@
 // kernel and integrated in small steps: what the kernel must agree with. Noise is off.
 #pragma once
 
+#include "support/reference_aerodynamics.h"
 #include "support/scene.h"
 #include "support/vector.h"
 
@@ -63,6 +64,10 @@ public:
     // alpha, 1/s, at a speed through the fluid and an age.
     std::function<double(double, double)> alpha = [](double, double) { return 0.0; };
 
+    // Quasi-steady loads, when `aerodynamic`.
+    ReferenceLoads loads;
+    bool aerodynamic = false;
+
     // The floor under the damping of spin: docs/physics.md, "Viscous floor".
     static constexpr double viscous_floor = 0.02;
 
@@ -118,8 +123,13 @@ private:
         const Six momentum = mass * s.twist, drag = dragged * s.twist;
         const double a = alpha(length(v), s.age);
         const Vec p = upper(momentum), l = lower(momentum);
-        const Vec force = cross(p, w) + weight * g - a * upper(drag);
-        const Vec torque = cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag);
+        Vec force = cross(p, w) + weight * g - a * upper(drag);
+        Vec torque = cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag);
+        if (aerodynamic) {
+            const ReferenceLoads::Wrench load = loads(v, w);
+            force = force + load.force;
+            torque = torque + load.torque;
+        }
         const Quat turning = product(s.q, {0.5 * w[0], 0.5 * w[1], 0.5 * w[2], 0.0});
         return {to_world(s.q, v) + wind, turning, inverse_mass_ * join(force, torque), 1.0};
     }
