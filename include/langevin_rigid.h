@@ -227,6 +227,40 @@ LR_API lr_status lr_asset_info_init(lr_asset_info* info, uint32_t struct_size);
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
 LR_API lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info);
 
+/* Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC. Everything acts at the centre of
+ * buoyancy along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
+ * spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
+ * the fluid. */
+typedef struct lr_aerodynamics {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    double axes[9];    /* rows: unit vectors in the body frame, right-handed */
+    /* Drag -rho sum_i (v_i/s)^2 [1/2 (drag_i + drag_blunt_i Re/(Re + 8710)) s + drag_layer_i sqrt(nu s) +
+     * drag_stokes_i nu] v, Re = s d/nu. All >= 0. */
+    double drag[3];        /* m^2, drag coefficient times area */
+    double drag_blunt[3];  /* m^2, the part that grows with the Reynolds number: of rounded bodies */
+    double drag_layer[3];  /* m^(3/2), of the boundary layer */
+    double drag_stokes[3]; /* m, of creeping flow */
+    /* Lift rho G x v, G_k = spin_lift_k w_k - lift_k v_i v_j/s. */
+    double lift[3];        /* m^2, positive where the body is thinner along j than along i */
+    double spin_lift[3];   /* m^3 */
+    double lift_moment[3]; /* m^3, moment rho lift_moment_k v_i v_j of that lift about k */
+    /* Moment -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. */
+    double spin_drag[3];        /* m^5 */
+    double spin_drag_stream[3]; /* m^4 */
+    double spin_drag_stokes[3]; /* m^3 */
+    double intensity;           /* of the velocity of the fluid in the body's own wake: per axis `intensity` times s */
+    double length;              /* m, correlated over length/s */
+} lr_aerodynamics;
+
+/* Initially the axes are those of the body, `length` is 1 and all else 0: no loads. */
+LR_API lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size);
+
+/* The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/format.md.
+ * aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
+LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics);
+
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* World                                                                                                              */
 

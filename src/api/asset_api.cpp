@@ -1,3 +1,4 @@
+#include "api/aerodynamics.h"
 #include "api/arguments.h"
 #include "asset/asset.h"
 #include "format/asset_file.h"
@@ -200,6 +201,20 @@ lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info) {
     out.content_hash = asset->content_hash;
     lr::api::write_struct(out, info);
     return LR_OK;
+}
+
+lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size) {
+    const lr_status status = lr::api::begin_init(aerodynamics, struct_size);
+    if (status == LR_OK) lr::api::write_struct(lr::api::to_struct({}), aerodynamics);
+    return status;
+}
+
+lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics) {
+    const lr::FloatMode mode;
+    if (!asset) return LR_ERROR_NULL_ARGUMENT;
+    const lr_status status = lr::api::check_size(aerodynamics);
+    if (status == LR_OK) lr::api::write_struct(lr::api::to_struct(asset->data.aerodynamics), aerodynamics);
+    return status;
 }
 
 } // extern "C"

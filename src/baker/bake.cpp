@@ -1,6 +1,7 @@
 #include "baker/bake.h"
 
 #include "baker/added_mass/added_mass.h"
+#include "baker/aerodynamics/mesh_geometry.h"
 #include "baker/bake_input.h"
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/ellipsoid_mesh.h"
@@ -12,6 +13,7 @@
 #include "format/asset_file.h"
 #include "shape/body_scales.h"
 #include "shape/ellipsoid.h"
+#include "shape/principal_axes.h"
 
 #include <Eigen/Geometry>
 
@@ -136,6 +138,7 @@ private:
                phase("checking",
                      [&] { return is_sheet() ? check_sheet(mesh_, faults_) : check_and_repair(mesh_, faults_); }) &&
                phase("mass", [&] { return make_mass(); }) && phase("hull", [&] { return make_hull(); }) &&
+               phase("aerodynamics", [&] { return make_aerodynamics(); }) &&
                phase("added mass", [&] { return make_added_mass(); });
     }
 
@@ -191,6 +194,17 @@ private:
         }
         for (const Eigen::Vector3d& v : hull.vertices)
             for (const double x : v) out_.hull.vertices.push_back(static_cast<float>(x));
+        return true;
+    }
+
+    bool make_aerodynamics() {
+        const std::array<double, 9> axes = shape::principal_axes(out_.inertia);
+        const Eigen::Vector3d centre = solid_.centroid - center_;
+        shape::AerodynamicGeometry geometry =
+            is_sheet() ? sheet_geometry(mesh_, thickness_, axes, centre) : mesh_geometry(mesh_, axes, centre);
+        geometry.volume = solid_.volume;
+        out_.aerodynamics = shape::default_aerodynamics(geometry);
+        out_.has_aerodynamics = true;
         return true;
     }
 

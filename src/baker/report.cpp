@@ -30,6 +30,22 @@ std::array<double, 3> times(std::array<double, 3> v, double factor) {
     return v;
 }
 
+Json make_json(const AerodynamicData& a) {
+    return {{"axes", a.axes},
+            {"drag", a.drag},
+            {"drag_blunt", a.drag_blunt},
+            {"drag_layer", a.drag_layer},
+            {"drag_stokes", a.drag_stokes},
+            {"lift", a.lift},
+            {"spin_lift", a.spin_lift},
+            {"lift_moment", a.lift_moment},
+            {"spin_drag", a.spin_drag},
+            {"spin_drag_stream", a.spin_drag_stream},
+            {"spin_drag_stokes", a.spin_drag_stokes},
+            {"intensity", a.intensity},
+            {"length", a.length}};
+}
+
 Json make_json(const AssetData& a) {
     const auto times_fluid = [&](std::array<double, 36> m) {
         for (double& v : m) v *= a.fluid_density;
@@ -74,6 +90,7 @@ Json make_json(const AssetData& a) {
                        {"settled", a.turbulence.settled},
                        {"loop", loop},
                        {"max_divergence", a.turbulence.max_divergence}};
+    j["aerodynamics"] = a.has_aerodynamics ? make_json(a.aerodynamics) : Json();
     j["hull"] = {{"vertices", a.hull.vertices.size() / 3}, {"triangles", a.hull.triangles.size() / 3}};
     j["provenance"] = make_json(a.provenance);
     return j;
@@ -144,6 +161,10 @@ std::string summary(const AssetData& a) {
                                                                : "steady",
              a.turbulence.chi[a.turbulence.stationary] * a.u0 / a.length_l,
              a.turbulence.epsilon[a.turbulence.stationary] * a.u0 * a.u0 * a.u0 / a.length_l);
+    if (a.has_aerodynamics)
+        line(text, "  drag            C_D S %.4g %.4g %.4g m^2 along its axes, lift %.4g %.4g %.4g m^2",
+             a.aerodynamics.drag[0], a.aerodynamics.drag[1], a.aerodynamics.drag[2], a.aerodynamics.lift[0],
+             a.aerodynamics.lift[1], a.aerodynamics.lift[2]);
     line(text, "  hull            %zu vertices, %zu triangles", a.hull.vertices.size() / 3,
          a.hull.triangles.size() / 3);
     return text;

@@ -19,11 +19,11 @@ AerodynamicGeometry hull_geometry(const AssetData& asset, const std::array<doubl
     return measures.geometry();
 }
 
-// A hull that a file may hold, but that bounds nothing: all in one point, or on a line.
-bool is_usable(const AerodynamicGeometry& g) {
+// A file may hold a hull that bounds nothing: all in one point, or on a line.
+bool is_usable(const AerodynamicGeometry& g, double length_d) {
     std::array<double, 3> size = g.extent;
     std::sort(size.begin(), size.end());
-    return g.surface > 0.0 && size[1] > 1e-6 * size[2];
+    return g.surface > 0.0 && size[1] > 1e-6 * size[2] && size[2] > 1e-3 * length_d;
 }
 
 // A uniform ellipsoid has the moments m/5 (b^2 + c^2).
@@ -50,7 +50,7 @@ void complete_aerodynamics(AssetData& asset) {
     if (asset.has_aerodynamics) return;
     const std::array<double, 9> axes = principal_axes(asset.inertia);
     AerodynamicGeometry geometry = hull_geometry(asset, axes);
-    if (!is_usable(geometry)) geometry = inertia_geometry(asset, axes);
+    if (!is_usable(geometry, asset.length_d)) geometry = inertia_geometry(asset, axes);
     geometry.volume = asset.volume;
     asset.aerodynamics = default_aerodynamics(geometry);
     asset.has_aerodynamics = true;

@@ -42,6 +42,13 @@ struct Fault {
     uint32_t number;
     std::string where, what, remedy;
 };
+
+lr_aerodynamics aerodynamics_of(const Asset& asset) {
+    lr_aerodynamics a = initialised(lr_aerodynamics_init);
+    REQUIRE(lr_asset_get_aerodynamics(asset.get(), &a) == LR_OK);
+    return a;
+}
+
 std::vector<Fault> faults_of(const std::vector<unsigned char>& bytes, lr_status expected) {
     std::vector<Fault> faults;
     CHECK(lr_asset_check_memory(
@@ -232,4 +239,48 @@ TEST_CASE("what an ellipsoid asset says of itself") {
     CHECK(info.u0 == doctest::Approx(std::sqrt(0.2 * 9.80665 * 0.02)));
     CHECK(info.reynolds == doctest::Approx(info.u0 * 0.08 / 1e-6));
     CHECK((info.c0 > 0.0 && info.c0 <= 6.5 && info.turbulence_dt > 0.0 && info.turbulence_count > 1));
+}
+
+TEST_CASE("an asset has the coefficients of its loads: a sphere's by hand, a leaf's from file as without one") {
+    const double pi = 3.141592653589793, r = 0.01;
+    const lr_aerodynamics sphere = aerodynamics_of(make(ellipsoid(r, r, r, 500.0)));
+    CHECK((sphere.struct_size == sizeof sphere && sphere.reserved == 0));
+    for (size_t k = 0; k < 3; ++k) {
+        for (size_t i = 0; i < 3; ++i) CHECK(sphere.axes[k * 3 + i] == (i == k ? 1.0 : 0.0));
+        CHECK(sphere.drag_stokes[k] == doctest::Approx(6.0 * pi * r));
+        CHECK(sphere.spin_drag_stokes[k] == doctest::Approx(8.0 * pi * r * r * r));
+        CHECK(sphere.drag[k] + sphere.drag_blunt[k] == doctest::Approx(0.46 * pi * r * r).epsilon(0.05));
+        CHECK((sphere.lift[k] == 0.0 && sphere.lift_moment[k] == 0.0));
+    }
+    CHECK(sphere.length == 2.0 * r);
+
+    lr_asset* raw = nullptr;
+    REQUIRE(lr_asset_load_file(LR_FIXTURES "/leaf.lrb", &raw) == LR_OK);
+    const lr_aerodynamics from_file = aerodynamics_of(Asset(raw));
+    lr_ellipsoid_desc d = ellipsoid(0.04, 0.01, 0.0005, 800.0);
+    d.center_of_mass[0] = 0.002;
+    const lr_aerodynamics made = aerodynamics_of(make(d));
+    CHECK(std::memcmp(&from_file, &made, sizeof made) == 0);
+    // Thin along z: most drag that way, and lift away from it.
+    CHECK((made.drag[2] > 5.0 * made.drag[0] && made.lift[0] > 0.0 && made.lift[1] < 0.0));
+}
+
+TEST_CASE("a file from before coefficients were stored has them from its hull, the same in every load") {
+    lr_asset* raw = nullptr;
+    REQUIRE(lr_asset_load_file(LR_FIXTURES "/leaf.lrb", &raw) == LR_OK);
+    const Asset leaf(raw);
+    CHECK(load(fixture("older.lrb")) == LR_OK);
+    REQUIRE(lr_asset_load_file(LR_FIXTURES "/older.lrb", &raw) == LR_OK);
+    const Asset older(raw);
+    REQUIRE(lr_asset_load_file(LR_FIXTURES "/older.lrb", &raw) == LR_OK);
+    const Asset again(raw);
+    CHECK(info_of(older).content_hash == info_of(again).content_hash);
+    CHECK(info_of(older).content_hash != info_of(leaf).content_hash);
+    const lr_aerodynamics hull = aerodynamics_of(older), baked = aerodynamics_of(leaf);
+    // The hull has 42 points, all on the ellipsoid.
+    CHECK(hull.drag[2] == doctest::Approx(baked.drag[2]).epsilon(0.2));
+    CHECK(hull.lift[0] == doctest::Approx(baked.lift[0]).epsilon(0.2));
+    CHECK(hull.spin_drag[1] == doctest::Approx(baked.spin_drag[1]).epsilon(0.3));
+    CHECK(hull.drag_stokes[0] == doctest::Approx(baked.drag_stokes[0]).epsilon(0.1));
+    for (size_t i = 0; i < 9; ++i) CHECK(hull.axes[i] == baked.axes[i]);
 }

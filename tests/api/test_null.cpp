@@ -40,6 +40,9 @@ TEST_CASE("every pointer that must be given is asked for") {
     lr_asset_info info = initialised(lr_asset_info_init);
     CHECK(lr_asset_get_info(nullptr, &info) == null);
     CHECK(lr_asset_get_info(asset.get(), nullptr) == null);
+    lr_aerodynamics loads = initialised(lr_aerodynamics_init);
+    CHECK(lr_asset_get_aerodynamics(nullptr, &loads) == null);
+    CHECK(lr_asset_get_aerodynamics(asset.get(), nullptr) == null);
 
     const lr_world_desc wd = world_desc();
     lr_world* new_world = w;

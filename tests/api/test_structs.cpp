@@ -67,6 +67,7 @@ template <class T> void check_use(const T& good, const std::function<lr_status(T
 TEST_CASE("every init function takes exact and larger sizes, refuses others, and writes no further") {
     check_init<lr_ellipsoid_desc>(lr_ellipsoid_desc_init);
     check_init<lr_asset_info>(lr_asset_info_init);
+    check_init<lr_aerodynamics>(lr_aerodynamics_init);
     check_init<lr_world_desc>(lr_world_desc_init);
     check_init<lr_world_info>(lr_world_info_init);
     check_init<lr_wind_desc>(lr_wind_desc_init);
@@ -90,6 +91,9 @@ TEST_CASE("initial values are those of the header") {
     CHECK((o.orientation[0] == 0.0f && o.orientation[3] == 1.0f && o.scale == 1.0f && o.age == 0.0f && o.key == 0));
     CHECK(wind_desc().kind == LR_WIND_UNIFORM);
     CHECK(table_desc().c0 == 6.5f);
+    const lr_aerodynamics a = initialised(lr_aerodynamics_init);
+    for (size_t i = 0; i < 9; ++i) CHECK(a.axes[i] == (i % 4 == 0 ? 1.0 : 0.0));
+    CHECK((a.drag[0] == 0.0 && a.spin_drag_stokes[2] == 0.0 && a.intensity == 0.0 && a.length == 1.0));
     const lr_ellipsoid_desc e = initialised(lr_ellipsoid_desc_init);
     CHECK((e.fluid_density == 1.2 && e.fluid_viscosity == 1.5e-5 && e.intensity == 1.0));
 }
@@ -138,6 +142,8 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
     check_use<lr_body_state>(body_state(), [&](lr_body_state* s) { return lr_body_get_state(w, body, s); });
     check_use<lr_asset_info>(initialised(lr_asset_info_init),
                              [&](lr_asset_info* i) { return lr_asset_get_info(asset.get(), i); });
+    check_use<lr_aerodynamics>(initialised(lr_aerodynamics_init),
+                               [&](lr_aerodynamics* a) { return lr_asset_get_aerodynamics(asset.get(), a); });
     check_use<lr_world_info>(initialised(lr_world_info_init),
                              [&](lr_world_info* i) { return lr_world_get_info(w, i); });
     check_use<lr_batch_view>(initialised(lr_batch_view_init),

@@ -27,7 +27,10 @@ int main(int count, char** arguments) {
     invalid.mass = std::numeric_limits<double>::quiet_NaN();
     std::vector<uint8_t> newer = lr::write_asset(good);
     test::set_format_version(newer, lr::asset_format_version + 1);
+    lr::AssetData older = good;
+    older.has_aerodynamics = false;
     const bool ok = write(folder + "/leaf.lrb", lr::write_asset(good)) && write(folder + "/newer.lrb", newer) &&
-                    write(folder + "/invalid.lrb", lr::write_asset(invalid));
+                    write(folder + "/invalid.lrb", lr::write_asset(invalid)) &&
+                    write(folder + "/older.lrb", lr::write_asset(older));
     return ok ? 0 : 1;
 }

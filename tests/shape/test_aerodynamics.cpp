@@ -218,6 +218,10 @@ TEST_CASE("without a usable hull it gets those of the ellipsoid with its inertia
                            if (i % 3 != 0) d.hull.vertices[i] = 0.0f;
                    }),
                    leaf.aerodynamics) < 1e-12);
+    CHECK(distance(bare([](AssetData& d) {
+                       for (float& x : d.hull.vertices) x *= 1e-9f;
+                   }),
+                   leaf.aerodynamics) < 1e-12);
     // Moments that no solid has.
     bare([](AssetData& d) {
         d.hull = {};

@@ -8,6 +8,7 @@
 #include "baker/tool/options.h"
 #include "baker/tool/progress.h"
 #include "format/asset_file.h"
+#include "shape/aerodynamics.h"
 
 #include <signal.h>
 
@@ -129,6 +130,7 @@ int run_on_asset(const CommandLine& line) {
         std::printf("%s: good\n", printable(line.asset).c_str());
         return 0;
     }
+    shape::complete_aerodynamics(asset); // as the runtime does
     if (line.json) {
         std::fputs(report_json(asset).c_str(), stdout);
     } else {

@@ -1,0 +1,31 @@
+// Coefficients of the quasi-steady loads across the ABI.
+#pragma once
+
+#include "format/asset_data.h"
+#include "langevin_rigid.h"
+
+#include <algorithm>
+
+namespace lr::api {
+
+// All but struct_size, which is left to the caller.
+inline lr_aerodynamics to_struct(const AerodynamicData& from) {
+    lr_aerodynamics to{};
+    const auto copy = [](const auto& values, double* at) { std::copy(values.begin(), values.end(), at); };
+    copy(from.axes, to.axes);
+    copy(from.drag, to.drag);
+    copy(from.drag_blunt, to.drag_blunt);
+    copy(from.drag_layer, to.drag_layer);
+    copy(from.drag_stokes, to.drag_stokes);
+    copy(from.lift, to.lift);
+    copy(from.spin_lift, to.spin_lift);
+    copy(from.lift_moment, to.lift_moment);
+    copy(from.spin_drag, to.spin_drag);
+    copy(from.spin_drag_stream, to.spin_drag_stream);
+    copy(from.spin_drag_stokes, to.spin_drag_stokes);
+    to.intensity = from.intensity;
+    to.length = from.length;
+    return to;
+}
+
+} // namespace lr::api

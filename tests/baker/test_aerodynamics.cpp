@@ -1,0 +1,393 @@
+// From a mesh to the measures of its surface and the coefficients of its loads.
+#include "baker/aerodynamics/mesh_geometry.h"
+#include "baker/aerodynamics/silhouette.h"
+#include "baker/bake.h"
+#include "baker/mesh/mass_properties.h"
+#include "baker/report.h"
+#include "format/asset_file.h"
+#include "shape/principal_axes.h"
+#include "sheet_shapes.h"
+#include "support/random.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace lr;
+using namespace lr::baker;
+using doctest::Approx;
+using std::numbers::pi;
+using ::test::Random;
+namespace shapes = lr::test;
+
+namespace {
+
+constexpr std::array<double, 9> identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+std::array<double, 9> axes_of(const MassProperties& solid) {
+    std::array<double, 9> inertia{};
+    for (std::size_t i = 0; i < 9; ++i)
+        inertia[i] = solid.inertia(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
+    return shape::principal_axes(inertia);
+}
+
+// As a bake does it.
+shape::AerodynamicGeometry geometry_of(const Mesh& mesh) {
+    const MassProperties solid = compute_mass_properties(mesh);
+    shape::AerodynamicGeometry g = mesh_geometry(mesh, axes_of(solid), solid.centroid);
+    g.volume = solid.volume;
+    return g;
+}
+
+shape::AerodynamicGeometry geometry_of(const Mesh& mesh, double thickness) {
+    const MassProperties solid = compute_sheet_mass_properties(mesh, thickness);
+    shape::AerodynamicGeometry g = sheet_geometry(mesh, thickness, axes_of(solid), solid.centroid);
+    g.volume = solid.volume;
+    return g;
+}
+
+// `to` numbers the axes of `b` that those of `a` are; factor: of lengths.
+void check_same(const shape::AerodynamicGeometry& a, const shape::AerodynamicGeometry& b, double digits,
+                std::array<std::size_t, 3> to = {0, 1, 2}, double factor = 1.0) {
+    const double f2 = factor * factor, f4 = f2 * f2, f5 = f4 * factor;
+    CHECK(b.surface == Approx(f2 * a.surface).epsilon(digits));
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(b.extent[to[k]] == Approx(factor * a.extent[k]).epsilon(digits));
+        CHECK(b.area[to[k]] == Approx(f2 * a.area[k]).epsilon(digits));
+        CHECK(b.bluntness[to[k]] == Approx(a.bluntness[k]).epsilon(digits));
+        CHECK(b.stroke2[to[k]] == Approx(f4 * a.stroke2[k]).epsilon(digits));
+        CHECK(b.stroke3[to[k]] == Approx(f5 * a.stroke3[k]).epsilon(digits));
+        CHECK(b.rub[to[k]] == Approx(f5 * a.rub[k]).epsilon(std::max(digits, 1e-5)));
+    }
+}
+
+FlatTriangle flat(double ax, double ay, double bx, double by, double cx, double cy) {
+    return {Eigen::Vector2d(ax, ay), Eigen::Vector2d(bx, by), Eigen::Vector2d(cx, cy)};
+}
+
+void add_square(std::vector<FlatTriangle>& to, double x, double y, double width, double height) {
+    to.push_back(flat(x, y, x + width, y, x + width, y + height));
+    to.push_back(flat(x, y, x, y + height, x + width, y + height));
+}
+
+bool inside(const FlatTriangle& t, const Eigen::Vector2d& p) {
+    const auto side = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+    };
+    const double u = side(t[0], t[1]), v = side(t[1], t[2]), w = side(t[2], t[0]);
+    return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+// A rectangle a by b folded along its middle, x = 0, both halves raised by `angle` from the plane.
+Mesh folded(double a, double b, double angle) {
+    return shapes::patch(8, 4, [=](double u, double v) {
+        const double x = a * (u - 0.5);
+        return Eigen::Vector3d(x * std::cos(angle), b * (v - 0.5), std::abs(x) * std::sin(angle));
+    });
+}
+
+AssetData bake_mesh(const Mesh& mesh, BakeOptions options) {
+    std::vector<double> positions;
+    std::vector<uint32_t> indices;
+    for (const Eigen::Vector3d& v : mesh.vertices) positions.insert(positions.end(), v.begin(), v.end());
+    for (const Face& f : mesh.faces) indices.insert(indices.end(), f.begin(), f.end());
+    options.mesh_path = "body";
+    options.mesh_arrays = MeshArrays{positions, indices};
+    AssetData asset;
+    Faults faults;
+    const bool good = bake(options, asset, faults);
+    for (const Fault& f : faults) INFO(to_string(f));
+    REQUIRE(good);
+    return asset;
+}
+
+} // namespace
+
+TEST_CASE("aerodynamics: the area of a union is that of what is covered, however often") {
+    std::vector<FlatTriangle> t;
+    CHECK(union_area(t) == 0.0);
+    t.push_back(flat(1, 1, 2, 2, 3, 3));
+    CHECK(union_area(t) == 0.0);
+    t = {flat(0, 0, 4, 0, 0, 3)};
+    CHECK(union_area(t) == Approx(6.0).epsilon(1e-12));
+    t.push_back(flat(0, 0, 0, 3, 4, 0)); // the same, wound the other way
+    CHECK(union_area(t) == Approx(6.0).epsilon(1e-12));
+    t.clear();
+    add_square(t, 0, 0, 2, 1);
+    add_square(t, 0.5, -1, 0.25, 3); // a cross
+    CHECK(union_area(t) == Approx(2.0 + 0.75 - 0.25).epsilon(1e-12));
+    add_square(t, 10, 5, 1, 1); // apart
+    CHECK(union_area(t) == Approx(3.5).epsilon(1e-12));
+    t.clear(); // a frame: the hole stays one
+    add_square(t, 0, 0, 3, 1);
+    add_square(t, 0, 2, 3, 1);
+    add_square(t, 0, 1, 1, 1);
+    add_square(t, 2, 1, 1, 1);
+    CHECK(union_area(t) == Approx(8.0).epsilon(1e-12));
+    // A sliver edge on, whichever way it lies.
+    t = {flat(0, 0, 1, 0, 1, 1e-9), flat(0, 0, 1, 1e-9, 0, 1e-9)};
+    CHECK(union_area(t) == Approx(1e-9).epsilon(1e-9));
+    t = {flat(0, 0, 0, 1, 1e-9, 1), flat(0, 0, 1e-9, 1, 1e-9, 0)};
+    CHECK(union_area(t) == Approx(1e-9).epsilon(1e-9));
+    // A star of two triangles: edges cross.
+    const double h = std::sqrt(3.0);
+    t = {flat(-1, 0, 1, 0, 0, h), flat(-1, 2 * h / 3, 1, 2 * h / 3, 0, -h / 3)};
+    CHECK(union_area(t) == Approx(h * 4.0 / 3.0).epsilon(1e-6));
+}
+
+TEST_CASE("aerodynamics: unions of random triangles agree with a raster, and do not depend on the view") {
+    Random random(81);
+    for (int round = 0; round < 10; ++round) {
+        std::vector<FlatTriangle> t;
+        for (int i = 0; i < 20; ++i) {
+            FlatTriangle one;
+            const Eigen::Vector2d at(random.uniform(0, 1), random.uniform(0, 1));
+            for (Eigen::Vector2d& p : one) p = at + 0.3 * Eigen::Vector2d(random.uniform(-1, 1), random.uniform(-1, 1));
+            t.push_back(one);
+        }
+        constexpr int n = 400;
+        int hit = 0;
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                const Eigen::Vector2d p(1.6 * (i + 0.5) / n - 0.3, 1.6 * (j + 0.5) / n - 0.3);
+                hit += std::any_of(t.begin(), t.end(), [&](const FlatTriangle& one) { return inside(one, p); });
+            }
+        const double area = union_area(t);
+        CHECK(area == Approx(1.6 * 1.6 * hit / (n * n)).epsilon(5e-3));
+        const double c = std::cos(0.7), s = std::sin(0.7);
+        for (FlatTriangle& one : t)
+            for (Eigen::Vector2d& p : one) p = Eigen::Vector2d(c * p.x() - s * p.y() + 9.0, s * p.x() + c * p.y());
+        std::reverse(t.begin(), t.end());
+        CHECK(union_area(t) == Approx(area).epsilon(2e-5));
+    }
+    // So many corners that lines are spaced evenly.
+    std::vector<FlatTriangle> fan;
+    constexpr int many = 20000;
+    for (int i = 0; i < many; ++i) {
+        const double a = 2.0 * pi * i / many, b = 2.0 * pi * (i + 1) / many;
+        fan.push_back(flat(0, 0, std::cos(a), std::sin(a), std::cos(b), std::sin(b)));
+        fan.push_back(flat(0.1, 0, 0.2, 0.1, std::cos(b), std::sin(b)));
+    }
+    CHECK(union_area(fan) == Approx(pi).epsilon(3e-5));
+}
+
+TEST_CASE("aerodynamics: meshes of ellipsoids have the measures of the closed forms") {
+    for (const std::array<double, 3> a :
+         {std::array{1.0, 1.0, 1.0}, {4.0, 2.0, 1.0}, {1.0, 0.3, 1.0}, {0.2, 0.2, 1.0}}) {
+        const shape::AerodynamicGeometry exact = shape::ellipsoid_geometry(a);
+        const shape::AerodynamicGeometry g = geometry_of(shapes::ellipsoid(a[0], a[1], a[2], 5));
+        CHECK(g.axes == identity);
+        CHECK(g.surface == Approx(exact.surface).epsilon(2e-3));
+        CHECK(g.volume == Approx(exact.volume).epsilon(3e-3));
+        for (std::size_t k = 0; k < 3; ++k) {
+            CHECK(g.extent[k] == Approx(exact.extent[k]).epsilon(2e-3));
+            CHECK(g.area[k] == Approx(exact.area[k]).epsilon(2e-3));
+            CHECK(g.bluntness[k] == Approx(exact.bluntness[k]).epsilon(2e-3));
+            const double d = 2.0 * std::max({a[0], a[1], a[2]});
+            CHECK(std::abs(g.stroke2[k] - exact.stroke2[k]) < 5e-3 * exact.stroke2[k] + 3e-5 * std::pow(d, 4));
+            CHECK(std::abs(g.stroke3[k] - exact.stroke3[k]) < 8e-3 * exact.stroke3[k] + 1e-5 * std::pow(d, 5));
+            CHECK(g.rub[k] == Approx(exact.rub[k]).epsilon(8e-3));
+        }
+    }
+}
+
+TEST_CASE("aerodynamics: a card and a disc, with their rims") {
+    const double a = 0.1, b = 0.05, t = 1e-4;
+    const shape::AerodynamicGeometry card = geometry_of(shapes::rectangle(a, b, 6, 3), t);
+    CHECK(card.axes == identity);
+    CHECK(card.area[2] == Approx(a * b).epsilon(1e-12));
+    CHECK(card.area[0] == Approx(b * t).epsilon(1e-9));
+    CHECK(card.area[1] == Approx(a * t).epsilon(1e-9));
+    CHECK(card.extent[2] == Approx(t).epsilon(1e-12));
+    CHECK(card.surface == Approx(2.0 * a * b + 2.0 * (a + b) * t).epsilon(1e-12));
+    for (double beta : card.bluntness) CHECK(beta == Approx(1.0).epsilon(1e-12));
+    CHECK(card.stroke2[0] == Approx(a * b * b * b / 12.0).epsilon(1e-5));
+    CHECK(card.stroke2[1] == Approx(b * a * a * a / 12.0).epsilon(1e-5));
+    CHECK(card.stroke3[0] == Approx(a * std::pow(b, 4) / 32.0).epsilon(1e-5));
+    CHECK(card.stroke3[1] == Approx(b * std::pow(a, 4) / 32.0).epsilon(1e-5));
+    // The rim alone stands in the way of a spin in the plane.
+    CHECK(card.stroke3[2] == Approx(t * (std::pow(a, 4) + std::pow(b, 4)) / 32.0).epsilon(1e-9));
+
+    Mesh round = shapes::disc(40);
+    shapes::apply(round, 0.03 * Eigen::Matrix3d::Identity());
+    const shape::AerodynamicGeometry disc = geometry_of(round, 1e-5);
+    CHECK(disc.axes == identity);
+    for (std::size_t k = 0; k < 2; ++k) CHECK(disc.stroke3[k] == Approx(8.0 / 15.0 * std::pow(0.03, 5)).epsilon(2e-3));
+    CHECK(disc.area[2] == Approx(pi * 9e-4).epsilon(1e-3));
+    CHECK(disc.area[0] == Approx(0.06 * 1e-5).epsilon(1e-3));
+}
+
+TEST_CASE("aerodynamics: a sheet has the measures of the thin box that it stands for") {
+    const double a = 0.1, b = 0.07;
+    for (double t : {0.01, 0.001}) {
+        const shape::AerodynamicGeometry sheet = geometry_of(shapes::rectangle(a, b, 4, 3), t),
+                                         box = geometry_of(shapes::box({a, b, t}, {4, 3, 1}));
+        for (std::size_t k = 0; k < 3; ++k) {
+            CHECK(sheet.area[k] == Approx(box.area[k]).epsilon(1e-9));
+            CHECK(sheet.extent[k] == Approx(box.extent[k]).epsilon(1e-9));
+            CHECK(sheet.stroke3[k] == Approx(box.stroke3[k]).epsilon(3.0 * t / b));
+            CHECK(sheet.rub[k] == Approx(box.rub[k]).epsilon(3.0 * t / b));
+        }
+        CHECK(sheet.volume == Approx(box.volume).epsilon(1e-12));
+        CHECK(sheet.surface == Approx(box.surface).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("aerodynamics: what a body hides of itself counts once in its silhouette") {
+    const double a = 0.08, b = 0.05, t = 1e-6;
+    // Halves 60 degrees up: from the side, along x, one hides the other; their sum would be twice the silhouette.
+    const double angle = pi / 3.0;
+    const shape::AerodynamicGeometry v = geometry_of(folded(a, b, angle), t);
+    CHECK(v.axes == identity);
+    CHECK(v.area[0] == Approx(b * 0.5 * a * std::sin(angle)).epsilon(1e-4));
+    CHECK(v.area[2] == Approx(b * a * std::cos(angle)).epsilon(1e-4));
+    CHECK(v.area[1] == Approx(a * t).epsilon(0.01)); // edge on: two strokes of a pen
+    CHECK(v.surface == Approx(2.0 * a * b).epsilon(1e-3));
+    // A closed U of three walls: from the open side all is seen, across it two walls are one.
+    Mesh u = shapes::box({0.06, 0.01, 0.04}, {3, 1, 2});
+    for (double side : {-1.0, 1.0}) {
+        Mesh wall = shapes::box({0.01, 0.05, 0.04}, {1, 2, 2});
+        shapes::apply(wall, Eigen::Matrix3d::Identity(), {side * 0.025, 0.03 + 1e-5, 0.0});
+        const auto shift = static_cast<uint32_t>(u.vertices.size());
+        u.vertices.insert(u.vertices.end(), wall.vertices.begin(), wall.vertices.end());
+        for (const Face& f : wall.faces) u.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+    }
+    const shape::AerodynamicGeometry g = mesh_geometry(u, identity, Eigen::Vector3d::Zero());
+    CHECK(g.area[0] == Approx(0.06 * 0.04).epsilon(1e-3));
+    CHECK(g.area[1] == Approx(0.06 * 0.04).epsilon(1e-3));
+    CHECK(g.area[2] == Approx(0.06 * 0.01 + 2.0 * 0.05 * 0.01).epsilon(1e-3));
+}
+
+TEST_CASE("aerodynamics: turning, moving, scaling, winding and cutting a mesh change nothing that they should not") {
+    const Mesh leaf = shapes::leaf(12, 4, 0.01, 0.2);
+    const shape::AerodynamicGeometry g = geometry_of(leaf);
+    const Mesh sheet = folded(0.08, 0.05, 0.4);
+    const shape::AerodynamicGeometry s = geometry_of(sheet, 1e-4);
+
+    Mesh moved = leaf;
+    shapes::apply(moved, Eigen::Matrix3d::Identity(), {5.0, -3.0, 1.0});
+    check_same(g, geometry_of(moved), 1e-7);
+    for (double factor : {1e-3, 1e3}) {
+        Mesh scaled = leaf, scaled_sheet = sheet;
+        shapes::apply(scaled, factor * Eigen::Matrix3d::Identity());
+        shapes::apply(scaled_sheet, factor * Eigen::Matrix3d::Identity());
+        check_same(g, geometry_of(scaled), 1e-9, {0, 1, 2}, factor);
+        check_same(s, geometry_of(scaled_sheet, factor * 1e-4), 1e-9, {0, 1, 2}, factor);
+    }
+    Random random(82);
+    Mesh rewound = sheet;
+    for (Face& f : rewound.faces)
+        if (random.below(2)) std::swap(f[0], f[1]);
+    check_same(s, geometry_of(rewound, 1e-4), 1e-9);
+
+    const Mesh coarse = shapes::box({0.3, 0.2, 0.1}, {1, 1, 1}), fine = shapes::box({0.3, 0.2, 0.1}, {7, 5, 3}, 0.8);
+    check_same(geometry_of(coarse), geometry_of(fine), 1e-9);
+    const Mesh card = shapes::rectangle(0.2, 0.1, 1, 1), cut = shapes::rectangle(0.2, 0.1, 9, 7);
+    check_same(geometry_of(card, 1e-3), geometry_of(cut, 1e-3), 1e-9);
+
+    // A small turn is followed by the axes under their own numbers, a quarter turn by others.
+    for (const Mesh* mesh : {&leaf, &sheet}) {
+        const bool is_sheet = mesh == &sheet;
+        Mesh tilted = *mesh, turned = *mesh;
+        const Eigen::Matrix3d tilt =
+            Eigen::AngleAxisd(0.3, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+        Eigen::Matrix3d quarter;
+        quarter << 0, 0, 1, 1, 0, 0, 0, 1, 0; // x to y to z to x
+        shapes::apply(tilted, tilt);
+        shapes::apply(turned, quarter);
+        const shape::AerodynamicGeometry& here = is_sheet ? s : g;
+        const shape::AerodynamicGeometry there = is_sheet ? geometry_of(tilted, 1e-4) : geometry_of(tilted);
+        check_same(here, there, 2e-5);
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            const Eigen::Vector3d from(here.axes[static_cast<std::size_t>(3 * k)],
+                                       here.axes[static_cast<std::size_t>(3 * k + 1)],
+                                       here.axes[static_cast<std::size_t>(3 * k + 2)]);
+            for (Eigen::Index i = 0; i < 3; ++i)
+                CHECK(std::abs(there.axes[static_cast<std::size_t>(3 * k + i)] - (tilt * from)[i]) < 1e-9);
+        }
+        check_same(here, is_sheet ? geometry_of(turned, 1e-4) : geometry_of(turned), 1e-9, {1, 2, 0});
+        const AerodynamicData c = shape::default_aerodynamics(here), d = shape::default_aerodynamics(there);
+        for (std::size_t k = 0; k < 3; ++k) {
+            CHECK(d.drag[k] == Approx(c.drag[k]).epsilon(1e-4));
+            CHECK(d.lift[k] == Approx(c.lift[k]).epsilon(1e-4));
+            CHECK(d.spin_drag[k] == Approx(c.spin_drag[k]).epsilon(1e-4));
+        }
+    }
+}
+
+TEST_CASE("aerodynamics: noise on the vertices moves the coefficients no more than the shape") {
+    Random random(83);
+    for (const Mesh& clean : {shapes::disc(8), shapes::rectangle(1.0, 1.0, 8, 8), shapes::rectangle(1.0, 0.3, 12, 4)}) {
+        const AerodynamicData c = shape::default_aerodynamics(geometry_of(clean, 1e-3));
+        CHECK(c.axes == identity);
+        for (int round = 0; round < 5; ++round) {
+            Mesh noisy = clean;
+            for (Eigen::Vector3d& v : noisy.vertices)
+                v += 1e-4 * Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+            const AerodynamicData n = shape::default_aerodynamics(geometry_of(noisy, 1e-3));
+            for (std::size_t i = 0; i < 9; ++i) CHECK(std::abs(n.axes[i] - identity[i]) < 2e-3);
+            for (std::size_t k = 0; k < 3; ++k) {
+                CHECK(std::abs(n.drag[k] - c.drag[k]) < 5e-3 * c.drag[2]);
+                CHECK(std::abs(n.lift[k] - c.lift[k]) < 5e-3 * c.drag[2]);
+                CHECK(std::abs(n.spin_drag[k] - c.spin_drag[k]) < 5e-3 * c.spin_drag[1]);
+            }
+        }
+    }
+}
+
+TEST_CASE("aerodynamics: a bake puts them into the asset, the report and the file") {
+    Mesh card = shapes::rectangle(0.08, 0.04, 4, 2);
+    shapes::apply(card, Eigen::Matrix3d::Identity(), {0.5, 0.0, 0.2});
+    BakeOptions as_sheet;
+    as_sheet.sheet = SheetOptions{1e-4, {}};
+    const AssetData asset = bake_mesh(card, as_sheet);
+    REQUIRE(asset.has_aerodynamics);
+    const AerodynamicData& a = asset.aerodynamics;
+    const AerodynamicData expected =
+        shape::default_aerodynamics(geometry_of(shapes::rectangle(0.08, 0.04, 4, 2), 1e-4));
+    CHECK(a.axes == identity);
+    CHECK(a.length == Approx(0.08));
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(a.drag[k] == Approx(expected.drag[k]).epsilon(1e-6));
+        CHECK(a.lift[k] == Approx(expected.lift[k]).epsilon(1e-6));
+        CHECK(a.spin_drag[k] == Approx(expected.spin_drag[k]).epsilon(1e-6));
+    }
+    const nlohmann::json j = nlohmann::json::parse(report_json(asset))["aerodynamics"];
+    CHECK(j["axes"] == a.axes);
+    CHECK(j["drag"] == a.drag);
+    CHECK(j["drag_blunt"] == a.drag_blunt);
+    CHECK(j["drag_layer"] == a.drag_layer);
+    CHECK(j["drag_stokes"] == a.drag_stokes);
+    CHECK(j["lift"] == a.lift);
+    CHECK(j["spin_lift"] == a.spin_lift);
+    CHECK(j["lift_moment"] == a.lift_moment);
+    CHECK(j["spin_drag"] == a.spin_drag);
+    CHECK(j["spin_drag_stream"] == a.spin_drag_stream);
+    CHECK(j["spin_drag_stokes"] == a.spin_drag_stokes);
+    CHECK(j["intensity"] == a.intensity);
+    CHECK(j["length"] == a.length);
+
+    AssetData older = asset;
+    older.has_aerodynamics = false;
+    CHECK(nlohmann::json::parse(report_json(older))["aerodynamics"].is_null());
+    // From the hull: a flat card is convex, and its hull has its thickness.
+    shape::complete_aerodynamics(older);
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(older.aerodynamics.drag[k] == Approx(a.drag[k]).epsilon(0.01));
+        CHECK(older.aerodynamics.spin_drag[k] == Approx(a.spin_drag[k]).epsilon(0.01));
+    }
+}
+
+TEST_CASE("aerodynamics: a ballasted body keeps its own, for they are about its centre of buoyancy") {
+    const Mesh body = shapes::ellipsoid(0.03, 0.02, 0.01, 3);
+    BakeOptions offset;
+    offset.center_of_mass = {0.01, 0.005, 0.0};
+    const AssetData plain = bake_mesh(body, {}), ballasted = bake_mesh(body, offset);
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(ballasted.aerodynamics.drag[k] == Approx(plain.aerodynamics.drag[k]).epsilon(1e-9));
+        CHECK(ballasted.aerodynamics.spin_drag[k] == Approx(plain.aerodynamics.spin_drag[k]).epsilon(1e-6));
+    }
+}
