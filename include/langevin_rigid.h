@@ -235,8 +235,8 @@ typedef struct lr_aerodynamics {
     uint32_t struct_size;
     uint32_t reserved; /* 0 */
     double axes[9];    /* rows: unit vectors in the body frame, right-handed */
-    /* Drag -rho sum_i (v_i/s)^2 [1/2 (drag_i + drag_blunt_i Re/(Re + 8710)) s + drag_layer_i sqrt(nu s) +
-     * drag_stokes_i nu] v, Re = s d/nu. All >= 0. */
+    /* Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v, Re = s d/nu, and along each axis
+     * -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. */
     double drag[3];        /* m^2, drag coefficient times area */
     double drag_blunt[3];  /* m^2, the part that grows with the Reynolds number: of rounded bodies */
     double drag_layer[3];  /* m^(3/2), of the boundary layer */
@@ -245,12 +245,18 @@ typedef struct lr_aerodynamics {
     double lift[3];        /* m^2, positive where the body is thinner along j than along i */
     double spin_lift[3];   /* m^3 */
     double lift_moment[3]; /* m^3, moment rho lift_moment_k v_i v_j of that lift about k */
-    /* Moment -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. */
+    /* Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. */
     double spin_drag[3];        /* m^5 */
     double spin_drag_stream[3]; /* m^4 */
     double spin_drag_stokes[3]; /* m^3 */
     double intensity;           /* of the velocity of the fluid in the body's own wake: per axis `intensity` times s */
     double length;              /* m, correlated over length/s */
+    double wake_reynolds;       /* that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar */
+    /* Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k
+     * sigma to lift_moment_k. */
+    double broadside[3]; /* 0 to 1 */
+    double lift_stall;
+    double lift_moment_stalled[3]; /* m^3 */
 } lr_aerodynamics;
 
 /* Initially the axes are those of the body, `length` is 1 and all else 0: no loads. */
@@ -413,10 +419,38 @@ typedef struct lr_turbulence_table {
 
 LR_API lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t struct_size);
 
-/* Replaces a batch's table; null puts the asset's own back.
+/* Replaces a batch's table; null puts the asset's own back. With AERODYNAMIC loads the table sets the velocity of the fluid
+ * around the body, instead of the intensity in lr_aerodynamics.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table);
+
+/* Coefficients of the AERODYNAMIC loads for a batch, in place of its asset's, from the next step on; copied. Null puts the
+ * asset's own back. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics);
+
+/* What the batch's coefficients are at present. aerodynamics: initialised, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics);
+
+/* Art control of the AERODYNAMIC loads: factors on top of the coefficients, so that motion stays that of some body. */
+typedef struct lr_load_gains {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    float drag;        /* of translation, 0 to 100; initially 1 */
+    float lift;        /* and its moment, 0 to 100; initially 1 */
+    float spin_drag;   /* 0 to 100; initially 1 */
+    float turbulence;  /* intensity of the body's own wake, 0 to 100; initially 1 */
+} lr_load_gains;
+
+LR_API lr_status lr_load_gains_init(lr_load_gains* gains, uint32_t struct_size);
+
+/* From the next step on; null puts all at 1. LANGEVIN loads have their gains in lr_batch_desc.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains);
 
 /* The state of a batch where it lies: arrays with one value a body, `count` of them, 64-byte aligned. Bodies are dense:
  * when one is destroyed, the last takes its place. Pointers are valid until the next call that is not a query. */

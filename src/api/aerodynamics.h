@@ -5,6 +5,7 @@
 #include "langevin_rigid.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace lr::api {
 
@@ -25,6 +26,35 @@ inline lr_aerodynamics to_struct(const AerodynamicData& from) {
     copy(from.spin_drag_stokes, to.spin_drag_stokes);
     to.intensity = from.intensity;
     to.length = from.length;
+    to.wake_reynolds = from.wake_reynolds;
+    copy(from.broadside, to.broadside);
+    to.lift_stall = from.lift_stall;
+    copy(from.lift_moment_stalled, to.lift_moment_stalled);
+    return to;
+}
+
+inline AerodynamicData from_struct(const lr_aerodynamics& from) {
+    AerodynamicData to;
+    const auto copy = [](const auto& values, auto& array) {
+        std::copy(std::begin(values), std::end(values), array.begin());
+    };
+    copy(from.axes, to.axes);
+    copy(from.drag, to.drag);
+    copy(from.drag_blunt, to.drag_blunt);
+    copy(from.drag_layer, to.drag_layer);
+    copy(from.drag_stokes, to.drag_stokes);
+    copy(from.lift, to.lift);
+    copy(from.spin_lift, to.spin_lift);
+    copy(from.lift_moment, to.lift_moment);
+    copy(from.spin_drag, to.spin_drag);
+    copy(from.spin_drag_stream, to.spin_drag_stream);
+    copy(from.spin_drag_stokes, to.spin_drag_stokes);
+    to.intensity = from.intensity;
+    to.length = from.length;
+    to.wake_reynolds = from.wake_reynolds;
+    copy(from.broadside, to.broadside);
+    to.lift_stall = from.lift_stall;
+    copy(from.lift_moment_stalled, to.lift_moment_stalled);
     return to;
 }
 

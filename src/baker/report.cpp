@@ -43,7 +43,11 @@ Json make_json(const AerodynamicData& a) {
             {"spin_drag_stream", a.spin_drag_stream},
             {"spin_drag_stokes", a.spin_drag_stokes},
             {"intensity", a.intensity},
-            {"length", a.length}};
+            {"length", a.length},
+            {"wake_reynolds", a.wake_reynolds},
+            {"broadside", a.broadside},
+            {"lift_stall", a.lift_stall},
+            {"lift_moment_stalled", a.lift_moment_stalled}};
 }
 
 Json make_json(const AssetData& a) {

@@ -180,6 +180,11 @@ void check_aerodynamics(const AssetData& d, Checker& check) {
     range(a.spin_drag_stokes, "aerodynamics.spin_drag_stokes", 0.0, d3);
     check.range(a.intensity, "aerodynamics.intensity", 0.0, 10.0);
     check.range(a.length, "aerodynamics.length", 1e-9, 1e5);
+    check.range(a.wake_reynolds, "aerodynamics.wake_reynolds", 0.0, 1e9);
+    check.range(a.lift_stall, "aerodynamics.lift_stall", -10.0, 10.0);
+    range(a.lift_moment_stalled, "aerodynamics.lift_moment_stalled", -most, d3);
+    for (size_t k = 0; k < 3; ++k)
+        check.range(a.broadside[k], "aerodynamics.broadside[" + std::to_string(k) + "]", 0.0, 1.0);
 }
 
 } // namespace
@@ -236,11 +241,14 @@ uint64_t content_hash(const AssetData& d) {
     if (d.has_aerodynamics) {
         const AerodynamicData& a = d.aerodynamics;
         numbers(a.axes);
-        for (const auto* values : {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.lift, &a.spin_lift,
-                                   &a.lift_moment, &a.spin_drag, &a.spin_drag_stream, &a.spin_drag_stokes})
+        for (const auto* values :
+             {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.lift, &a.spin_lift, &a.lift_moment,
+              &a.spin_drag, &a.spin_drag_stream, &a.spin_drag_stokes, &a.broadside, &a.lift_moment_stalled})
             numbers(*values);
         number(a.intensity);
         number(a.length);
+        number(a.wake_reynolds);
+        number(a.lift_stall);
     }
     return hash.value();
 }

@@ -88,11 +88,14 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, cons
             const VF most = constant(1e4f);
             return Vec3{hn::Min(x.x, most), hn::Min(x.y, most), hn::Min(x.z, most)};
         };
-        const Vec3 push = symmetric3(a.spin_mobility, couple);
         const VF half = constant(0.5f);
         const Vec3 middle =
-            solve_damped(a.spin_mobility, scale(half, bounded(first)), hn::Zero(DF()), add_scaled(u, half, push));
-        const Vec3 x = bounded(scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, middle)));
+            solve_damped(a.spin_mobility, scale(half, bounded(first)), hn::Zero(DF()), add_scaled(u, half, symmetric3(a.spin_mobility, couple)));
+        // A couple moves a centre that lies off the centre of mass.
+        const Vec3 v_middle = centre_velocity<true>(a, add(b.t, rows6(a.spin_response, sub(middle, u))));
+        const Vec3 push = symmetric3(a.spin_mobility, scale(tau, lift_moment(a, held.inverse_length, v_middle)));
+        const Vec3 x =
+            bounded(scale(tau, spin_drag_rate(a, held.inverse_length, nu, hn::Sqrt(speed_squared(v_middle)), middle)));
         // u1 = (1 + X + X^2/2)^-1 (u0 + (1 + X/2) push)
         const Vec3 more = symmetric3(a.spin_mobility, times(x, push));
         const Vec3 after = solve_damped(a.spin_mobility, x, half, add(u, add_scaled(push, half, more)));
@@ -112,8 +115,15 @@ HWY_INLINE void lift_half(const StepInput& in, const BodyConstants& c, const Hel
     };
     const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
     const Vec3 start = scale(tau, circulation(a, held.inverse_length, nu, v, u));
-    const Vec3 middle = add_scaled(v, half, moved(cross(start, v)));
-    const Vec3 g = scale(tau, circulation(a, held.inverse_length, nu, middle, u));
+    Vec3 v_middle, u_middle = u;
+    if constexpr (kFull) {
+        const Twist middle = add(b.t, rows6(a.response, scale(half, cross(start, v))));
+        v_middle = centre_velocity<true>(a, middle);
+        u_middle = load_spin<true>(a, middle);
+    } else {
+        v_middle = add_scaled(v, half, moved(cross(start, v)));
+    }
+    const Vec3 g = scale(tau, circulation(a, held.inverse_length, nu, v_middle, u_middle));
     const Vec3 k = scale(half, g);
     const Vec3 r = cross(g, v);
     const VF one = constant(1.0f), zero = hn::Zero(DF());

@@ -92,6 +92,12 @@ TEST_CASE("every pointer that must be given is asked for") {
     t.chi = gravity;
     CHECK(lr_batch_set_turbulence_table(w, batch, &t) == null);
     CHECK(lr_batch_set_turbulence_table(w, batch, nullptr) == LR_OK);
+    CHECK(lr_batch_set_aerodynamics(nullptr, batch, &loads) == null);
+    CHECK(lr_batch_set_aerodynamics(w, batch, nullptr) == LR_OK);
+    CHECK(lr_batch_get_aerodynamics(nullptr, batch, &loads) == null);
+    CHECK(lr_batch_get_aerodynamics(w, batch, nullptr) == null);
+    CHECK(lr_batch_set_load_gains(nullptr, batch, nullptr) == null);
+    CHECK(lr_batch_set_load_gains(w, batch, nullptr) == LR_OK);
     lr_batch_view view = initialised(lr_batch_view_init);
     CHECK(lr_batch_get_view(nullptr, batch, &view) == null);
     CHECK(lr_batch_get_view(w, batch, nullptr) == null);

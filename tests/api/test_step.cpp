@@ -117,6 +117,7 @@ TEST_CASE("the log says which function refused and why") {
     lr_batch out = 0;
     unsigned char bytes[8] = {};
     const lr_body stale = body + 1;
+    lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     const struct {
         const char* function;
         lr_status status;
@@ -129,6 +130,9 @@ TEST_CASE("the log says which function refused and why") {
                    {"lr_batch_create", lr_batch_create(w, &bd, &out)},
                    {"lr_batch_destroy", lr_batch_destroy(w, 0)},
                    {"lr_batch_set_turbulence_table", lr_batch_set_turbulence_table(w, 0, nullptr)},
+                   {"lr_batch_set_aerodynamics", lr_batch_set_aerodynamics(w, 0, nullptr)},
+                   {"lr_batch_get_aerodynamics", lr_batch_get_aerodynamics(w, 0, &loads)},
+                   {"lr_batch_set_load_gains", lr_batch_set_load_gains(w, 0, nullptr)},
                    {"lr_batch_get_view", lr_batch_get_view(w, 0, &view)},
                    {"lr_batch_write_transforms", lr_batch_write_transforms(w, batch, 99, bytes, 0, 1, nullptr)},
                    {"lr_body_create", lr_body_create(w, batch, &desc, 1, nullptr)},

@@ -73,6 +73,7 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_wind_desc>(lr_wind_desc_init);
     check_init<lr_batch_desc>(lr_batch_desc_init);
     check_init<lr_turbulence_table>(lr_turbulence_table_init);
+    check_init<lr_load_gains>(lr_load_gains_init);
     check_init<lr_batch_view>(lr_batch_view_init);
     check_init<lr_body_desc>(lr_body_desc_init);
     check_init<lr_body_state>(lr_body_state_init);
@@ -94,6 +95,8 @@ TEST_CASE("initial values are those of the header") {
     const lr_aerodynamics a = initialised(lr_aerodynamics_init);
     for (size_t i = 0; i < 9; ++i) CHECK(a.axes[i] == (i % 4 == 0 ? 1.0 : 0.0));
     CHECK((a.drag[0] == 0.0 && a.spin_drag_stokes[2] == 0.0 && a.intensity == 0.0 && a.length == 1.0));
+    const lr_load_gains g = initialised(lr_load_gains_init);
+    CHECK((g.drag == 1.0f && g.lift == 1.0f && g.spin_drag == 1.0f && g.turbulence == 1.0f));
     const lr_ellipsoid_desc e = initialised(lr_ellipsoid_desc_init);
     CHECK((e.fluid_density == 1.2 && e.fluid_viscosity == 1.5e-5 && e.intensity == 1.0));
 }
@@ -144,6 +147,12 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
                              [&](lr_asset_info* i) { return lr_asset_get_info(asset.get(), i); });
     check_use<lr_aerodynamics>(initialised(lr_aerodynamics_init),
                                [&](lr_aerodynamics* a) { return lr_asset_get_aerodynamics(asset.get(), a); });
+    check_use<lr_aerodynamics>(initialised(lr_aerodynamics_init),
+                               [&](lr_aerodynamics* a) { return lr_batch_get_aerodynamics(w, batch, a); });
+    check_use<lr_aerodynamics>(initialised(lr_aerodynamics_init),
+                               [&](lr_aerodynamics* a) { return lr_batch_set_aerodynamics(w, batch, a); });
+    check_use<lr_load_gains>(initialised(lr_load_gains_init),
+                             [&](lr_load_gains* g) { return lr_batch_set_load_gains(w, batch, g); });
     check_use<lr_world_info>(initialised(lr_world_info_init),
                              [&](lr_world_info* i) { return lr_world_get_info(w, i); });
     check_use<lr_batch_view>(initialised(lr_batch_view_init),

@@ -173,7 +173,8 @@ TEST_CASE("a world is not created from impossible values") {
     fields.push_back(
         {"worker_count", offsetof(lr_world_desc, worker_count), Field::u32, {65.0, 4294967295.0}, {0.0, 1.0}});
     fields.push_back({"simd_target", offsetof(lr_world_desc, simd_target), Field::i32, {-1.0, 8.0, 1e9}, {0.0, 1.0}});
-    fields.push_back({"reserved", offsetof(lr_world_desc, reserved), Field::u32, {1.0}, {0.0}});
+    fields.push_back(
+        {"fluid_viscosity", offsetof(lr_world_desc, fluid_viscosity), Field::f32, {-1.0, 1e30}, {0.0, 1e-6}});
     check_fields<lr_world_desc>(
         world_desc(), fields,
         [](const lr_world_desc* d) {
@@ -223,7 +224,7 @@ TEST_CASE("gravity, wind, batches and tables refuse impossible values and leave 
         wind_desc(), fields, [&](const lr_wind_desc* d) { return lr_world_set_wind(w, d); }, unchanged);
 
     fields = {{"capacity", offsetof(lr_batch_desc, capacity), Field::u32, {0.0, 67108865.0, 4294967295.0}, {1.0, 17.0}},
-              {"load_model", offsetof(lr_batch_desc, load_model), Field::i32, {-1.0, 99.0}, {1.0, 2.0}},
+              {"load_model", offsetof(lr_batch_desc, load_model), Field::i32, {-1.0, 4.0, 99.0}, {0.0, 1.0, 2.0, 3.0}},
               {"clock", offsetof(lr_batch_desc, clock), Field::i32, {-1.0, 99.0}, {0.0, 1.0}},
               {"table_end", offsetof(lr_batch_desc, table_end), Field::i32, {-1.0, 99.0}, {0.0, 1.0}},
               {"integrator", offsetof(lr_batch_desc, integrator), Field::i32, {-1.0, 99.0}, {0.0, 1.0}},
@@ -279,5 +280,60 @@ TEST_CASE("gravity, wind, batches and tables refuse impossible values and leave 
     CHECK(snapshot_of(world) == with_table);
     REQUIRE(lr_batch_set_turbulence_table(w, batch, nullptr) == LR_OK);
     CHECK(snapshot_of(world) == before); // the asset's own table is back, bit for bit
+
+    lr_load_gains g = initialised(lr_load_gains_init);
+    fields.clear();
+    for (size_t i = 0; i < 4; ++i)
+        fields.push_back({"gain", offsetof(lr_load_gains, drag) + 4 * i, Field::f32, {-0.1, 100.1}, {0.0, 100.0}});
+    fields.push_back({"reserved", offsetof(lr_load_gains, reserved), Field::u32, {1.0}, {0.0}});
+    check_fields<lr_load_gains>(
+        g, fields, [&](const lr_load_gains* d) { return lr_batch_set_load_gains(w, batch, d); },
+        [] { return uint64_t{0}; });
+    g.lift = 2.0f;
+    REQUIRE(lr_batch_set_load_gains(w, batch, &g) == LR_OK);
+    CHECK(snapshot_of(world) != before);
+    REQUIRE(lr_batch_set_load_gains(w, batch, nullptr) == LR_OK);
+    CHECK(snapshot_of(world) == before);
+
+    lr_aerodynamics a = initialised(lr_aerodynamics_init);
+    REQUIRE(lr_batch_get_aerodynamics(w, batch, &a) == LR_OK);
+    const double huge = 1e30;
+    fields.clear();
+    for (size_t i = 0; i < 12; ++i) // the four drags
+        fields.push_back({"drag", offsetof(lr_aerodynamics, drag) + 8 * i, Field::f64, {-1e-9, huge}, {0.0, 1.0}});
+    for (size_t i = 0; i < 9; ++i) // lift, spin lift and moment
+        fields.push_back(
+            {"lift", offsetof(lr_aerodynamics, lift) + 8 * i, Field::f64, {-huge, huge}, {-1.0, 0.0, 1.0}});
+    for (size_t i = 0; i < 9; ++i)
+        fields.push_back(
+            {"spin drag", offsetof(lr_aerodynamics, spin_drag) + 8 * i, Field::f64, {-1e-9, huge}, {0.0, 1.0}});
+    for (size_t i = 0; i < 3; ++i) {
+        fields.push_back(
+            {"broadside", offsetof(lr_aerodynamics, broadside) + 8 * i, Field::f64, {-0.1, 1.1}, {0.0, 1.0}});
+        fields.push_back({"lift moment, stalled",
+                          offsetof(lr_aerodynamics, lift_moment_stalled) + 8 * i,
+                          Field::f64,
+                          {-huge, huge},
+                          {-1.0, 1.0}});
+    }
+    for (size_t i = 0; i < 9;
+         ++i) // still unit vectors, but not orthogonal ones; or the body's, turned on a diagonal body
+        fields.push_back({"axes", offsetof(lr_aerodynamics, axes) + 8 * i, Field::f64, {0.5, -1.0}, {}});
+    fields.push_back({"intensity", offsetof(lr_aerodynamics, intensity), Field::f64, {-0.1, 10.1}, {0.0, 10.0}});
+    fields.push_back({"length", offsetof(lr_aerodynamics, length), Field::f64, {0.0, -1.0, huge}, {1e-3, 1.0}});
+    fields.push_back({"wake_reynolds", offsetof(lr_aerodynamics, wake_reynolds), Field::f64, {-1.0, huge}, {0.0, 1e3}});
+    fields.push_back({"lift_stall", offsetof(lr_aerodynamics, lift_stall), Field::f64, {-10.1, 10.1}, {-1.0, 1.0}});
+    fields.push_back({"reserved", offsetof(lr_aerodynamics, reserved), Field::u32, {1.0}, {0.0}});
+    check_fields<lr_aerodynamics>(
+        a, fields, [&](const lr_aerodynamics* d) { return lr_batch_set_aerodynamics(w, batch, d); },
+        [] { return uint64_t{0}; });
+    a.drag[1] *= 2.0;
+    REQUIRE(lr_batch_set_aerodynamics(w, batch, &a) == LR_OK);
+    lr_aerodynamics now = initialised(lr_aerodynamics_init);
+    REQUIRE(lr_batch_get_aerodynamics(w, batch, &now) == LR_OK);
+    CHECK(std::memcmp(&now, &a, sizeof now) == 0);
+    CHECK(snapshot_of(world) != before);
+    REQUIRE(lr_batch_set_aerodynamics(w, batch, nullptr) == LR_OK);
+    CHECK(snapshot_of(world) == before);
     steps(world, 3, 0.01f, 4);
 }

@@ -28,25 +28,25 @@ std::vector<Case> cases() {
     const lr_ellipsoid_desc solid = in_water(ellipsoid(0.04, 0.02, 0.01, 1200.0));
     const lr_ellipsoid_desc paper = ellipsoid(0.04, 0.02, 0.001, 200.0);
     const Vec still{}, breeze{0.3, -0.1, 0.2};
-    return {{"none, diagonal", solid, 1.0, still, LR_LOADS_NONE, 0, LR_TENSOR_AUTO, 0.3, 4.0},
-            {"none, full", ballasted(), 1.0, still, LR_LOADS_NONE, 0, LR_TENSOR_AUTO, 0.3, 4.0},
-            {"speed, diagonal", solid, 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_AUTO, 0.3, 4.0},
-            {"speed, full path of a diagonal body", solid, 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED,
-             LR_TENSOR_FULL, 0.3, 4.0},
-            {"speed, full", ballasted(), 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_AUTO, 0.3, 4.0},
-            {"speed, full, large, in wind", ballasted(), 2.5, breeze, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_AUTO,
-             0.5, 3.0},
-            {"age, full, small, in wind", ballasted(), 0.4, breeze, LR_LOADS_LANGEVIN, LR_CLOCK_AGE, LR_TENSOR_AUTO,
-             0.2, 6.0},
-            {"aerodynamic, diagonal", solid, 1.0, still, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_AUTO, 0.3, 4.0},
-            {"aerodynamic, full path of a diagonal body", solid, 1.0, still, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_FULL,
-             0.3, 4.0},
-            {"aerodynamic, full, turned axes", ballasted(), 1.0, still, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_AUTO, 0.3,
-             4.0},
-            {"aerodynamic, full, small, in wind", ballasted(), 0.4, breeze, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_AUTO,
-             0.2, 6.0},
-            {"aerodynamic, sheet in air", paper, 1.0, still, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_AUTO, 0.5, 5.0},
-            {"speed, sheet in air", paper, 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_AUTO, 0.5, 5.0}};
+    return {
+        {"none, diagonal", solid, 1.0, still, LR_LOADS_NONE, 0, LR_TENSOR_AUTO, 0.3, 4.0},
+        {"none, full", ballasted(), 1.0, still, LR_LOADS_NONE, 0, LR_TENSOR_AUTO, 0.3, 4.0},
+        {"speed, diagonal", solid, 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_AUTO, 0.3, 4.0},
+        {"speed, full path of a diagonal body", solid, 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_FULL,
+         0.3, 4.0},
+        {"speed, full", ballasted(), 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_AUTO, 0.3, 4.0},
+        {"speed, full, large, in wind", ballasted(), 2.5, breeze, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_AUTO,
+         0.5, 3.0},
+        {"age, full, small, in wind", ballasted(), 0.4, breeze, LR_LOADS_LANGEVIN, LR_CLOCK_AGE, LR_TENSOR_AUTO, 0.2,
+         6.0},
+        {"aerodynamic, diagonal", solid, 1.0, still, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_AUTO, 0.3, 4.0},
+        {"aerodynamic, full path of a diagonal body", solid, 1.0, still, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_FULL, 0.3,
+         4.0},
+        {"aerodynamic, full, turned axes", ballasted(), 1.0, still, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_AUTO, 0.3, 4.0},
+        {"aerodynamic, full, small, in wind", ballasted(), 0.4, breeze, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_AUTO, 0.2,
+         6.0},
+        {"aerodynamic, sheet in air", paper, 1.0, still, LR_LOADS_AERODYNAMIC, 0, LR_TENSOR_AUTO, 0.5, 5.0},
+        {"speed, sheet in air", paper, 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_AUTO, 0.5, 5.0}};
 }
 
 // Every coefficient of the loads at work, sized by the body's own; without its wake. A ballasted body gets axes of its own.
@@ -110,8 +110,8 @@ Error compare(const Case& c, int32_t integrator, double time, int count, uint32_
     if (c.loads == LR_LOADS_AERODYNAMIC) {
         const lr_asset_info info = info_of(asset);
         reference.aerodynamic = true;
-        reference.loads = {lively(c, asset), c.scale, info.fluid_density, info.fluid_viscosity, info.length_d,
-                           reference.buoyancy_arm};
+        reference.loads = {lively(c, asset),     c.scale,       info.fluid_density,
+                           info.fluid_viscosity, info.length_d, reference.buoyancy_arm};
         REQUIRE(lr_batch_set_aerodynamics(world.get(), batch, &reference.loads.at) == LR_OK);
     }
 

@@ -42,8 +42,8 @@ struct ReferenceLoads {
         Vec force{}, torque{}, circulation{};
         for (size_t k = 0; k < 3; ++k) {
             const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-            circulation[k] = at.spin_lift[k] * s3 * w[k] -
-                             at.lift[k] * s2 * (1.0 - at.lift_stall * sigma) * v[i] * v[j] / s;
+            circulation[k] =
+                at.spin_lift[k] * s3 * w[k] - at.lift[k] * s2 * (1.0 - at.lift_stall * sigma) * v[i] * v[j] / s;
             torque[k] = density * s3 * (at.lift_moment[k] + at.lift_moment_stalled[k] * sigma) * v[i] * v[j] -
                         density *
                             (at.spin_drag[k] * s5 * whirl + at.spin_drag_stream[k] * s4 * s +

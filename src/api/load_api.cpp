@@ -1,0 +1,100 @@
+// Loads of a batch other than its asset's.
+#include "api/aerodynamics.h"
+#include "api/arguments.h"
+#include "api/refuse.h"
+#include "kernel/aerodynamics.h"
+#include "world/world.h"
+
+using lr::api::in_range;
+using lr::api::read_struct;
+using lr::api::refuse;
+
+namespace {
+
+bool finite(const lr_aerodynamics& a) {
+    const double scalars[] = {a.intensity, a.length, a.wake_reynolds, a.lift_stall};
+    return lr::api::finite(a.axes) && lr::api::finite(a.drag) && lr::api::finite(a.drag_blunt) &&
+           lr::api::finite(a.drag_layer) && lr::api::finite(a.drag_stokes) && lr::api::finite(a.lift) &&
+           lr::api::finite(a.spin_lift) && lr::api::finite(a.lift_moment) && lr::api::finite(a.spin_drag) &&
+           lr::api::finite(a.spin_drag_stream) && lr::api::finite(a.spin_drag_stokes) && lr::api::finite(a.broadside) &&
+           lr::api::finite(a.lift_moment_stalled) && lr::api::finite(scalars);
+}
+
+bool is_identity(const double axes[9]) {
+    for (size_t i = 0; i < 9; ++i)
+        if (axes[i] != (i % 4 == 0 ? 1.0 : 0.0)) return false;
+    return true;
+}
+
+} // namespace
+
+extern "C" {
+
+lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
+    const lr::FloatMode mode;
+    constexpr const char* name = "lr_batch_set_aerodynamics";
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    lr::Batch* const b = world->find(batch);
+    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
+    if (!aerodynamics) {
+        b->set_aerodynamics(b->asset().data.aerodynamics, b->gains());
+        return LR_OK;
+    }
+    lr_aerodynamics a;
+    const lr_status status = read_struct(aerodynamics, a);
+    if (status != LR_OK) return refuse(world, name, status);
+    if (!finite(a)) return refuse(world, name, LR_ERROR_NOT_FINITE);
+    if (a.reserved != 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "reserved is not 0");
+    if (b->step.body.diagonal && !is_identity(a.axes))
+        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
+                      "axes other than the body's need a batch made with LR_TENSOR_FULL");
+    const lr::AerodynamicData loads = lr::api::from_struct(a);
+    if (!lr::is_usable(loads) || !b->set_aerodynamics(loads, b->gains()))
+        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
+                      "a value is out of its range, or the axes are no rotation");
+    return LR_OK;
+}
+
+lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics) {
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    const lr::Batch* const b = world->find(batch);
+    constexpr const char* name = "lr_batch_get_aerodynamics";
+    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
+    const lr_status status = lr::api::check_size(aerodynamics);
+    if (status != LR_OK) return refuse(world, name, status);
+    lr::api::write_struct(lr::api::to_struct(b->aerodynamics()), aerodynamics);
+    return LR_OK;
+}
+
+lr_status lr_load_gains_init(lr_load_gains* gains, uint32_t struct_size) {
+    const lr_status status = lr::api::begin_init(gains, struct_size);
+    if (status == LR_OK) gains->drag = gains->lift = gains->spin_drag = gains->turbulence = 1.0f;
+    return status;
+}
+
+lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains) {
+    const lr::FloatMode mode;
+    constexpr const char* name = "lr_batch_set_load_gains";
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    lr::Batch* const b = world->find(batch);
+    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
+    lr_load_gains g;
+    lr_load_gains_init(&g, sizeof g);
+    if (gains) {
+        const lr_status status = read_struct(gains, g);
+        if (status != LR_OK) return refuse(world, name, status);
+    }
+    const float factors[] = {g.drag, g.lift, g.spin_drag, g.turbulence};
+    if (!lr::api::finite(factors)) return refuse(world, name, LR_ERROR_NOT_FINITE);
+    for (float f : factors)
+        if (!in_range(f, 0.0, 100.0)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "a gain is not 0 to 100");
+    if (g.reserved != 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "reserved is not 0");
+    lr::Gains all = b->gains();
+    all.drag = static_cast<double>(g.drag);
+    all.lift = static_cast<double>(g.lift);
+    all.spin_drag = static_cast<double>(g.spin_drag);
+    all.turbulence = static_cast<double>(g.turbulence);
+    return b->set_aerodynamics(b->aerodynamics(), all) ? LR_OK : refuse(world, name, LR_ERROR_INTERNAL);
+}
+
+} // extern "C"
