@@ -9,8 +9,8 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// Of the largest moment. Below, off-diagonal entries are rounding of a mesh in single precision, and turn the axes by
-// no more than they are wrong by.
+// Of the largest moment. Off-diagonal entries below it are rounding of a mesh in single precision: a body with a mirror
+// plane shall have an axis that is exactly square to it.
 constexpr double rounding = 1e-6;
 // Moments closer than this part of the largest count as equal.
 constexpr double equal = 1e-2;
@@ -102,7 +102,9 @@ std::array<double, 9> principal_axes(const std::array<double, 9>& inertia) {
     const double largest = std::max({inertia[0], inertia[4], inertia[8]});
     std::array<double, 9> m;
     for (size_t i = 0; i < 9; ++i) m[i] = 0.5 * (inertia[i] + inertia[i % 3 * 3 + i / 3]) / largest;
-    if (std::max({std::abs(m[1]), std::abs(m[2]), std::abs(m[5])}) <= rounding) return identity;
+    for (size_t i = 0; i < 9; ++i)
+        if (i % 4 != 0 && std::abs(m[i]) <= rounding) m[i] = 0.0;
+    if (m[1] == 0.0 && m[2] == 0.0 && m[5] == 0.0) return identity;
 
     std::array<Vector, 3> v{Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}};
     diagonalise(m, v);

@@ -52,19 +52,21 @@ double mean_cube(Point c) {
     return std::abs(h3()) / 10.0;
 }
 
-// Mean over a triangle of the cube of the distance to each axis, by a seven-point rule of degree five (Radon 1948) on
-// triangles no longer than half their distance from the axis. The integrand is smooth but on the axis itself, where it
-// is so small that six halvings leave 1e-6 of the whole.
+// Mean over a triangle of the cube of the distance to axis k, by a seven-point rule of degree five (Radon 1948) on parts
+// no longer than half their distance from the axis. The integrand is smooth but on the axis itself, where it is so small
+// that ten halvings leave 1e-6 of the whole.
 double mean_reach_cubed(const Point& a, const Point& b, const Point& c, size_t k, int halvings) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
     const auto square = [&](double x, double y) { return x * x + y * y; };
     const Point centre{(a[0] + b[0] + c[0]) / 3.0, (a[1] + b[1] + c[1]) / 3.0, (a[2] + b[2] + c[2]) / 3.0};
-    double longest = 0.0;
-    for (const Point& e : {minus(a, b), minus(b, c), minus(c, a)}) longest = std::max(longest, square(e[i], e[j]));
+    const auto length = [&](const Point& p, const Point& q) { return square(q[i] - p[i], q[j] - p[j]); };
+    const double ab = length(a, b), bc = length(b, c), ca = length(c, a), longest = std::max({ab, bc, ca});
     if (halvings > 0 && longest > 0.25 * square(centre[i], centre[j])) {
-        const Point ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-        return 0.25 * (mean_reach_cubed(a, ab, ca, k, halvings - 1) + mean_reach_cubed(b, bc, ab, k, halvings - 1) +
-                       mean_reach_cubed(c, ca, bc, k, halvings - 1) + mean_reach_cubed(ab, bc, ca, k, halvings - 1));
+        const auto halved = [&](const Point& p, const Point& q, const Point& top) {
+            const Point m = middle(p, q);
+            return 0.5 * (mean_reach_cubed(p, m, top, k, halvings - 1) + mean_reach_cubed(m, q, top, k, halvings - 1));
+        };
+        return ab == longest ? halved(a, b, c) : bc == longest ? halved(b, c, a) : halved(c, a, b);
     }
     const auto cube = [&](double u, double v, double w) {
         const double r2 = square(u * a[i] + v * b[i] + w * c[i], u * a[j] + v * b[j] + w * c[j]);
@@ -114,7 +116,7 @@ void SurfaceMeasures::add(const Point& a, const Point& b, const Point& c, double
         for (size_t v = 0; v < 3; ++v) speed[v] = n[j] * corner[v][i] - n[i] * corner[v][j];
         stroke2_[k] += 0.5 * area * mean_square(speed);
         stroke3_[k] += 0.5 * area * mean_cube(speed);
-        rub_[k] += area * mean_reach_cubed(corner[0], corner[1], corner[2], k, 6);
+        rub_[k] += area * mean_reach_cubed(corner[0], corner[1], corner[2], k, 10);
     }
 }
 

@@ -12,7 +12,7 @@ constexpr std::size_t even_lines = 2048;
 // Above, corners are so close to each other that lines need not know them.
 constexpr std::size_t most_slabs = 8192;
 // Intervals in all; keeps a million long needles to seconds, with fewer lines.
-constexpr double most_intervals = 5e7;
+constexpr double most_intervals = 2e7;
 
 struct Slab {
     double at, width; // middle
