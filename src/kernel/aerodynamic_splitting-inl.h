@@ -69,6 +69,17 @@ HWY_INLINE Vec3 solve_damped(const float n[6], Vec3 x, VF quadratic, Vec3 r) {
     return solve({column({one, zero, zero}, m.x), column({zero, one, zero}, m.y), column({zero, zero, one}, m.z)}, r);
 }
 
+HWY_INLINE Vec3 smaller(Vec3 a, Vec3 b) {
+    return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)};
+}
+// A couple that makes the rim faster than this many times the stream within half a substep acts longer than it does in
+// truth: the body would have turned away.
+HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
+    const VF most = hn::Mul(constant(8.0f), s), least = hn::Neg(most);
+    const auto one = [&](VF x) HWY_ATTR { return hn::Max(hn::Min(x, most), least); };
+    return {one(push.x), one(push.y), one(push.z)};
+}
+
 template <bool kFull>
 HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Body& b) {
     const AerodynamicConstants& a = c.aerodynamics;
@@ -78,24 +89,22 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, cons
     const Vec3 couple = scale(tau, lift_moment(a, held.inverse_length, v));
     const Vec3 first = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, u));
     if constexpr (!kFull) {
-        const Vec3 rate = broadcast(c.inverse_spin_mass), push = times(rate, couple);
+        const Vec3 rate = broadcast(c.inverse_spin_mass), push = bounded_push(times(rate, couple), s);
         const Vec3 middle = each(relax_half, u, times(rate, first), push);
         const Vec3 x = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, middle));
         b.t.u = each(relax_second, u, times(rate, x), push);
     } else {
-        // A rate beyond this stops a spin within rounding; its square must stay finite.
-        const auto bounded = [&](Vec3 x) HWY_ATTR {
-            const VF most = constant(1e4f);
-            return Vec3{hn::Min(x.x, most), hn::Min(x.y, most), hn::Min(x.z, most)};
-        };
+        // The square of what is solved must stay finite.
+        const auto bounded = [&](Vec3 x) HWY_ATTR { return smaller(x, broadcast(a.spin_limit)); };
         const VF half = constant(0.5f);
-        const Vec3 middle =
-            solve_damped(a.spin_mobility, scale(half, bounded(first)), hn::Zero(DF()), add_scaled(u, half, symmetric3(a.spin_mobility, couple)));
+        const Vec3 middle = solve_damped(a.spin_mobility, scale(half, bounded(first)), hn::Zero(DF()),
+                                         add_scaled(u, half, bounded_push(symmetric3(a.spin_mobility, couple), s)));
         // A couple moves a centre that lies off the centre of mass.
         const Vec3 v_middle = centre_velocity<true>(a, add(b.t, rows6(a.spin_response, sub(middle, u))));
-        const Vec3 push = symmetric3(a.spin_mobility, scale(tau, lift_moment(a, held.inverse_length, v_middle)));
-        const Vec3 x =
-            bounded(scale(tau, spin_drag_rate(a, held.inverse_length, nu, hn::Sqrt(speed_squared(v_middle)), middle)));
+        const VF s_middle = hn::Sqrt(speed_squared(v_middle));
+        const Vec3 push = bounded_push(
+            symmetric3(a.spin_mobility, scale(tau, lift_moment(a, held.inverse_length, v_middle))), s_middle);
+        const Vec3 x = bounded(scale(tau, spin_drag_rate(a, held.inverse_length, nu, s_middle, middle)));
         // u1 = (1 + X + X^2/2)^-1 (u0 + (1 + X/2) push)
         const Vec3 more = symmetric3(a.spin_mobility, times(x, push));
         const Vec3 after = solve_damped(a.spin_mobility, x, half, add(u, add_scaled(push, half, more)));
@@ -114,7 +123,13 @@ HWY_INLINE void lift_half(const StepInput& in, const BodyConstants& c, const Hel
         return scaled_by(c.inverse_mass, f);
     };
     const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
-    const Vec3 start = scale(tau, circulation(a, held.inverse_length, nu, v, u));
+    // Beyond this the velocity turns through more than can be resolved.
+    const auto bounded = [&](Vec3 g) HWY_ATTR {
+        const VF most = constant(1e4f), least = constant(-1e4f);
+        return Vec3{hn::Max(hn::Min(g.x, most), least), hn::Max(hn::Min(g.y, most), least),
+                    hn::Max(hn::Min(g.z, most), least)};
+    };
+    const Vec3 start = bounded(scale(tau, circulation(a, held.inverse_length, nu, v, u)));
     Vec3 v_middle, u_middle = u;
     if constexpr (kFull) {
         const Twist middle = add(b.t, rows6(a.response, scale(half, cross(start, v))));
@@ -123,7 +138,7 @@ HWY_INLINE void lift_half(const StepInput& in, const BodyConstants& c, const Hel
     } else {
         v_middle = add_scaled(v, half, moved(cross(start, v)));
     }
-    const Vec3 g = scale(tau, circulation(a, held.inverse_length, nu, v_middle, u_middle));
+    const Vec3 g = bounded(scale(tau, circulation(a, held.inverse_length, nu, v_middle, u_middle)));
     const Vec3 k = scale(half, g);
     const Vec3 r = cross(g, v);
     const VF one = constant(1.0f), zero = hn::Zero(DF());

@@ -101,6 +101,7 @@ bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6&
     upper_triangle3(n, out.mobility);
     upper_triangle3(n_spin, out.spin_mobility);
     for (size_t i = 0; i < 3; ++i) {
+        out.spin_limit[i] = static_cast<float>(1e4 / n_spin[i][i]);
         out.rate[i] = static_cast<float>(values[i]);
         for (size_t j = 0; j < 3; ++j) out.modes[i * 3 + j] = static_cast<float>(vectors[i][j]);
     }

@@ -33,6 +33,7 @@ struct AerodynamicConstants {
     float response[18];      // M^-1 P^T, 6x3: twist for an impulse at the centre
     float from_modes[18];    // twist for a change of velocity along the modes, 6x3
     float spin_mobility[6];  // Q (M^-1)_22 Q^T
+    float spin_limit[3];     // 1e4 over its diagonal: rates beyond stop a spin within rounding
     float spin_response[18]; // twist for a change of spin by a couple, 6x3
     // The fluid's own velocity with the SPEED clock: correlation rate and variance, per speed and per square of it.
     float rate_of_gusts, variance_of_gusts;

@@ -30,12 +30,16 @@ HWY_INLINE void store3(const BatchArrays& a, size_t field, size_t at, Vec3 v) {
 HWY_INLINE VF without_dust(VF v) {
     return hn::IfThenElseZero(hn::Ge(hn::Abs(v), constant(1e-15f)), v);
 }
+HWY_INLINE Vec3 without_dust(Vec3 v) {
+    return {without_dust(v.x), without_dust(v.y), without_dust(v.z)};
+}
 
 // A body in its own patch of moving air: quasi-steady motion through it, then the patch's next velocity, which the body
 // meets with the world velocity it has.
 template <bool kFull, Loads kLoads, Integrator kIntegrator>
 HWY_INLINE void aerodynamic_substep(const StepInput& in, const BodyConstants& c, Held& held, Vec3 weight, Vec3 gravity,
                                     VU key, uint32_t substep, Body& b) {
+    b.t.v = sub(b.t.v, to_body(b.q, b.gust));
     const VF speed = hn::Sqrt(speed_squared(b.t.v));
     VF alpha, variance;
     if constexpr (kLoads == Loads::aerodynamic_speed) {
@@ -60,9 +64,8 @@ HWY_INLINE void aerodynamic_substep(const StepInput& in, const BodyConstants& c,
         rk4_substep<kFull, kLoads>(in, c, held, weight, gravity, hn::Zero(DF()), gauss, b);
     }
     three_gaussians(key, in.first_substep + substep, in.seed, gauss);
-    const Vec3 gust = next_gust(b.gust, alpha, variance, in.h, gauss);
-    b.t.v = add(b.t.v, to_body(b.q, sub(b.gust, gust)));
-    b.gust = gust;
+    b.t.v = add(b.t.v, to_body(b.q, b.gust));
+    b.gust = without_dust(next_gust(b.gust, alpha, variance, in.h, gauss));
 }
 
 template <bool kFull, Loads kLoads, Integrator kIntegrator>
@@ -83,13 +86,8 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         held.inverse_length = hn::Div(constant(1.0f), length);
         held.alpha = held.beta = hn::Zero(d);
         // In a uniform wind the body moves through the fluid as if that were still: work with the relative velocity.
-        b.gust = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-        Vec3 stream = broadcast(in.wind);
-        if constexpr (is_aerodynamic(kLoads)) {
-            b.gust = load3(a, field_gust_x, at);
-            stream = add(stream, b.gust);
-        }
-        b.t.v = sub(load3(a, field_vx, at), to_body(b.q, stream));
+        if constexpr (is_aerodynamic(kLoads)) b.gust = load3(a, field_gust_x, at);
+        b.t.v = sub(load3(a, field_vx, at), to_body(b.q, broadcast(in.wind)));
         b.t.u = scale(length, load3(a, field_wx, at));
         const VU key = hn::Load(du, a.key + at);
         const VF beta_unit = hn::Mul(constant(c.speed_beta), held.inverse_length);
@@ -107,20 +105,16 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
                 rk4_substep<kFull, kLoads>(in, c, held, weight, gravity, beta_unit, gauss, b);
         }
 
-        if constexpr (is_aerodynamic(kLoads)) {
-            b.gust = {without_dust(b.gust.x), without_dust(b.gust.y), without_dust(b.gust.z)};
-            store3(a, field_gust_x, at, b.gust);
-            stream = add(broadcast(in.wind), b.gust);
-        }
-        const Vec3 v = add(b.t.v, to_body(b.q, stream));
+        if constexpr (is_aerodynamic(kLoads)) store3(a, field_gust_x, at, b.gust);
+        const Vec3 v = add(b.t.v, to_body(b.q, broadcast(in.wind)));
         const Vec3 w = scale(held.inverse_length, b.t.u);
         store3(a, field_x, at, b.x);
         hn::Store(b.q.x, d, a.field[field_qx] + at);
         hn::Store(b.q.y, d, a.field[field_qy] + at);
         hn::Store(b.q.z, d, a.field[field_qz] + at);
         hn::Store(b.q.w, d, a.field[field_qw] + at);
-        store3(a, field_vx, at, {without_dust(v.x), without_dust(v.y), without_dust(v.z)});
-        store3(a, field_wx, at, {without_dust(w.x), without_dust(w.y), without_dust(w.z)});
+        store3(a, field_vx, at, without_dust(v));
+        store3(a, field_wx, at, without_dust(w));
         hn::Store(b.age, d, a.field[field_age] + at);
     }
 }

@@ -48,7 +48,7 @@ TEST_CASE("stationary Langevin: variance of each axis, Gaussian tails, decay of 
     for (int32_t integrator : integrators)
         for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
             const World world = weightless(9);
-            lr_batch_desc d = batch_desc();
+            lr_batch_desc d = langevin();
             d.clock = LR_CLOCK_AGE;
             d.integrator = integrator;
             d.tensor = tensor;
@@ -97,7 +97,7 @@ TEST_CASE("the stationary variance does not depend on the step, in the default s
     const Asset sphere = make(in_water(ellipsoid(0.02, 0.02, 0.02, 1000.0)));
     for (double x : {0.1, 0.5, 2.0, 10.0}) { // alpha h
         const World world = weightless(10);
-        lr_batch_desc d = batch_desc();
+        lr_batch_desc d = langevin();
         d.clock = LR_CLOCK_AGE;
         const lr_batch batch = add_batch(world, d, sphere, crowd);
         set_constant_table(world, batch, chi, epsilon, c0);
@@ -125,7 +125,7 @@ TEST_CASE("the noise kicks each axis by its own weights") {
     for (int32_t integrator : integrators)
         for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
             const World world = weightless(12);
-            lr_batch_desc d = batch_desc();
+            lr_batch_desc d = langevin();
             d.clock = LR_CLOCK_AGE;
             d.integrator = integrator;
             d.tensor = tensor;
@@ -159,7 +159,7 @@ TEST_CASE("the noise gain multiplies the noise's amplitude, and a seed or a key 
     const Asset sphere = make(in_water(ellipsoid(0.02, 0.02, 0.02, 1000.0)));
     const auto end = [&](float gain, uint64_t seed, uint32_t key) {
         const World world = weightless(seed);
-        lr_batch_desc d = batch_desc();
+        lr_batch_desc d = langevin();
         d.clock = LR_CLOCK_AGE;
         d.noise_gain = gain;
         const lr_batch batch = add_batch(world, d, sphere, 1);
@@ -196,7 +196,7 @@ TEST_CASE("the AGE clock reads the table at the body's age, holds its end or beg
         for (int32_t end : {LR_TABLE_CLAMP, LR_TABLE_LOOP})
             for (double born : {0.0, 0.375, 0.75, 2.0}) {
                 const World world = weightless();
-                lr_batch_desc d = batch_desc();
+                lr_batch_desc d = langevin();
                 d.clock = LR_CLOCK_AGE;
                 d.table_end = end;
                 d.noise_gain = 0.0f;
@@ -234,7 +234,7 @@ TEST_CASE("the SPEED clock reads the stationary sample and scales it by the spee
     const float chis[3] = {9.0f, 2.0f, 7.0f}, epsilons[3] = {9.0f, 0.0f, 7.0f};
     for (float u0 : {0.25f, 1.0f}) {
         const World world = weightless();
-        lr_batch_desc d = batch_desc();
+        lr_batch_desc d = langevin();
         d.noise_gain = 0.0f;
         const lr_batch batch = add_batch(world, d, sphere, 2);
         lr_turbulence_table t = table_desc();
@@ -265,7 +265,7 @@ TEST_CASE("at rest in still fluid the SPEED clock makes no noise, and nothing mo
     const Asset asset = make(in_water(ellipsoid(0.04, 0.02, 0.01, 1000.0)));
     for (int32_t integrator : integrators) {
         const World world = weightless(3);
-        lr_batch_desc d = batch_desc();
+        lr_batch_desc d = langevin();
         d.integrator = integrator;
         const lr_batch batch = add_batch(world, d, asset, 1);
         const lr_body id = add_body(world, batch, body_desc());
@@ -283,7 +283,7 @@ TEST_CASE("the paper's leaf falls about as fast as paper does") {
     const Asset asset = make(ellipsoid(0.04, 0.01, 0.00005, 800.0));
     for (float noise : {0.0f, 1.0f}) {
         const World world = make(world_desc());
-        lr_batch_desc d = batch_desc();
+        lr_batch_desc d = langevin();
         d.noise_gain = noise;
         const lr_batch batch = add_batch(world, d, asset, 200);
         Random random(21);

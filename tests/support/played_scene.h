@@ -36,6 +36,15 @@ inline std::vector<PlayedScene> played_scenes() {
     add("kirchhoff").loads = LR_LOADS_NONE;
     PlayedScene& kirchhoff = add("kirchhoff_rk4");
     kirchhoff.loads = LR_LOADS_NONE, kirchhoff.integrator = LR_INTEGRATOR_RK4;
+    add("aerodynamic").loads = LR_LOADS_AERODYNAMIC;
+    PlayedScene& rk4 = add("aerodynamic_rk4");
+    rk4.loads = LR_LOADS_AERODYNAMIC, rk4.integrator = LR_INTEGRATOR_RK4;
+    PlayedScene& full = add("aerodynamic_full");
+    full.loads = LR_LOADS_AERODYNAMIC, full.tensor = LR_TENSOR_FULL;
+    PlayedScene& by_age = add("aerodynamic_age");
+    by_age.loads = LR_LOADS_AERODYNAMIC, by_age.clock = LR_CLOCK_AGE;
+    PlayedScene& leaves = add("aerodynamic_storm");
+    leaves.loads = LR_LOADS_AERODYNAMIC, leaves.windy = leaves.born_and_dying = true, leaves.bodies = 2500;
     add("wind").windy = true;
     add("births_and_deaths").born_and_dying = true;
     PlayedScene& all_at_once = add("storm");

@@ -41,6 +41,11 @@ inline lr_world_desc world_desc() {
 inline lr_batch_desc batch_desc() {
     return initialised(lr_batch_desc_init);
 }
+inline lr_batch_desc langevin() {
+    lr_batch_desc d = batch_desc();
+    d.load_model = LR_LOADS_LANGEVIN;
+    return d;
+}
 inline lr_body_desc body_desc() {
     return initialised(lr_body_desc_init);
 }
