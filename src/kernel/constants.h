@@ -14,6 +14,7 @@ enum class Integrator : int32_t { splitting, rk4 };
 // every entry below is of order one for confetti and banners alike, and scale enters only through 1/(d s).
 struct BodyConstants {
     float length;      // d, m
+    float unit_mass;   // U, kg
     float weight;      // (m - rho V)/U, multiplies gravity
     float buoyancy[3]; // -rho V r_b/(U d): torque = this x R^T g
 

@@ -6,6 +6,7 @@
 #include "kernel/step.h"
 
 #include "hwy/highway.h"
+#include "kernel/external-inl.h"
 #include "kernel/noise-inl.h"
 #include "kernel/rk4-inl.h"
 #include "kernel/splitting-inl.h"
@@ -43,6 +44,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         b.q = {hn::Load(d, a.field[field_qx] + at), hn::Load(d, a.field[field_qy] + at),
                hn::Load(d, a.field[field_qz] + at), hn::Load(d, a.field[field_qw] + at)};
         b.age = hn::Load(d, a.field[field_age] + at);
+        b.age_rest = hn::Load(d, a.field[field_age_rest] + at);
         const VF length = hn::Mul(hn::Load(d, a.field[field_scale] + at), constant(c.length));
         Held held;
         held.inverse_length = hn::Div(constant(1.0f), length);
@@ -50,6 +52,11 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         // In a uniform wind the body moves through the fluid as if that were still: work with the relative velocity.
         b.t.v = sub(load3(a, field_vx, at), to_body(b.q, broadcast(in.wind)));
         b.t.u = scale(length, load3(a, field_wx, at));
+        External external;
+        if (in.external.any) {
+            external = take_external(in.external, c, hn::Load(d, a.field[field_scale] + at), at);
+            held.external = &external;
+        }
         const VU key = hn::Load(du, a.key + at);
         const VF beta_unit = hn::Mul(constant(c.speed_beta), held.inverse_length);
 
@@ -72,6 +79,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         store3(a, field_vx, at, {without_dust(v.x), without_dust(v.y), without_dust(v.z)});
         store3(a, field_wx, at, {without_dust(w.x), without_dust(w.y), without_dust(w.z)});
         hn::Store(b.age, d, a.field[field_age] + at);
+        hn::Store(b.age_rest, d, a.field[field_age_rest] + at);
     }
 }
 

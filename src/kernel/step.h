@@ -8,6 +8,14 @@
 
 namespace lr {
 
+// Forces over a step, by force_component. The step consumes those of bodies: it leaves zeros behind.
+struct ExternalInput {
+    bool any;
+    float batch[force_components]; // on each body
+    float* bodies;                 // on each by itself, force_components arrays; null for none
+    size_t stride;                 // from one of these arrays to the next
+};
+
 struct StepInput {
     uint64_t seed;
     uint64_t first_substep; // time index of the noise
@@ -20,6 +28,7 @@ struct StepInput {
     Integrator integrator;
     BodyConstants body;
     TableConstants table;
+    ExternalInput external;
 };
 
 // begin, end: multiples of lane_block.

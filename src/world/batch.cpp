@@ -1,5 +1,7 @@
 #include "world/batch.h"
 
+#include "world/lifecycle.h"
+
 #include <algorithm>
 #include <new>
 
@@ -48,6 +50,7 @@ void Batch::destroy(Batch* batch) {
 }
 
 Batch::~Batch() {
+    Lifecycle::destroy(*allocator_, lifecycle_);
     release(asset_);
 }
 
@@ -105,6 +108,8 @@ void Batch::remove(lr_body body) {
         ids_[index] = ids_[last];
         dense_[unpack(ids_[index]).slot] = index;
     }
+    external.move(last, index);
+    if (lifecycle_) lifecycle_->move(last, index);
     clear_lane(last);
     ids_[last] = 0;
     --count_;
@@ -143,6 +148,15 @@ void Batch::write(uint32_t index, const BodyState& state) {
 
 uint32_t Batch::padded_count() const {
     return padded(count_);
+}
+
+bool Batch::reserve_forces() {
+    return external.reserve(*allocator_, padded(capacity_));
+}
+
+bool Batch::reserve_lifecycle() {
+    if (!lifecycle_) lifecycle_ = Lifecycle::create(*allocator_, capacity_, padded(capacity_));
+    return lifecycle_ != nullptr;
 }
 
 bool Batch::set_table(const TableView& t) {

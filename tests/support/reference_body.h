@@ -60,6 +60,7 @@ public:
     double displaced = 0.0; // rho V, kg
     Vec buoyancy_arm{};     // m
     Vec gravity{0.0, -9.81, 0.0}, wind{};
+    Six world_force{}, body_force{}; // N and N m
     // alpha, 1/s, at a speed through the fluid and an age.
     std::function<double(double, double)> alpha = [](double, double) { return 0.0; };
 
@@ -118,8 +119,10 @@ private:
         const Six momentum = mass * s.twist, drag = dragged * s.twist;
         const double a = alpha(length(v), s.age);
         const Vec p = upper(momentum), l = lower(momentum);
-        const Vec force = cross(p, w) + weight * g - a * upper(drag);
-        const Vec torque = cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag);
+        const Vec force =
+            cross(p, w) + weight * g - a * upper(drag) + to_body(s.q, upper(world_force)) + upper(body_force);
+        const Vec torque = cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag) +
+                           to_body(s.q, lower(world_force)) + lower(body_force);
         const Quat turning = product(s.q, {0.5 * w[0], 0.5 * w[1], 0.5 * w[2], 0.0});
         return {to_world(s.q, v) + wind, turning, inverse_mass_ * join(force, torque), 1.0};
     }
