@@ -48,22 +48,21 @@ lr::Kick kick_of(const lr::Batch& batch, const lr::BodyState& body, const Push& 
 
 // In kernel units a force is what it does to the reference mass, which no body's inertia is far below.
 const char* too_large(const lr::Batch& batch, uint32_t index, const Push& p) {
-    const lr::BodyState body = batch.read(index);
     if (!continuous(p.mode)) {
-        const lr::Kick kick = kick_of(batch, body, p);
+        const lr::Kick kick = kick_of(batch, batch.read(index), p);
         for (size_t i = 0; i < 3; ++i)
             if (!in_range(kick.v[i], -most_kick, most_kick) || !in_range(kick.w[i], -most_kick, most_kick))
                 return "an impulse or velocity gives more than 1e6 m/s or rad/s";
         return nullptr;
     }
-    const double scale = static_cast<double>(body.value[lr::field_scale]);
+    const double scale = static_cast<double>(batch.arrays().field[lr::field_scale][index]);
     const double length = scale * static_cast<double>(batch.step.body.length);
     const double mass = scale * scale * scale * static_cast<double>(batch.step.body.unit_mass);
     const bool force = p.mode == LR_FORCE_MODE_FORCE;
-    const double linear = force ? 1.0 / mass : 1.0, angular = force ? 1.0 / (mass * length) : length;
+    const double most = force ? most_acceleration * mass : most_acceleration;
+    const double most_torque = force ? most * length : most / length;
     for (size_t i = 0; i < 3; ++i)
-        if (!in_range(p.force[i] * linear, -most_acceleration, most_acceleration) ||
-            !in_range(p.torque[i] * angular, -most_acceleration, most_acceleration))
+        if (!in_range(p.force[i], -most, most) || !in_range(p.torque[i], -most_torque, most_torque))
             return "a force or acceleration gives more than 1e9 m/s^2";
     return nullptr;
 }

@@ -19,7 +19,7 @@ HWY_NOINLINE External take_external(const ExternalInput& in, const BodyConstants
     VF sum[force_components];
     for (size_t i = 0; i < force_components; ++i) {
         sum[i] = constant(in.batch[i]);
-        if (!in.bodies) continue;
+        if ((in.used >> i / 3 & 1u) == 0) continue;
         float* const own = in.bodies + i * in.stride + at;
         sum[i] = hn::Add(sum[i], hn::Load(d, own));
         hn::Store(hn::Zero(d), d, own);

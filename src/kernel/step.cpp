@@ -6,6 +6,7 @@
 #include "kernel/step.h"
 
 #include "hwy/highway.h"
+#include "kernel/ended-inl.h"
 #include "kernel/external-inl.h"
 #include "kernel/noise-inl.h"
 #include "kernel/rk4-inl.h"
@@ -121,28 +122,28 @@ namespace lr {
 const KernelTarget* built_targets(size_t& count) {
     static constexpr KernelTarget targets[] = {
 #if HWY_TARGETS & HWY_AVX3
-        {LR_SIMD_AVX512, HWY_AVX3, &N_AVX3::step_range},
+        {LR_SIMD_AVX512, HWY_AVX3, &N_AVX3::step_range, &N_AVX3::ended_range},
 #endif
 #if HWY_TARGETS & HWY_AVX2
-        {LR_SIMD_AVX2, HWY_AVX2, &N_AVX2::step_range},
+        {LR_SIMD_AVX2, HWY_AVX2, &N_AVX2::step_range, &N_AVX2::ended_range},
 #endif
 #if HWY_TARGETS & HWY_SSE4
-        {LR_SIMD_SSE4, HWY_SSE4, &N_SSE4::step_range},
+        {LR_SIMD_SSE4, HWY_SSE4, &N_SSE4::step_range, &N_SSE4::ended_range},
 #endif
 #if HWY_TARGETS & HWY_SSSE3
-        {LR_SIMD_SSSE3, HWY_SSSE3, &N_SSSE3::step_range},
+        {LR_SIMD_SSSE3, HWY_SSSE3, &N_SSSE3::step_range, &N_SSSE3::ended_range},
 #endif
 #if HWY_TARGETS & HWY_NEON
-        {LR_SIMD_NEON, HWY_NEON, &N_NEON::step_range},
+        {LR_SIMD_NEON, HWY_NEON, &N_NEON::step_range, &N_NEON::ended_range},
 #endif
 #if HWY_TARGETS & HWY_WASM
-        {LR_SIMD_WASM, HWY_WASM, &N_WASM::step_range},
+        {LR_SIMD_WASM, HWY_WASM, &N_WASM::step_range, &N_WASM::ended_range},
 #endif
 #if HWY_TARGETS & HWY_EMU128
-        {LR_SIMD_EMULATED, HWY_EMU128, &N_EMU128::step_range},
+        {LR_SIMD_EMULATED, HWY_EMU128, &N_EMU128::step_range, &N_EMU128::ended_range},
 #endif
 #if HWY_TARGETS & HWY_SCALAR
-        {LR_SIMD_EMULATED, HWY_SCALAR, &N_SCALAR::step_range},
+        {LR_SIMD_EMULATED, HWY_SCALAR, &N_SCALAR::step_range, &N_SCALAR::ended_range},
 #endif
     };
     count = sizeof(targets) / sizeof(targets[0]);

@@ -3,6 +3,7 @@
 
 #include "kernel/batch_arrays.h"
 #include "kernel/constants.h"
+#include "kernel/ended.h"
 
 #include <cstdint>
 
@@ -12,7 +13,8 @@ namespace lr {
 struct ExternalInput {
     bool any;
     float batch[force_components]; // on each body
-    float* bodies;                 // on each by itself, force_components arrays; null for none
+    float* bodies;                 // on each by itself, force_components arrays
+    uint32_t used;                 // a bit for each vector of `bodies`, from component 0 on; the others are 0
     size_t stride;                 // from one of these arrays to the next
 };
 
@@ -38,6 +40,7 @@ struct KernelTarget {
     int32_t simd; // LR_SIMD_*
     int64_t hwy;  // Highway's bit for it
     StepFunction step;
+    EndedFunction ended;
 };
 
 // Targets in this build, best first; `count` receives how many.

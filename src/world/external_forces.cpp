@@ -13,13 +13,14 @@ bool ExternalForces::reserve(Allocator& allocator, size_t lanes) {
 }
 
 void ExternalForces::add(uint32_t index, size_t frame, size_t kind, const double value[3]) {
+    if (value[0] == 0.0 && value[1] == 0.0 && value[2] == 0.0) return;
     float* at = bodies_.data() + force_component(frame, kind) * stride_ + index;
     for (size_t i = 0; i < 3; ++i, at += stride_) *at = static_cast<float>(static_cast<double>(*at) + value[i]);
-    pending_ = true;
+    used_ |= 1u << force_component(frame, kind) / 3;
 }
 
 void ExternalForces::move(uint32_t from, uint32_t to) {
-    if (!pending_) return;
+    if (!pending()) return;
     for (size_t i = 0; i < force_components; ++i) {
         float* const component = bodies_.data() + i * stride_;
         component[to] = component[from];
@@ -29,19 +30,21 @@ void ExternalForces::move(uint32_t from, uint32_t to) {
 
 void ExternalForces::clear() {
     std::fill_n(bodies_.data(), bodies_.size(), 0.0f);
-    pending_ = false;
+    used_ = 0;
 }
 
 void ExternalForces::set_batch(const float (&force)[force_components]) {
-    std::copy(force, force + force_components, batch_);
+    // No negative zeros: with them a sum would depend on whether zeros are added to it.
+    std::transform(force, force + force_components, batch_, [](float f) { return f + 0.0f; });
     on_batch_ = std::any_of(force, force + force_components, [](float f) { return f != 0.0f; });
 }
 
 ExternalInput ExternalForces::input() {
     ExternalInput in{};
-    in.any = on_batch_ || pending_;
+    in.any = on_batch_ || pending();
     std::copy(batch_, batch_ + force_components, in.batch);
-    in.bodies = pending_ ? bodies_.data() : nullptr;
+    in.bodies = bodies_.data();
+    in.used = used_;
     in.stride = stride_;
     return in;
 }

@@ -19,19 +19,22 @@ public:
     void set_batch(const float (&force)[force_components]);
     const float (&batch() const)[force_components] { return batch_; }
     bool on_batch() const { return on_batch_; }
-    bool pending() const { return pending_; } // on single bodies
+    bool pending() const { return used_ != 0; } // on single bodies
     // force_components arrays, `stride` apart; null before the first reserve().
     float* bodies() { return bodies_.data(); }
     const float* bodies() const { return bodies_.data(); }
     size_t stride() const { return stride_; }
 
     ExternalInput input();
-    void stepped() { pending_ = false; }         // the kernel has left zeros
-    void restored_pending() { pending_ = true; } // bodies() has been filled
+    void stepped() { used_ = 0; }                    // the kernel has left zeros
+    void restored_pending() { used_ = all_vectors; } // bodies() has been filled
 
 private:
     float batch_[force_components] = {};
-    bool on_batch_ = false, pending_ = false;
+    static constexpr uint32_t all_vectors = (1u << force_components / 3) - 1;
+
+    bool on_batch_ = false;
+    uint32_t used_ = 0; // a bit for each vector that is not 0 on all bodies
     Buffer<float> bodies_;
     size_t stride_ = 0;
 };

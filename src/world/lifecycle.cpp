@@ -14,7 +14,7 @@ Lifecycle* Lifecycle::create(Allocator& allocator, uint32_t capacity, uint32_t l
     if (!memory) return nullptr;
     auto* const made = new (memory) Lifecycle();
     if (made->cause_.allocate(allocator, lanes) &&
-        made->ended_in_chunk_.allocate(allocator, (lanes + chunk_bodies - 1) / chunk_bodies) &&
+        made->chunk_has_ended_.allocate(allocator, (lanes + chunk_bodies - 1) / chunk_bodies) &&
         made->life_.allocate(allocator, capacity) && made->ended_ids_.allocate(allocator, capacity) &&
         made->born_ids_.allocate(allocator, capacity)) {
         std::fill_n(made->life_.data(), capacity, 0u);
@@ -45,9 +45,8 @@ void Lifecycle::set_emitter(const lr_emitter_desc* emitter) {
     if (!has_emitter_) due_ = burst_clock_ = 0.0;
 }
 
-void Lifecycle::test(const BatchArrays& arrays, uint32_t begin, uint32_t end) {
-    if (has_rules_ && begin < end)
-        ended_in_chunk_[begin / chunk_bodies] = find_ended(rules_, arrays, begin, end, cause_.data());
+void Lifecycle::judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end) {
+    if (has_rules_) chunk_has_ended_[begin / chunk_bodies] = ended(rules_, arrays, begin, end, cause_.data()) ? 1 : 0;
 }
 
 void Lifecycle::finish(Batch& batch, lr_world& world, double dt) {
@@ -62,7 +61,7 @@ void Lifecycle::finish(Batch& batch, lr_world& world, double dt) {
 // a body depends on its key and life alone, so that the order does not matter.
 void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
     for (uint32_t chunk = chunk_count(batch); chunk-- > 0;) {
-        if (ended_in_chunk_[chunk] == 0) continue;
+        if (chunk_has_ended_[chunk] == 0) continue;
         const uint32_t begin = chunk * chunk_bodies;
         for (uint32_t i = std::min(begin + chunk_bodies, batch.count()); i-- > begin;) {
             if (cause_[i] == cause_none) continue;

@@ -1,10 +1,11 @@
 // The births and ends of a batch's bodies at the end of each step, by its rules and its emitter.
 #pragma once
 
+#include "kernel/ended.h"
 #include "langevin_rigid.h"
 #include "world/allocator.h"
 #include "world/emitter.h"
-#include "world/kill_test.h"
+#include "world/rules.h"
 
 #include <cstdint>
 
@@ -24,8 +25,8 @@ public:
     bool has_emitter() const { return has_emitter_; }
     bool respawns() const { return has_rules_ && rules_.action == LR_END_RESPAWN; }
 
-    // A step: test() for every chunk of bodies, from any threads; then finish() once.
-    void test(const BatchArrays& arrays, uint32_t begin, uint32_t end);
+    // A step: judge() for every chunk of bodies, from any threads; then finish() once.
+    void judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end);
     void finish(Batch& batch, lr_world& world, double dt);
 
     // Births of at most `count` bodies; the number of those that there was room for.
@@ -67,7 +68,7 @@ private:
     Emitter emitter_;
     double due_ = 0.0, burst_clock_ = 0.0; // bodies; s since the last burst
     Buffer<uint32_t> cause_;               // by dense index, of the step
-    Buffer<uint32_t> ended_in_chunk_;
+    Buffer<uint8_t> chunk_has_ended_;
     Buffer<uint32_t> life_;     // by dense index: how often a body has respawned
     Buffer<lr_body> ended_ids_; // of the last step
     Buffer<lr_body> born_ids_;

@@ -29,7 +29,7 @@ struct StepChunks {
             const uint32_t end = std::min(begin + chunk_bodies, batch->padded_count());
             w.target->step(batch->step, batch->arrays(), begin, end);
             // While the chunk is still in the cache.
-            if (batch->lifecycle()) batch->lifecycle()->test(batch->arrays(), begin, std::min(end, batch->count()));
+            if (batch->lifecycle()) batch->lifecycle()->judge(w.target->ended, batch->arrays(), begin, end);
             return;
         }
     }

@@ -118,8 +118,8 @@ TEST_CASE("a batch's force must be finite and in range") {
     const std::vector<unsigned char> before = snapshot_of(s.world);
     for (size_t i = 0; i < 24; ++i) {
         lr_batch_force f = initialised(lr_batch_force_init);
-        auto* const component = reinterpret_cast<float*>(reinterpret_cast<unsigned char*>(&f) +
-                                                        offsetof(lr_batch_force, force) + 4 * i);
+        auto* const component =
+            reinterpret_cast<float*>(reinterpret_cast<unsigned char*>(&f) + offsetof(lr_batch_force, force) + 4 * i);
         for (float bad : not_finite) {
             *component = bad;
             CHECK(lr_batch_set_force(w, s.batch, &f) == LR_ERROR_NOT_FINITE);
