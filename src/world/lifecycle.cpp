@@ -32,17 +32,23 @@ void Lifecycle::destroy(Allocator& allocator, Lifecycle* lifecycle) {
 
 void Lifecycle::set_rules(const lr_batch_rules* rules) {
     has_rules_ = rules != nullptr;
-    rules_ = rules ? *rules : lr_batch_rules{};
+    rules_ = {};
+    if (!rules) return;
+    rules_ = *rules;
     rules_.struct_size = sizeof rules_;
     std::fill(rules_.volumes + rules_.volume_count, rules_.volumes + LR_MAX_KILL_VOLUMES, lr_kill_volume{});
 }
 
 void Lifecycle::set_emitter(const lr_emitter_desc* emitter) {
     has_emitter_ = emitter != nullptr;
-    lr_emitter_desc desc = emitter ? *emitter : lr_emitter_desc{};
+    if (!emitter) {
+        emitter_ = Emitter();
+        due_ = burst_clock_ = 0.0;
+        return;
+    }
+    lr_emitter_desc desc = *emitter;
     desc.struct_size = sizeof desc;
-    emitter_ = has_emitter_ ? Emitter(desc) : Emitter();
-    if (!has_emitter_) due_ = burst_clock_ = 0.0;
+    emitter_ = Emitter(desc);
 }
 
 void Lifecycle::judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end) {

@@ -173,3 +173,34 @@ TEST_CASE("the first force takes memory; none left is a status, and steps take n
     }
     CHECK(memory.calls == calls);
 }
+
+TEST_CASE("restoring forces and rules into a world without them takes memory; none left changes nothing") {
+    const Asset asset = leaf();
+    const auto scene = [&](CountingAllocator& memory, lr_batch& batch) {
+        lr_world_desc d = world_desc();
+        d.allocator = memory.callbacks();
+        World world = make(d);
+        batch = add_batch(world, asset, 100);
+        return world;
+    };
+    CountingAllocator memory, other;
+    lr_batch batch = 0, other_batch = 0;
+    const World from = scene(memory, batch), to = scene(other, other_batch);
+    lr_body_force f = initialised(lr_body_force_init);
+    f.body = add_body(from, batch, body_desc());
+    f.force[0] = 1e-3f;
+    REQUIRE(lr_body_add_force(from.get(), &f, 1) == LR_OK);
+    const lr_emitter_desc e = initialised(lr_emitter_desc_init);
+    REQUIRE(lr_batch_set_emitter(from.get(), batch, &e) == LR_OK);
+    const std::vector<unsigned char> snapshot = snapshot_of(from), before = snapshot_of(to);
+    uint64_t n = 0;
+    for (;; ++n) {
+        other.fail_at = other.calls + n;
+        const lr_status status = lr_world_snapshot_restore(to.get(), snapshot.data(), snapshot.size());
+        if (status == LR_OK) break;
+        CHECK(status == LR_ERROR_OUT_OF_MEMORY);
+        CHECK(snapshot_of(to) == before);
+    }
+    CHECK(n > 4);
+    CHECK(snapshot_of(to) == snapshot);
+}

@@ -148,6 +148,9 @@ TEST_CASE("no rules, no ends; null rules end them") {
     const lr_batch bare = add_batch(c.world, c.asset, 3);
     const lr_batch_events e = events_of(c.world, bare);
     CHECK((e.ended_ids == nullptr && e.born_ids == nullptr && e.total_born == 0));
+    lr_batch_events stale = initialised(lr_batch_events_init);
+    REQUIRE(lr_batch_destroy(c.world.get(), bare) == LR_OK);
+    CHECK(lr_batch_get_events(c.world.get(), bare, &stale) == LR_ERROR_STALE_BATCH);
 }
 
 TEST_CASE("respawned bodies keep id and key, begin at age 0 where the emitter says, and elsewhere each time") {
