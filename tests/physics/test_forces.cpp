@@ -259,6 +259,28 @@ TEST_CASE("motion under steady forces is that of the equations, on single bodies
     }
 }
 
+// Drag of the AGE clock is linear: rho (V + A) alpha v. The force relaxes against it as the weight does, exactly.
+TEST_CASE("a body under a steady force settles at its terminal velocity at any step") {
+    const Asset asset = make(in_water(ellipsoid(0.02, 0.02, 0.02, 1500.0)));
+    const lr_asset_info info = info_of(asset);
+    for (float dt : {1e-3f, 0.0166f, 0.1f, 1.0f})
+        for (int32_t frame : {LR_FRAME_WORLD, LR_FRAME_BODY}) {
+            const World world = weightless();
+            lr_batch_desc bd = batch_desc();
+            bd.clock = LR_CLOCK_AGE;
+            bd.noise_gain = 0.0f;
+            const lr_batch batch = add_batch(world, bd, asset, 1);
+            set_constant_table(world, batch, 20.0, 0.3, 2.0); // alpha 40/s
+            lr_batch_force f = initialised(lr_batch_force_init);
+            (frame == LR_FRAME_WORLD ? f.force : f.body_force)[2] = 0.05f;
+            REQUIRE(lr_batch_set_force(world.get(), batch, &f) == LR_OK);
+            const lr_body id = add_body(world, batch, body_desc());
+            steps(world, dt < 0.01f ? 2000 : 100, dt);
+            const double terminal = wide(0.05f) / (1.5 * info.fluid_density * info.volume * 40.0);
+            CHECK(wide(state_of(world, id).linear_velocity[2]) == doctest::Approx(terminal).epsilon(1e-4));
+        }
+}
+
 TEST_CASE("a force against weight holds a body still, whatever the step") {
     const Asset asset = leaf();
     for (float dt : {1e-3f, 0.0166f, 0.1f, 1.0f}) {
