@@ -295,8 +295,8 @@ LR_API lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size);
 LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
 /* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit
- * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). Allocates nothing. The
- * floating-point mode of the calling thread is saved, set and restored.
+ * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as
+ * the batches' rules and emitters say. Allocates nothing. The floating-point mode of the calling thread is saved, set and restored.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
@@ -308,7 +308,7 @@ LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
-/* Writes the world's state (bodies with their ids, time, wind, gravity, tables) into `size` bytes at `memory`, any
+/* Writes the world's state (bodies with their ids, time, wind, gravity, tables, forces, rules and emitters) into `size` bytes at `memory`, any
  * alignment. Assets, batches' settings, threads and callbacks are not part of it. written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
@@ -507,8 +507,8 @@ typedef struct lr_body_force {
 
 LR_API lr_status lr_body_force_init(lr_body_force* force, uint32_t struct_size);
 
-/* Puts `count` forces on bodies of any batches, all or none; a body may be there more than once. What one of them does to
- * its body is limited to 1e9 m/s^2 or 1e6 m/s, and as much at the end of its length for torques. Pending forces are part
+/* Puts `count` forces on bodies of any batches, all or none; a body may be there more than once. One of them
+ * may give its body up to 1e9 m/s^2, torques as much over its length; an impulse up to 1e6 m/s and rad/s. Pending forces are part
  * of snapshots and of the world's hash. The first force or acceleration on a body of a batch takes 96 bytes for each of
  * the batch's capacity.
  * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,

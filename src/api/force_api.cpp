@@ -157,7 +157,7 @@ lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32
     if (!forces) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
     const ArrayOf<lr_body_force> all(forces);
     for (uint32_t i = 0; i < count; ++i) {
-        lr_body_force f;
+        lr_body_force f{};
         const lr_status status = all.read(i, f);
         if (status != LR_OK) return refuse(world, name, status);
         uint32_t index = 0;
@@ -169,7 +169,7 @@ lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32
         if (why) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
     uint32_t index = 0;
-    lr_body_force f;
+    lr_body_force f{};
     for (uint32_t i = 0; i < count; ++i) {
         all.read(i, f);
         if (continuous(f.mode) && !world->find(f.body, index)->reserve_forces())

@@ -32,7 +32,7 @@ enum Field : size_t {
 // External forces in SI units, on the body at its true size: a vector of each kind in each frame. Accelerations are
 // those of the body whatever its mass and the fluid's.
 enum ForceKind : size_t { force_newton, force_torque, force_acceleration, force_spin, force_kinds };
-inline constexpr size_t force_components = 2 * 3 * force_kinds;
+inline constexpr size_t force_components = size_t{6} * force_kinds;
 // Of component x; world frame: 0, body frame: 1.
 constexpr size_t force_component(size_t frame, size_t kind) {
     return 3 * (force_kinds * frame + kind);

@@ -169,9 +169,9 @@ TEST_CASE("orientations are all alike, or the one that is given") {
     d.pose = LR_POSE_FIXED;
     d.body_orientation[0] = 4.0f, d.body_orientation[3] = 3.0f;
     for (const lr_body_state& s : Source().bodies(d, 20)) {
-        CHECK(s.orientation[0] == doctest::Approx(0.8f));
+        CHECK(wide(s.orientation[0]) == doctest::Approx(0.8));
         CHECK(s.orientation[1] == 0.0f);
-        CHECK(s.orientation[3] == doctest::Approx(0.6f));
+        CHECK(wide(s.orientation[3]) == doctest::Approx(0.6));
     }
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("respawned bodies keep id and key, begin at age 0 where the emitter sa
             const lr_body_state s = state_of(c.world, e.ended_ids[i]);
             CHECK(s.age == 0.0f);
             CHECK(std::abs(s.position[0] - 100.0f) <= 1.0f);
-            CHECK(s.linear_velocity[1] == doctest::Approx(-1.0f).epsilon(1e-6));
+            CHECK(wide(s.linear_velocity[1]) == doctest::Approx(-1.0).epsilon(1e-6));
         }
         std::set<float> heights;
         for (int round = 0; round < 10; ++round) {
