@@ -296,7 +296,8 @@ LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
 /* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit
  * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as
- * the batches' rules and emitters say. Allocates nothing. The floating-point mode of the calling thread is saved, set and restored.
+ * the batches' rules and emitters say. Allocates nothing. The floating-point mode of the calling thread is saved, set
+ * and restored.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
@@ -308,8 +309,9 @@ LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
-/* Writes the world's state (bodies with their ids, time, wind, gravity, tables, forces, rules and emitters) into `size` bytes at `memory`, any
- * alignment. Assets, batches' settings, threads and callbacks are not part of it. written: bytes used; may be null.
+/* Writes the world's state (bodies with their ids, time, wind, gravity, tables, forces, rules and emitters) into `size`
+ * bytes at `memory`, any alignment. Assets, batches' settings, threads and callbacks are not part of it. written: bytes
+ * used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
 
@@ -478,9 +480,9 @@ LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_
 /* Forces                                                                                                             */
 
 /* What a force's numbers are. A body answers with the inertia of the fluid that moves along with it, (M + added)^-1 F;
- * accelerations and velocities come out as given, whatever the mass. The first two act over the whole next step, in each
- * substep at its own orientation, and are then gone; forces of several calls before a step add up. The last two change
- * the velocity at once. */
+ * accelerations and velocities come out as given, whatever the mass. The first two act over the whole next step, in
+ * each substep at its own orientation, and are then gone; forces of several calls before a step add up. The last two
+ * change the velocity at once. */
 #define LR_FORCE_MODE_FORCE 0        /* N, N m */
 #define LR_FORCE_MODE_ACCELERATION 1 /* m/s^2, rad/s^2 */
 #define LR_FORCE_MODE_IMPULSE 2      /* N s, N m s */
@@ -507,10 +509,10 @@ typedef struct lr_body_force {
 
 LR_API lr_status lr_body_force_init(lr_body_force* force, uint32_t struct_size);
 
-/* Puts `count` forces on bodies of any batches, all or none; a body may be there more than once. One of them
- * may give its body up to 1e9 m/s^2, torques as much over its length; an impulse up to 1e6 m/s and rad/s. Pending forces are part
- * of snapshots and of the world's hash. The first force or acceleration on a body of a batch takes 96 bytes for each of
- * the batch's capacity.
+/* Puts `count` forces on bodies of any batches, all or none; a body may be there more than once. One of them may
+ * give its body up to 1e9 m/s^2, torques as much over its length; an impulse up to 1e6 m/s and rad/s. Pending forces
+ * are part of snapshots and of the world's hash. The first force or acceleration on a body of a batch takes 96 bytes
+ * for each of the batch's capacity.
  * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32_t count);
@@ -530,7 +532,8 @@ typedef struct lr_force_arrays {
 LR_API lr_status lr_force_arrays_init(lr_force_arrays* arrays, uint32_t struct_size);
 
 /* LR_OK, LR_ERROR_NULL_ARGUMENT (some of three pointers), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE,
- * LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also first + count over the batch's bodies), LR_ERROR_OUT_OF_MEMORY. */
+ * LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also first + count over the batch's bodies),
+ * LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays);
 
 /* What acts on every body of a batch. All initially 0, each component up to 1e9 in magnitude. */
@@ -660,8 +663,8 @@ typedef struct lr_batch_events {
 
 LR_API lr_status lr_batch_events_init(lr_batch_events* events, uint32_t struct_size);
 
-/* Lists are valid until the next call that is not a query. All 0 and null for a batch that never had rules or an emitter.
- * Totals are part of snapshots; after a restore there are no events of the last step.
+/* Lists are valid until the next call that is not a query. All 0 and null for a batch that never had rules or an
+ * emitter. Totals are part of snapshots; after a restore there are no events of the last step.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events);
 
