@@ -335,8 +335,9 @@ LR_API lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size);
 LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
 /* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit
- * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). Allocates nothing. The
- * floating-point mode of the calling thread is saved, set and restored.
+ * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as
+ * the batches' rules and emitters say. Allocates nothing. The floating-point mode of the calling thread is saved, set
+ * and restored.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
@@ -348,8 +349,9 @@ LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
-/* Writes the world's state (bodies with their ids, time, wind, gravity, tables) into `size` bytes at `memory`, any
- * alignment. Assets, batches' settings, threads and callbacks are not part of it. written: bytes used; may be null.
+/* Writes the world's state (bodies with their ids, time, wind, gravity, tables, forces, rules and emitters) into `size`
+ * bytes at `memory`, any alignment. Assets, batches' settings, threads and callbacks are not part of it. written: bytes
+ * used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
 
@@ -542,6 +544,198 @@ LR_API lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Forces                                                                                                             */
+
+/* What a force's numbers are. A body answers with the inertia of the fluid that moves along with it, (M + added)^-1 F;
+ * accelerations and velocities come out as given, whatever the mass. The first two act over the whole next step, in
+ * each substep at its own orientation, and are then gone; forces of several calls before a step add up. The last two
+ * change the velocity at once. */
+#define LR_FORCE_MODE_FORCE 0        /* N, N m */
+#define LR_FORCE_MODE_ACCELERATION 1 /* m/s^2, rad/s^2 */
+#define LR_FORCE_MODE_IMPULSE 2      /* N s, N m s */
+#define LR_FORCE_MODE_VELOCITY 3     /* m/s, rad/s: added to the body's */
+
+#define LR_FRAME_WORLD 0
+#define LR_FRAME_BODY 1 /* turns with the body */
+
+#define LR_FORCE_AT_POINT 1u /* `force` acts at `point`, not at the centre of mass; forces and impulses only */
+
+/* A force and a torque on one body, at the body's true size: a body of scale 2 has eight times the mass. */
+typedef struct lr_body_force {
+    uint32_t struct_size; /* the same in all elements of an array: it is the array's stride */
+    int32_t mode;         /* LR_FORCE_MODE_*; initially LR_FORCE_MODE_FORCE */
+    lr_body body;
+    int32_t frame;   /* LR_FRAME_*, of force, torque and point; initially LR_FRAME_WORLD */
+    uint32_t flags;  /* LR_FORCE_*; initially 0 */
+    float force[3];  /* initially 0 */
+    float torque[3]; /* about the centre of mass; initially 0 */
+    float point[3];  /* m; in the world frame a position, in the body frame from the centre of mass. Its arm is taken at
+                          the time of the call */
+    uint32_t reserved; /* 0 */
+} lr_body_force;
+
+LR_API lr_status lr_body_force_init(lr_body_force* force, uint32_t struct_size);
+
+/* Puts `count` forces on bodies of any batches, all or none; a body may be there more than once. One of them may
+ * give its body up to 1e9 m/s^2, torques as much over its length; an impulse up to 1e6 m/s and rad/s. Pending forces
+ * are part of snapshots and of the world's hash. The first force or acceleration on a body of a batch takes 96 bytes
+ * for each of the batch's capacity.
+ * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32_t count);
+
+/* The same for many bodies of one batch, in the order of its view. */
+typedef struct lr_force_arrays {
+    uint32_t struct_size;
+    int32_t mode;           /* LR_FORCE_MODE_*; initially LR_FORCE_MODE_FORCE */
+    int32_t frame;          /* LR_FRAME_*; initially LR_FRAME_WORLD */
+    uint32_t first;         /* index in the view of the first body; initially 0 */
+    uint32_t count;         /* bodies */
+    uint32_t stride;        /* bytes from one body's value to the next's, a multiple of 4; initially 0: no gaps, 4 */
+    const float* force[3];  /* x, y, z: `count` values each, not kept; all three or none */
+    const float* torque[3]; /* alike; all three or none */
+} lr_force_arrays;
+
+LR_API lr_status lr_force_arrays_init(lr_force_arrays* arrays, uint32_t struct_size);
+
+/* LR_OK, LR_ERROR_NULL_ARGUMENT (some of three pointers), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE,
+ * LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also first + count over the batch's bodies),
+ * LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays);
+
+/* What acts on every body of a batch. All initially 0, each component up to 1e9 in magnitude. */
+typedef struct lr_batch_force {
+    uint32_t struct_size;
+    uint32_t reserved;             /* 0 */
+    float force[3];                /* N, world frame */
+    float torque[3];               /* N m, world frame */
+    float acceleration[3];         /* m/s^2, world frame; of the body, whatever its mass */
+    float angular_acceleration[3]; /* rad/s^2, world frame */
+    float body_force[3];           /* the same four in the body frame */
+    float body_torque[3];
+    float body_acceleration[3];
+    float body_angular_acceleration[3];
+} lr_batch_force;
+
+LR_API lr_status lr_batch_force_init(lr_batch_force* force, uint32_t struct_size);
+
+/* From the next step on, until changed; copied. Null ends it. Part of snapshots.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Births and ends: storms that run by themselves. docs/lifecycle.md                                                  */
+
+#define LR_END_DESTROY 0 /* the body is destroyed, its id stale */
+#define LR_END_RESPAWN 1 /* the body begins anew where the batch's emitter says, at age 0, with the same id and key */
+
+#define LR_VOLUME_PLANE 0  /* inside: behind the plane through `center`, away from its normal `size` */
+#define LR_VOLUME_BOX 1    /* axis-aligned; size: half extents */
+#define LR_VOLUME_SPHERE 2 /* size[0]: radius */
+
+#define LR_KILL_INSIDE 0
+#define LR_KILL_OUTSIDE 1
+
+typedef struct lr_kill_volume {
+    int32_t shape;   /* LR_VOLUME_* */
+    int32_t side;    /* LR_KILL_*: where bodies end */
+    float center[3]; /* m, up to 1e9 in magnitude */
+    float size[3];   /* m; of a plane its normal, of any length but 0 */
+} lr_kill_volume;
+
+#define LR_MAX_KILL_VOLUMES 8u
+
+/* When the bodies of a batch end. A body with a position that is not finite ends under any rules. */
+typedef struct lr_batch_rules {
+    uint32_t struct_size;
+    int32_t action;                              /* LR_END_*; initially LR_END_DESTROY */
+    float max_age;                               /* s; initially 0: no limit */
+    uint32_t volume_count;                       /* used part of `volumes`; initially 0 */
+    lr_kill_volume volumes[LR_MAX_KILL_VOLUMES]; /* by the centre of mass */
+} lr_batch_rules;
+
+LR_API lr_status lr_batch_rules_init(lr_batch_rules* rules, uint32_t struct_size);
+
+/* Bodies are judged at the end of each step. Copied; null ends the rules. Part of snapshots. The first rules or emitter
+ * of a batch take 24 bytes for each of its capacity; later calls, say to move a volume along with a camera, none.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT (also LR_END_RESPAWN without an emitter), LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules);
+
+#define LR_EMIT_POINT 0
+#define LR_EMIT_BOX 1 /* the first three fill their shape evenly */
+#define LR_EMIT_SPHERE 2
+#define LR_EMIT_DISC 3           /* in the plane of the shape's own x and y */
+#define LR_EMIT_BOX_SURFACE 4    /* evenly */
+#define LR_EMIT_SPHERE_SURFACE 5 /* evenly if its three sizes are equal */
+
+#define LR_POSE_RANDOM 0 /* every orientation alike */
+#define LR_POSE_FIXED 1  /* body_orientation */
+
+/* How bodies of a batch are born. What is drawn for a body depends on the world's seed, its key, and how often it has
+ * respawned, and on nothing else. */
+typedef struct lr_emitter_desc {
+    uint32_t struct_size;
+    int32_t shape;              /* LR_EMIT_*; initially LR_EMIT_POINT */
+    float position[3];          /* m, centre of the shape; initially 0 */
+    float orientation[4];       /* of the shape, x y z w, normalised when taken; initially 0 0 0 1 */
+    float size[3];              /* m, half extents or semi-axes along the shape's own axes, 0 to 1e9; initially 0 */
+    int32_t pose;               /* LR_POSE_*, of the bodies; initially LR_POSE_RANDOM */
+    float body_orientation[4];  /* body to world, normalised when taken; initially 0 0 0 1 */
+    float direction[3];         /* of the velocity, world frame, of any length but 0; initially 0, -1, 0 */
+    float spread;               /* rad, half angle of a cone about `direction`, filled evenly, 0 to pi; initially 0 */
+    float speed_min, speed_max; /* m/s, evenly between; initially 0 */
+    float spin_min, spin_max;   /* rad/s, evenly between, about any axis alike; initially 0 */
+    float scale_min, scale_max; /* evenly between; initially 1 */
+    float rate;                 /* births per second, 0 to 1e9; initially 0: bodies respawn, but none are added */
+    float burst_interval;       /* s between bursts, >= 1e-4 */
+    uint32_t burst_count;       /* births at once in each burst; initially 0: no bursts */
+    uint32_t reserved;          /* 0 */
+} lr_emitter_desc;
+
+LR_API lr_status lr_emitter_desc_init(lr_emitter_desc* desc, uint32_t struct_size);
+
+/* Bodies are born at the end of each step, after others have ended, up to the batch's capacity; those that find no room
+ * are not born later. Their keys are the world's next. Copied; another emitter carries on with the fraction of a body
+ * that is due and with the time since the last burst; null ends it. Part of snapshots. Memory: as lr_batch_set_rules.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT (also null while the rules respawn), LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc);
+
+/* Bears `count` bodies now, all or none. out_ids: receives `count` ids; may be null.
+ * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT (no emitter),
+ * LR_ERROR_CAPACITY. */
+LR_API lr_status lr_batch_emit(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids);
+
+/* What rules and emitter did in the last step, and since the batch began. */
+typedef struct lr_batch_events {
+    uint32_t struct_size;
+    uint32_t born;      /* by rate and bursts */
+    uint32_t destroyed; /* by the rules */
+    uint32_t respawned;
+    uint32_t missed; /* births for which there was no room */
+    /* Why bodies ended: the first cause that held, in this order. */
+    uint32_t by_not_finite;
+    uint32_t by_age;
+    uint32_t by_volume[LR_MAX_KILL_VOLUMES];
+    uint32_t reserved;
+    uint64_t total_born; /* with those of lr_batch_emit */
+    uint64_t total_destroyed;
+    uint64_t total_respawned;
+    uint64_t total_missed;
+    const lr_body* ended_ids; /* destroyed or respawned in the last step: destroyed + respawned of them, in no order */
+    const lr_body* born_ids;  /* `born` of them */
+} lr_batch_events;
+
+LR_API lr_status lr_batch_events_init(lr_batch_events* events, uint32_t struct_size);
+
+/* Lists are valid until the next call that is not a query. All 0 and null for a batch that never had rules or an
+ * emitter. Totals are part of snapshots; after a restore there are no events of the last step.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events);
 
 #ifdef __cplusplus
 }

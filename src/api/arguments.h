@@ -46,6 +46,21 @@ template <class T> lr_status read_struct(const T* given, T& out) {
     return LR_OK;
 }
 
+// An array of structs whose stride is the struct_size of the first, the same in all of them.
+template <class T> class ArrayOf {
+public:
+    explicit ArrayOf(const T* first) : first_(first), stride_(first->struct_size) {}
+    lr_status read(uint32_t i, T& out) const {
+        const auto* const bytes = reinterpret_cast<const unsigned char*>(first_) + uint64_t{stride_} * i;
+        const lr_status status = read_struct(reinterpret_cast<const T*>(bytes), out);
+        return status == LR_OK && out.struct_size != stride_ ? LR_ERROR_STRUCT_SIZE : status;
+    }
+
+private:
+    const T* first_;
+    uint32_t stride_;
+};
+
 // Writes as much of a result as the caller has room for.
 template <class T> void write_struct(const T& from, T* to) {
     const uint32_t size = to->struct_size;

@@ -1,4 +1,5 @@
 #include "api/refuse.h"
+#include "world/rotate.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -6,23 +7,12 @@
 namespace {
 
 using namespace lr::api;
+using lr::rotate;
+using lr::Vector;
 
 constexpr double least_scale = static_cast<double>(1e-3f), most_scale = 1e3;
 constexpr double most_speed = 1e6; // m/s and rad/s: far beyond physics, far below overflow
 constexpr double most_place = 1e9; // m
-
-struct Vector {
-    double v[3];
-};
-
-// R(q)^T a and R(q) a in double: a state that is read and set again must come back the same to rounding.
-Vector rotate(const double q[4], const float a[3], bool to_body) {
-    const double s = to_body ? -1.0 : 1.0;
-    const double x = s * q[0], y = s * q[1], z = s * q[2], w = q[3];
-    const double ax = static_cast<double>(a[0]), ay = static_cast<double>(a[1]), az = static_cast<double>(a[2]);
-    const double tx = 2.0 * (y * az - z * ay), ty = 2.0 * (z * ax - x * az), tz = 2.0 * (x * ay - y * ax);
-    return {{ax + w * tx + y * tz - z * ty, ay + w * ty + z * tx - x * tz, az + w * tz + x * ty - y * tx}};
-}
 
 // Desc and state have the same physical fields.
 template <class T> const char* wrong_in(const T& s) {
@@ -92,28 +82,20 @@ lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* de
     if (!descs) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
     if (count > b->capacity() - b->count()) return refuse(world, name, LR_ERROR_CAPACITY);
 
-    const uint32_t stride = descs->struct_size;
-    const auto at = [&](uint32_t i) {
-        return reinterpret_cast<const lr_body_desc*>(reinterpret_cast<const unsigned char*>(descs) +
-                                                     uint64_t{stride} * i);
-    };
+    const ArrayOf<lr_body_desc> all(descs);
     // All or none: the whole array is checked before the first is made.
     for (uint32_t i = 0; i < count; ++i) {
         lr_body_desc d;
-        lr_status status = read_struct(at(i), d);
-        if (status == LR_OK && d.struct_size != stride) status = LR_ERROR_STRUCT_SIZE;
+        const lr_status status = all.read(i, d);
         if (status != LR_OK) return refuse(world, name, status);
         if (!all_finite(d)) return refuse(world, name, LR_ERROR_NOT_FINITE);
         if (const char* why = wrong_in(d)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
     for (uint32_t i = 0; i < count; ++i) {
         lr_body_desc d;
-        read_struct(at(i), d);
+        all.read(i, d);
         lr::BodyState state = to_storage(d);
-        if (state.key == 0) {
-            state.key = world->next_key;
-            world->next_key = world->next_key == UINT32_MAX ? 1 : world->next_key + 1;
-        }
+        if (state.key == 0) state.key = world->take_key();
         const lr_body id = b->add(state);
         if (out_ids) out_ids[i] = id;
     }

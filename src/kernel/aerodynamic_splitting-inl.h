@@ -30,20 +30,19 @@ HWY_INLINE Vec3 each(VF (*f)(VF, VF, VF), Vec3 y, Vec3 x, Vec3 tau_f) {
 // Drag opposes the velocity with one factor in all directions, so that the modes of the mobility P M^-1 P^T decay on
 // their own, each towards its terminal velocity.
 template <bool kFull>
-HWY_INLINE void drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Vec3 weight,
-                          Vec3 gravity, Body& b) {
+HWY_INLINE void drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Twist applied,
+                          Body& b) {
     const AerodynamicConstants& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h);
     if constexpr (!kFull) {
         const Vec3 rate = broadcast(c.inverse_mass);
-        const Vec3 pull = scale(tau, times(rate, to_body(b.q, weight)));
+        const Vec3 pull = scale(tau, times(rate, applied.v));
         const Vec3 x = scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, b.t.v)), rate);
         const Vec3 middle = each(relax_half, b.t.v, x, pull);
         b.t.v =
             each(relax_second, b.t.v, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, middle)), rate), pull);
     } else {
-        const Twist pull = scale(
-            tau, acceleration<true>(c, {to_body(b.q, weight), cross(broadcast(c.buoyancy), to_body(b.q, gravity))}));
+        const Twist pull = scale(tau, acceleration<true>(c, applied));
         const Vec3 v = centre_velocity<true>(a, b.t), rate = broadcast(a.rate);
         const Vec3 y = columns(a.modes, v), push = columns(a.modes, centre_velocity<true>(a, pull));
         const Vec3 x = scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, v)), rate);
@@ -81,7 +80,8 @@ HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
 }
 
 template <bool kFull>
-HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Body& b) {
+HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Twist applied,
+                               Body& b) {
     const AerodynamicConstants& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h);
     const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
@@ -89,7 +89,8 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, cons
     const Vec3 couple = scale(tau, lift_moment(a, held.inverse_length, v));
     const Vec3 first = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, u));
     if constexpr (!kFull) {
-        const Vec3 rate = broadcast(c.inverse_spin_mass), push = bounded_push(times(rate, couple), s);
+        const Vec3 rate = broadcast(c.inverse_spin_mass),
+                   push = add_scaled(bounded_push(times(rate, couple), s), tau, times(rate, applied.u));
         const Vec3 middle = each(relax_half, u, times(rate, first), push);
         const Vec3 x = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, middle));
         b.t.u = each(relax_second, u, times(rate, x), push);
@@ -159,17 +160,30 @@ HWY_INLINE void lift_half(const StepInput& in, const BodyConstants& c, const Hel
     }
 }
 
+// Weight, buoyancy and what acts from outside, in the body frame. A torque acts with the drag on the full path, where it
+// moves the centre of the loads, and with the spin drag on the diagonal one.
+template <bool kFull>
+HWY_INLINE Twist applied_loads(const BodyConstants& c, const Held& held, Vec3 weight, Vec3 gravity, Quaternion q) {
+    const VF zero = hn::Zero(DF());
+    Twist f{to_body(q, weight), {zero, zero, zero}};
+    if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(q, gravity));
+    if (held.external) f = add(f, external_force<kFull>(c, *held.external, q));
+    return f;
+}
+
 template <bool kFull>
 HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const BodyConstants& c, const Held& held,
                                               Vec3 weight, Vec3 gravity, Body& b) {
     const VF nu = hn::Mul(constant(c.aerodynamics.viscosity), held.inverse_length);
-    drag_half<kFull>(in, c, held, nu, weight, gravity, b);
-    spin_drag_half<kFull>(in, c, held, nu, b);
+    const Twist before = applied_loads<kFull>(c, held, weight, gravity, b.q);
+    drag_half<kFull>(in, c, held, nu, before, b);
+    spin_drag_half<kFull>(in, c, held, nu, before, b);
     lift_half<kFull>(in, c, held, nu, b);
     free_step<kFull>(in, c, held, b);
+    const Twist after = applied_loads<kFull>(c, held, weight, gravity, b.q);
     lift_half<kFull>(in, c, held, nu, b);
-    spin_drag_half<kFull>(in, c, held, nu, b);
-    drag_half<kFull>(in, c, held, nu, weight, gravity, b);
+    spin_drag_half<kFull>(in, c, held, nu, after, b);
+    drag_half<kFull>(in, c, held, nu, after, b);
 }
 
 } // namespace lr::HWY_NAMESPACE

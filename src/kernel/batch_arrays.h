@@ -24,12 +24,22 @@ enum Field : size_t {
     field_wy,
     field_wz, // rad/s, body frame
     field_scale,
-    field_age, // s
+    field_age,      // s
+    field_age_rest, // s, what rounding has added to the age so far
     field_gust_x,
     field_gust_y,
     field_gust_z, // m/s, world: the fluid's own velocity as the body sees it, AERODYNAMIC loads only
     field_count
 };
+
+// External forces in SI units, on the body at its true size: a vector of each kind in each frame. Accelerations are
+// those of the body whatever its mass and the fluid's.
+enum ForceKind : size_t { force_newton, force_torque, force_acceleration, force_spin, force_kinds };
+inline constexpr size_t force_components = size_t{6} * force_kinds;
+// Of component x; world frame: 0, body frame: 1.
+constexpr size_t force_component(size_t frame, size_t kind) {
+    return 3 * (force_kinds * frame + kind);
+}
 
 struct BatchArrays {
     float* field[field_count];

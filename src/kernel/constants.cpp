@@ -37,6 +37,7 @@ bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyCons
     const double d = a.length_d;
     const double unit = a.mass + rho * a.volume;
     out.length = static_cast<float>(d);
+    out.unit_mass = static_cast<float>(unit);
     out.weight = static_cast<float>((a.mass - rho * a.volume) / unit);
     for (size_t i = 0; i < 3; ++i)
         out.buoyancy[i] = static_cast<float>(-rho * a.volume * a.center_of_buoyancy[i] / (unit * d));

@@ -45,6 +45,7 @@ struct AerodynamicConstants {
 // every entry below is of order one for confetti and banners alike, and scale enters only through 1/(d s).
 struct BodyConstants {
     float length;      // d, m
+    float unit_mass;   // U, kg
     float weight;      // (m - rho V)/U, multiplies gravity
     float buoyancy[3]; // -rho V r_b/(U d): torque = this x R^T g
 

@@ -71,7 +71,7 @@ HWY_INLINE void rk4_substep(const StepInput& in, const BodyConstants& c, Held& h
     const Twist inner = add(k2, k3);
     b.t = add_scaled(b.t, sixth, add(add(k1, k4), add(inner, inner)));
     b.q = normalised(turned);
-    b.age = hn::Add(b.age, h);
+    grow_older(b, h);
 }
 
 } // namespace lr::HWY_NAMESPACE

@@ -88,6 +88,7 @@ HWY_INLINE void load_half(const StepInput& in, const BodyConstants& c, const Hel
     Twist f{to_body(b.q, weight), {}};
     f.u = {hn::Zero(DF()), hn::Zero(DF()), hn::Zero(DF())};
     if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(b.q, gravity));
+    if (held.external) f = add(f, external_force<kFull>(c, *held.external, b.q));
     const Twist tau_f = scale(tau, force_to_modes<kFull>(c, f));
     const Twist y = to_modes<kFull>(c, b.t);
     if constexpr (kLoads == Loads::none) {
@@ -298,7 +299,7 @@ HWY_INLINE void splitting_substep(const StepInput& in, const BodyConstants& c, H
     free_step<kFull>(in, c, held, b);
     load_half<kFull, kLoads, kLoads != Loads::none>(in, c, held, weight, gravity, beta_unit, gauss, b);
     b.x = add(b.x, scale(constant(in.h), broadcast(in.wind)));
-    b.age = hn::Add(b.age, constant(in.h));
+    grow_older(b, constant(in.h));
 }
 
 } // namespace lr::HWY_NAMESPACE

@@ -7,6 +7,8 @@
 
 #include "hwy/highway.h"
 #include "kernel/aerodynamic_splitting-inl.h"
+#include "kernel/ended-inl.h"
+#include "kernel/external-inl.h"
 #include "kernel/noise-inl.h"
 #include "kernel/rk4-inl.h"
 #include "kernel/splitting-inl.h"
@@ -59,7 +61,7 @@ HWY_INLINE void aerodynamic_substep(const StepInput& in, const BodyConstants& c,
     if constexpr (kIntegrator == Integrator::splitting) {
         aerodynamic_splitting_substep<kFull>(in, c, held, weight, gravity, b);
         b.x = add(b.x, scale(constant(in.h), broadcast(in.wind)));
-        b.age = hn::Add(b.age, constant(in.h));
+        grow_older(b, constant(in.h));
     } else {
         rk4_substep<kFull, kLoads>(in, c, held, weight, gravity, hn::Zero(DF()), gauss, b);
     }
@@ -81,6 +83,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         b.q = {hn::Load(d, a.field[field_qx] + at), hn::Load(d, a.field[field_qy] + at),
                hn::Load(d, a.field[field_qz] + at), hn::Load(d, a.field[field_qw] + at)};
         b.age = hn::Load(d, a.field[field_age] + at);
+        b.age_rest = hn::Load(d, a.field[field_age_rest] + at);
         const VF length = hn::Mul(hn::Load(d, a.field[field_scale] + at), constant(c.length));
         Held held;
         held.inverse_length = hn::Div(constant(1.0f), length);
@@ -89,6 +92,11 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         if constexpr (is_aerodynamic(kLoads)) b.gust = load3(a, field_gust_x, at);
         b.t.v = sub(load3(a, field_vx, at), to_body(b.q, broadcast(in.wind)));
         b.t.u = scale(length, load3(a, field_wx, at));
+        External external;
+        if (in.external.any) {
+            external = take_external(in.external, c, hn::Load(d, a.field[field_scale] + at), at);
+            held.external = &external;
+        }
         const VU key = hn::Load(du, a.key + at);
         const VF beta_unit = hn::Mul(constant(c.speed_beta), held.inverse_length);
 
@@ -116,6 +124,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         store3(a, field_vx, at, without_dust(v));
         store3(a, field_wx, at, without_dust(w));
         hn::Store(b.age, d, a.field[field_age] + at);
+        hn::Store(b.age_rest, d, a.field[field_age_rest] + at);
     }
 }
 
@@ -161,28 +170,28 @@ namespace lr {
 const KernelTarget* built_targets(size_t& count) {
     static constexpr KernelTarget targets[] = {
 #if HWY_TARGETS & HWY_AVX3
-        {LR_SIMD_AVX512, HWY_AVX3, &N_AVX3::step_range},
+        {LR_SIMD_AVX512, HWY_AVX3, &N_AVX3::step_range, &N_AVX3::ended_range},
 #endif
 #if HWY_TARGETS & HWY_AVX2
-        {LR_SIMD_AVX2, HWY_AVX2, &N_AVX2::step_range},
+        {LR_SIMD_AVX2, HWY_AVX2, &N_AVX2::step_range, &N_AVX2::ended_range},
 #endif
 #if HWY_TARGETS & HWY_SSE4
-        {LR_SIMD_SSE4, HWY_SSE4, &N_SSE4::step_range},
+        {LR_SIMD_SSE4, HWY_SSE4, &N_SSE4::step_range, &N_SSE4::ended_range},
 #endif
 #if HWY_TARGETS & HWY_SSSE3
-        {LR_SIMD_SSSE3, HWY_SSSE3, &N_SSSE3::step_range},
+        {LR_SIMD_SSSE3, HWY_SSSE3, &N_SSSE3::step_range, &N_SSSE3::ended_range},
 #endif
 #if HWY_TARGETS & HWY_NEON
-        {LR_SIMD_NEON, HWY_NEON, &N_NEON::step_range},
+        {LR_SIMD_NEON, HWY_NEON, &N_NEON::step_range, &N_NEON::ended_range},
 #endif
 #if HWY_TARGETS & HWY_WASM
-        {LR_SIMD_WASM, HWY_WASM, &N_WASM::step_range},
+        {LR_SIMD_WASM, HWY_WASM, &N_WASM::step_range, &N_WASM::ended_range},
 #endif
 #if HWY_TARGETS & HWY_EMU128
-        {LR_SIMD_EMULATED, HWY_EMU128, &N_EMU128::step_range},
+        {LR_SIMD_EMULATED, HWY_EMU128, &N_EMU128::step_range, &N_EMU128::ended_range},
 #endif
 #if HWY_TARGETS & HWY_SCALAR
-        {LR_SIMD_EMULATED, HWY_SCALAR, &N_SCALAR::step_range},
+        {LR_SIMD_EMULATED, HWY_SCALAR, &N_SCALAR::step_range, &N_SCALAR::ended_range},
 #endif
     };
     count = sizeof(targets) / sizeof(targets[0]);

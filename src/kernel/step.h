@@ -3,10 +3,20 @@
 
 #include "kernel/batch_arrays.h"
 #include "kernel/constants.h"
+#include "kernel/ended.h"
 
 #include <cstdint>
 
 namespace lr {
+
+// Forces over a step, by force_component. The step consumes those of bodies: it leaves zeros behind.
+struct ExternalInput {
+    bool any;
+    float batch[force_components]; // on each body
+    float* bodies;                 // on each by itself, force_components arrays
+    uint32_t used;                 // a bit for each vector of `bodies`, from component 0 on; the others are 0
+    size_t stride;                 // from one of these arrays to the next
+};
 
 struct StepInput {
     uint64_t seed;
@@ -20,6 +30,7 @@ struct StepInput {
     Integrator integrator;
     BodyConstants body;
     TableConstants table;
+    ExternalInput external;
 };
 
 // begin, end: multiples of lane_block.
@@ -29,6 +40,7 @@ struct KernelTarget {
     int32_t simd; // LR_SIMD_*
     int64_t hwy;  // Highway's bit for it
     StepFunction step;
+    EndedFunction ended;
 };
 
 // Targets in this build, best first; `count` receives how many.

@@ -1,6 +1,7 @@
 #include "world/batch.h"
 
 #include "kernel/aerodynamics.h"
+#include "world/lifecycle.h"
 
 #include <algorithm>
 #include <new>
@@ -53,6 +54,7 @@ void Batch::destroy(Batch* batch) {
 }
 
 Batch::~Batch() {
+    Lifecycle::destroy(*allocator_, lifecycle_);
     release(asset_);
 }
 
@@ -110,6 +112,8 @@ void Batch::remove(lr_body body) {
         ids_[index] = ids_[last];
         dense_[unpack(ids_[index]).slot] = index;
     }
+    external.move(last, index);
+    if (lifecycle_) lifecycle_->move(last, index);
     clear_lane(last);
     ids_[last] = 0;
     --count_;
@@ -171,6 +175,15 @@ bool Batch::set_aerodynamics(const AerodynamicData& loads, const Gains& gains) {
     settings_.gains = gains;
     step.body = body;
     return true;
+}
+
+bool Batch::reserve_forces() {
+    return external.reserve(*allocator_, padded(capacity_));
+}
+
+bool Batch::reserve_lifecycle() {
+    if (!lifecycle_) lifecycle_ = Lifecycle::create(*allocator_, capacity_, padded(capacity_));
+    return lifecycle_ != nullptr;
 }
 
 bool Batch::set_table(const TableView& t) {

@@ -5,9 +5,12 @@
 #include "kernel/batch_arrays.h"
 #include "kernel/step.h"
 #include "world/allocator.h"
+#include "world/external_forces.h"
 #include "world/handles.h"
 
 namespace lr {
+
+class Lifecycle;
 
 struct BatchSettings {
     Loads loads = Loads::langevin_speed;
@@ -68,6 +71,12 @@ public:
     uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
     const BatchSettings& settings() const { return settings_; }
 
+    ExternalForces external;
+    bool reserve_forces(); // for forces on single bodies; false when out of memory
+
+    Lifecycle* lifecycle() const { return lifecycle_; } // null before the first rules or emitter
+    bool reserve_lifecycle();                           // false when out of memory
+
     StepInput step;           // constants of the shape, filled up by World::step
     uint32_t first_chunk = 0; // set by World::step
 
@@ -97,6 +106,7 @@ private:
     Buffer<float> table_; // alpha, then beta^2
     AerodynamicData aerodynamics_;
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
+    Lifecycle* lifecycle_ = nullptr;
 };
 
 } // namespace lr

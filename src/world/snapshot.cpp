@@ -1,6 +1,7 @@
 #include "world/snapshot.h"
 
 #include "kernel/aerodynamics.h"
+#include "world/snapshot_parts.h"
 #include "world/world.h"
 
 #include <cmath>
@@ -40,7 +41,7 @@ struct BatchHeader {
     uint32_t table_count;
     float inverse_dt;
     float speed_alpha, speed_beta;
-    uint32_t reserved;
+    uint32_t parts; // SnapshotPart
     Gains gains;
     TurbulenceSample stationary;
     AerodynamicData aerodynamics;
@@ -66,6 +67,7 @@ uint64_t even(uint64_t words) {
     return (words + 1) / 2 * 2;
 } // 32-bit words, kept to 8 bytes
 
+// Without the parts that only some batches have, which follow.
 uint64_t batch_bytes(uint32_t capacity, uint32_t count, uint32_t table_count) {
     const uint64_t bodies = (field_count + 1) * even(count) + 2 * uint64_t{count};
     return 4 * (bodies + 3 * even(capacity) + 2 * even(table_count));
@@ -95,6 +97,7 @@ public:
         h.gains = b.settings_.gains;
         h.stationary = b.stationary_;
         h.aerodynamics = b.aerodynamics_;
+        h.parts = parts_of(b);
         return h;
     }
 
@@ -151,10 +154,11 @@ public:
         }
         // Other fields may hold anything: a body that left physics must not make its world unrestorable.
         for (uint32_t i = 0; i < h.count; ++i)
-            for (size_t f : {field_scale, field_age}) {
+            for (size_t f : {field_scale, field_age, field_age_rest}) {
                 float v;
                 std::memcpy(&v, body + 4 * (f * even(h.count) + i), 4);
-                if (!std::isfinite(v) || v < 0.0f || (f == field_scale && v == 0.0f)) return false;
+                if (!std::isfinite(v) || (v < 0.0f && f != field_age_rest) || (f == field_scale && v == 0.0f))
+                    return false;
             }
         return true;
     }
@@ -200,7 +204,7 @@ uint64_t snapshot_size(const lr_world& w) {
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         size += sizeof(BatchHeader);
-        if (h.capacity != 0) size += batch_bytes(h.capacity, h.count, h.table_count);
+        if (h.capacity != 0) size += batch_bytes(h.capacity, h.count, h.table_count) + parts_bytes(h.parts, h.count);
     }
     return size;
 }
@@ -233,6 +237,8 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
             std::memset(at + 4 * words, 0, 4 * (even(words) - words));
             at += 4 * even(words);
         });
+        save_parts(batch, at);
+        at += parts_bytes(h.parts, h.count);
     }
     header.checksum = checksum(begin, needed);
     std::memcpy(begin, &header, sizeof header);
@@ -267,7 +273,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
             if (header.size - at < sizeof h) return LR_ERROR_SNAPSHOT_FORMAT;
             std::memcpy(&h, begin + at, sizeof h);
             at += sizeof h;
-            const Batch* const batch = w.batches[i].batch;
+            Batch* const batch = w.batches[i].batch;
             if ((h.capacity != 0) != (batch != nullptr)) return LR_ERROR_SNAPSHOT_MISMATCH;
             if (h.generation == 0 || h.generation > max_batch_generation || h.body_generation == 0 ||
                 h.body_generation > max_generation)
@@ -277,18 +283,22 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
                 return LR_ERROR_SNAPSHOT_MISMATCH;
             if (h.count > h.capacity || h.table_count == 0 || h.table_count > 65536 || !(h.inverse_dt > 0.0f) ||
                 !std::isfinite(h.inverse_dt) || !std::isfinite(h.speed_alpha) || !std::isfinite(h.speed_beta) ||
-                h.speed_alpha < 0.0f || h.speed_beta < 0.0f || !SnapshotAccess::usable_loads(h, *batch))
+                h.speed_alpha < 0.0f || h.speed_beta < 0.0f || (h.parts & ~all_parts) != 0 ||
+                !SnapshotAccess::usable_loads(h, *batch))
                 return LR_ERROR_SNAPSHOT_FORMAT;
             const uint64_t bytes = batch_bytes(h.capacity, h.count, h.table_count);
             Buffer<uint32_t> seen;
             if (!seen.allocate(w.allocator, h.capacity / 32 + 1)) return LR_ERROR_OUT_OF_MEMORY;
             std::memset(seen.data(), 0, seen.size() * sizeof(uint32_t));
-            if (header.size - at < bytes || !SnapshotAccess::consistent(h, i, begin + at, seen))
+            const uint64_t parts = parts_bytes(h.parts, h.count);
+            if (header.size - at < bytes + parts || !SnapshotAccess::consistent(h, i, begin + at, seen) ||
+                !parts_consistent(h.parts, h.count, begin + at + bytes))
                 return LR_ERROR_SNAPSHOT_FORMAT;
-            at += bytes;
+            at += bytes + parts;
             if (h.table_count * 2ull != SnapshotAccess::table(*w.batches[i].batch).size() &&
                 !tables[i].allocate(w.allocator, 2ull * h.table_count))
                 return LR_ERROR_OUT_OF_MEMORY;
+            if (!reserve_parts(*batch, h.parts)) return LR_ERROR_OUT_OF_MEMORY;
         }
         return at == header.size ? LR_OK : LR_ERROR_SNAPSHOT_FORMAT;
     };
@@ -306,6 +316,8 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
             }
             SnapshotAccess::restore(w.batches[i], h, at, tables[i]);
             at += batch_bytes(h.capacity, h.count, h.table_count);
+            restore_parts(*w.batches[i].batch, h.parts, h.count, at);
+            at += parts_bytes(h.parts, h.count);
         }
         w.seed = header.seed;
         w.substep_count = header.substep_count;

@@ -1,6 +1,7 @@
 // How the bodies of a world are cut into pieces of work.
 #pragma once
 
+#include "world/lifecycle.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -27,6 +28,8 @@ struct StepChunks {
             const uint32_t begin = (chunk - batch->first_chunk) * chunk_bodies;
             const uint32_t end = std::min(begin + chunk_bodies, batch->padded_count());
             w.target->step(batch->step, batch->arrays(), begin, end);
+            // While the chunk is still in the cache.
+            if (batch->lifecycle()) batch->lifecycle()->judge(w.target->ended, batch->arrays(), begin, end);
             return;
         }
     }

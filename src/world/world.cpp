@@ -1,5 +1,6 @@
 #include "world/world.h"
 
+#include "world/lifecycle.h"
 #include "world/step_chunks.h"
 
 #include <algorithm>
@@ -112,6 +113,12 @@ lr_status lr_world::destroy_bodies(const lr_body* bodies, uint32_t count) {
     return LR_OK;
 }
 
+uint32_t lr_world::take_key() {
+    const uint32_t key = next_key;
+    next_key = key == UINT32_MAX ? 1 : key + 1;
+    return key;
+}
+
 void lr_world::step(float dt, uint32_t substeps) {
     const double h = static_cast<double>(dt) / substeps;
     lr::StepChunks chunks{};
@@ -129,11 +136,18 @@ void lr_world::step(float dt, uint32_t substeps) {
         in.inverse_sqrt_h = static_cast<float>(1.0 / std::sqrt(h));
         std::copy(gravity, gravity + 3, in.gravity);
         std::copy(fluid.wind, fluid.wind + 3, in.wind);
+        in.external = batch->external.input();
     }
     chunks.world = this;
     pool.run(chunks.count, &lr::StepChunks::run, &chunks);
     substep_count += substeps;
     time += static_cast<double>(dt);
+    for (uint32_t i = 0; i < batch_slots; ++i) {
+        Batch* const batch = batches[i].batch;
+        if (!batch) continue;
+        batch->external.stepped();
+        if (batch->lifecycle()) batch->lifecycle()->finish(*batch, *this, static_cast<double>(dt));
+    }
 }
 
 namespace {
@@ -152,16 +166,31 @@ uint64_t lr_world::hash() const {
     for (uint32_t b = 0; b < batch_slots; ++b) {
         if (!batches[b].batch) continue;
         const Batch& batch = *batches[b].batch;
-        const size_t fields = lr::is_aerodynamic(batch.step.loads) ? lr::field_count : size_t{lr::field_gust_x};
         // A sum over bodies, so that their order in memory does not matter.
         uint64_t sum = 0;
         for (uint32_t i = 0; i < batch.count(); ++i) {
             uint64_t body = mix(batch.arrays().key[i] + 1ull);
-            for (size_t f = 0; f < fields; ++f)
+            for (size_t f = 0; f < lr::field_age_rest; ++f)
                 body = mix(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
+            // What most bodies do not have goes in only where it is.
+            const auto rare = [&](uint64_t tag, uint32_t bits) {
+                if (bits != 0) body = mix(body ^ (bits + (tag << 32)));
+            };
+            rare(lr::field_age_rest, std::bit_cast<uint32_t>(batch.arrays().field[lr::field_age_rest][i]));
+            if (lr::is_aerodynamic(batch.step.loads))
+                for (size_t f : {lr::field_gust_x, lr::field_gust_y, lr::field_gust_z})
+                    body = mix(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
+            if (batch.lifecycle()) rare(lr::field_count, batch.lifecycle()->life(i));
+            if (batch.external.pending())
+                for (size_t c = 0; c < lr::force_components; ++c)
+                    rare(64 + c, std::bit_cast<uint32_t>(batch.external.bodies()[c * batch.external.stride() + i]));
             sum += body;
         }
         result = mix(result ^ mix(b)) + sum;
+        if (batch.lifecycle() && batch.lifecycle()->has_emitter())
+            for (uint64_t word : {uint64_t{next_key}, std::bit_cast<uint64_t>(batch.lifecycle()->due()),
+                                  std::bit_cast<uint64_t>(batch.lifecycle()->burst_clock())})
+                result = mix(result ^ word);
     }
     return result;
 }

@@ -29,6 +29,8 @@ struct lr_world {
     void destroy_batch(lr_batch batch);
     lr_status destroy_bodies(const lr_body* bodies, uint32_t count);
 
+    uint32_t take_key(); // that tells the next body from all others
+
     void step(float dt, uint32_t substeps);
     uint64_t hash() const;
 

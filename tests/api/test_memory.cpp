@@ -30,6 +30,16 @@ struct Scenario {
         t.chi = t.epsilon = samples;
         t.dt = t.u0 = t.l = 1.0f;
         if ((status = lr_batch_set_turbulence_table(world, batch, &t)) != LR_OK) return status;
+        lr_body_force f = initialised(lr_body_force_init);
+        f.body = ids[3];
+        f.force[1] = 1e-3f;
+        if ((status = lr_body_add_force(world, &f, 1)) != LR_OK) return status;
+        const lr_emitter_desc e = initialised(lr_emitter_desc_init);
+        if ((status = lr_batch_set_emitter(world, batch, &e)) != LR_OK) return status;
+        lr_batch_rules r = initialised(lr_batch_rules_init);
+        r.max_age = 0.005f;
+        r.action = LR_END_RESPAWN;
+        if ((status = lr_batch_set_rules(world, batch, &r)) != LR_OK) return status;
         snapshot.resize(lr_world_snapshot_size(world));
         if ((status = lr_world_snapshot_save(world, snapshot.data(), snapshot.size(), nullptr)) != LR_OK) return status;
         if ((status = lr_batch_set_turbulence_table(world, batch, nullptr)) != LR_OK) return status;

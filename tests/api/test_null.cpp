@@ -119,6 +119,36 @@ TEST_CASE("every pointer that must be given is asked for") {
     CHECK(lr_body_set_state(nullptr, body, &state) == null);
     CHECK(lr_body_set_state(w, body, nullptr) == null);
 
+    lr_body_force force = initialised(lr_body_force_init);
+    force.body = body;
+    CHECK(lr_body_add_force(nullptr, &force, 1) == null);
+    CHECK(lr_body_add_force(w, nullptr, 1) == null);
+    CHECK(lr_body_add_force(w, nullptr, 0) == LR_OK);
+    lr_force_arrays arrays = initialised(lr_force_arrays_init);
+    CHECK(lr_batch_add_forces(nullptr, batch, &arrays) == null);
+    CHECK(lr_batch_add_forces(w, batch, nullptr) == null);
+    CHECK(lr_batch_add_forces(w, batch, &arrays) == LR_OK); // no bodies, no arrays
+    arrays.count = 1;
+    CHECK(lr_batch_add_forces(w, batch, &arrays) == LR_OK);
+    arrays.force[0] = arrays.force[2] = gravity;
+    CHECK(lr_batch_add_forces(w, batch, &arrays) == null);
+    arrays.force[1] = gravity;
+    arrays.torque[1] = gravity;
+    CHECK(lr_batch_add_forces(w, batch, &arrays) == null);
+    const lr_batch_force on_all = initialised(lr_batch_force_init);
+    CHECK(lr_batch_set_force(nullptr, batch, &on_all) == null);
+    CHECK(lr_batch_set_force(w, batch, nullptr) == LR_OK);
+    const lr_batch_rules rules = initialised(lr_batch_rules_init);
+    CHECK(lr_batch_set_rules(nullptr, batch, &rules) == null);
+    CHECK(lr_batch_set_rules(w, batch, nullptr) == LR_OK);
+    const lr_emitter_desc emitter = initialised(lr_emitter_desc_init);
+    CHECK(lr_batch_set_emitter(nullptr, batch, &emitter) == null);
+    CHECK(lr_batch_set_emitter(w, batch, nullptr) == LR_OK);
+    CHECK(lr_batch_emit(nullptr, batch, 1, &id) == null);
+    lr_batch_events events = initialised(lr_batch_events_init);
+    CHECK(lr_batch_get_events(nullptr, batch, &events) == null);
+    CHECK(lr_batch_get_events(w, batch, nullptr) == null);
+
     CHECK(hash_of(world) == before);
     steps(world, 1, 0.01f);
 }

@@ -77,6 +77,12 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_batch_view>(lr_batch_view_init);
     check_init<lr_body_desc>(lr_body_desc_init);
     check_init<lr_body_state>(lr_body_state_init);
+    check_init<lr_body_force>(lr_body_force_init);
+    check_init<lr_force_arrays>(lr_force_arrays_init);
+    check_init<lr_batch_force>(lr_batch_force_init);
+    check_init<lr_batch_rules>(lr_batch_rules_init);
+    check_init<lr_emitter_desc>(lr_emitter_desc_init);
+    check_init<lr_batch_events>(lr_batch_events_init);
 }
 
 TEST_CASE("initial values are those of the header") {
@@ -98,6 +104,13 @@ TEST_CASE("initial values are those of the header") {
     const lr_load_gains g = initialised(lr_load_gains_init);
     CHECK((g.drag == 1.0f && g.lift == 1.0f && g.spin_drag == 1.0f && g.turbulence == 1.0f));
     const lr_ellipsoid_desc e = initialised(lr_ellipsoid_desc_init);
+    const lr_emitter_desc m = initialised(lr_emitter_desc_init);
+    CHECK((m.orientation[3] == 1.0f && m.body_orientation[3] == 1.0f && m.direction[1] == -1.0f && m.rate == 0.0f));
+    CHECK((m.scale_min == 1.0f && m.scale_max == 1.0f && m.shape == LR_EMIT_POINT && m.pose == LR_POSE_RANDOM));
+    const lr_batch_rules r = initialised(lr_batch_rules_init);
+    CHECK((r.action == LR_END_DESTROY && r.max_age == 0.0f && r.volume_count == 0));
+    const lr_body_force f = initialised(lr_body_force_init);
+    CHECK((f.mode == LR_FORCE_MODE_FORCE && f.frame == LR_FRAME_WORLD && f.flags == 0));
     CHECK((e.fluid_density == 1.2 && e.fluid_viscosity == 1.5e-5 && e.intensity == 1.0));
 }
 
@@ -155,6 +168,19 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
                              [&](lr_load_gains* g) { return lr_batch_set_load_gains(w, batch, g); });
     check_use<lr_world_info>(initialised(lr_world_info_init),
                              [&](lr_world_info* i) { return lr_world_get_info(w, i); });
+    lr_body_force f = initialised(lr_body_force_init);
+    f.body = body;
+    check_use<lr_body_force>(f, [&](lr_body_force* d) { return lr_body_add_force(w, d, 1); });
+    check_use<lr_force_arrays>(initialised(lr_force_arrays_init),
+                               [&](lr_force_arrays* d) { return lr_batch_add_forces(w, batch, d); });
+    check_use<lr_batch_force>(initialised(lr_batch_force_init),
+                              [&](lr_batch_force* d) { return lr_batch_set_force(w, batch, d); });
+    check_use<lr_batch_rules>(initialised(lr_batch_rules_init),
+                              [&](lr_batch_rules* d) { return lr_batch_set_rules(w, batch, d); });
+    check_use<lr_emitter_desc>(initialised(lr_emitter_desc_init),
+                               [&](lr_emitter_desc* d) { return lr_batch_set_emitter(w, batch, d); });
+    check_use<lr_batch_events>(initialised(lr_batch_events_init),
+                               [&](lr_batch_events* e) { return lr_batch_get_events(w, batch, e); });
     check_use<lr_batch_view>(initialised(lr_batch_view_init),
                              [&](lr_batch_view* v) { return lr_batch_get_view(w, batch, v); });
 }

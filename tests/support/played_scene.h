@@ -18,6 +18,8 @@ struct PlayedScene {
     int32_t tensor = LR_TENSOR_AUTO;
     bool windy = false;
     bool born_and_dying = false;
+    bool forced = false;   // forces on bodies and on batches
+    bool governed = false; // rules that destroy in one batch and respawn in the other, and emitters
     uint32_t bodies = 300; // in each of two batches: one diagonal, one with its weight off centre
 };
 
@@ -47,6 +49,13 @@ inline std::vector<PlayedScene> played_scenes() {
     leaves.loads = LR_LOADS_AERODYNAMIC, leaves.windy = leaves.born_and_dying = true, leaves.bodies = 2500;
     add("wind").windy = true;
     add("births_and_deaths").born_and_dying = true;
+    add("forces").forced = true;
+    PlayedScene& forces_rk4 = add("forces_rk4");
+    forces_rk4.forced = true, forces_rk4.integrator = LR_INTEGRATOR_RK4;
+    add("rules").governed = true;
+    PlayedScene& governed = add("storm_with_rules");
+    governed.forced = governed.governed = governed.windy = governed.born_and_dying = true;
+    governed.bodies = 2500;
     PlayedScene& all_at_once = add("storm");
     all_at_once.windy = all_at_once.born_and_dying = true;
     all_at_once.bodies = 2500; // more than a chunk of work
@@ -69,11 +78,16 @@ public:
         assets_[0] = leaf();
         assets_[1] = curled_leaf();
         build();
-        for (size_t b = 0; b < 2; ++b) populate(b);
+        for (size_t b = 0; b < 2; ++b) {
+            populate(b);
+            if (scene_.forced) push_batch(b);
+            if (scene_.governed) govern(b);
+        }
     }
 
     uint64_t run() {
         for (int frame = 0; frame < frames; ++frame) {
+            if (scene_.forced && frame % 3 != 1) push();
             if (frame == frames / 2 && how_.through_snapshot) {
                 const std::vector<unsigned char> snapshot = snapshot_of(world);
                 build();
@@ -144,6 +158,64 @@ private:
                                    nullptr) == LR_OK);
         }
         next_key_[b] = first + scene_.bodies;
+    }
+
+    // Not made anew with the world after a snapshot: that must bring them back.
+    void push_batch(size_t b) {
+        lr_batch_force f = initialised(lr_batch_force_init);
+        f.force[0] = f.body_torque[1] = 1e-6f;
+        f.acceleration[2] = f.body_acceleration[0] = b == 0 ? 0.5f : -0.25f;
+        f.angular_acceleration[1] = 1.0f;
+        REQUIRE(lr_batch_set_force(world.get(), batches[b], &f) == LR_OK);
+    }
+    void govern(size_t b) {
+        lr_emitter_desc e = initialised(lr_emitter_desc_init);
+        e.shape = b == 0 ? LR_EMIT_SPHERE : LR_EMIT_BOX_SURFACE;
+        for (float& s : e.size) s = 4.0f;
+        e.spread = 1.0f;
+        e.speed_max = 2.0f;
+        e.spin_max = 10.0f;
+        e.scale_min = 0.5f;
+        e.rate = 37.0f;
+        e.burst_count = 5;
+        e.burst_interval = 0.13f;
+        REQUIRE(lr_batch_set_emitter(world.get(), batches[b], &e) == LR_OK);
+        lr_batch_rules r = initialised(lr_batch_rules_init);
+        r.action = b == 0 ? LR_END_DESTROY : LR_END_RESPAWN;
+        r.max_age = 0.8f;
+        r.volume_count = 2;
+        r.volumes[0] = {LR_VOLUME_BOX, LR_KILL_OUTSIDE, {0.0f, 0.0f, 0.0f}, {4.9f, 4.9f, 4.9f}};
+        r.volumes[1] = {LR_VOLUME_SPHERE, LR_KILL_INSIDE, {1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}};
+        REQUIRE(lr_batch_set_rules(world.get(), batches[b], &r) == LR_OK);
+    }
+
+    // What pushes a body depends on its key and place, not on its index.
+    void push() {
+        for (size_t b = 0; b < 2; ++b) {
+            const lr_batch_view v = view_of(world, batches[b]);
+            std::vector<float> lift(v.count), still(v.count, 0.0f);
+            std::vector<lr_body_force> single;
+            for (uint32_t i = 0; i < v.count; ++i) {
+                lift[i] = 1e-6f * static_cast<float>(v.key[i] % 10);
+                if (v.key[i] % 7 != 0) continue;
+                lr_body_force f = initialised(lr_body_force_init);
+                f.body = v.ids[i];
+                f.mode = v.key[i] % 2 == 0 ? LR_FORCE_MODE_FORCE : LR_FORCE_MODE_IMPULSE;
+                f.frame = v.key[i] % 3 == 0 ? LR_FRAME_BODY : LR_FRAME_WORLD;
+                f.flags = LR_FORCE_AT_POINT;
+                for (size_t k = 0; k < 3; ++k)
+                    f.point[k] = (f.frame == LR_FRAME_WORLD ? v.position[k][i] : 0.0f) + 0.01f;
+                f.force[1] = 1e-6f;
+                single.push_back(f);
+            }
+            lr_force_arrays a = initialised(lr_force_arrays_init);
+            a.count = v.count;
+            a.frame = LR_FRAME_BODY;
+            a.force[0] = a.force[2] = still.data();
+            a.force[1] = lift.data();
+            REQUIRE(lr_batch_add_forces(world.get(), batches[b], &a) == LR_OK);
+            REQUIRE(lr_body_add_force(world.get(), single.data(), static_cast<uint32_t>(single.size())) == LR_OK);
+        }
     }
 
     // Bodies with certain keys die, new ones are born: by key, not by place.

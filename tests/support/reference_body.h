@@ -61,6 +61,7 @@ public:
     double displaced = 0.0; // rho V, kg
     Vec buoyancy_arm{};     // m
     Vec gravity{0.0, -9.81, 0.0}, wind{};
+    Six world_force{}, body_force{}; // N and N m
     // alpha, 1/s, at a speed through the fluid and an age.
     std::function<double(double, double)> alpha = [](double, double) { return 0.0; };
 
@@ -123,8 +124,9 @@ private:
         const Six momentum = mass * s.twist, drag = dragged * s.twist;
         const double a = alpha(length(v), s.age);
         const Vec p = upper(momentum), l = lower(momentum);
-        Vec force = cross(p, w) + weight * g - a * upper(drag);
-        Vec torque = cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag);
+        Vec force = cross(p, w) + weight * g - a * upper(drag) + to_body(s.q, upper(world_force)) + upper(body_force);
+        Vec torque = cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag) +
+                     to_body(s.q, lower(world_force)) + lower(body_force);
         if (aerodynamic) {
             const ReferenceLoads::Wrench load = loads(v, w);
             force = force + load.force;

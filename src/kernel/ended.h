@@ -1,0 +1,18 @@
+// Why bodies end, and the function that finds out for a range of them.
+#pragma once
+
+#include "kernel/batch_arrays.h"
+#include "langevin_rigid.h"
+
+#include <cstdint>
+
+namespace lr {
+
+// Volumes follow, in their order.
+enum Cause : uint32_t { cause_none, cause_not_finite, cause_age, cause_volume };
+inline constexpr uint32_t cause_count = cause_volume + LR_MAX_KILL_VOLUMES;
+
+// Writes the first cause that holds for each body of [begin, end), multiples of lane_block. Returns whether there is any.
+using EndedFunction = bool (*)(const lr_batch_rules&, const BatchArrays&, size_t begin, size_t end, uint32_t* cause);
+
+} // namespace lr

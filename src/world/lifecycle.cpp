@@ -1,0 +1,170 @@
+#include "world/lifecycle.h"
+
+#include "world/step_chunks.h"
+#include "world/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace lr {
+
+Lifecycle* Lifecycle::create(Allocator& allocator, uint32_t capacity, uint32_t lanes) {
+    void* const memory = allocator.allocate(sizeof(Lifecycle));
+    if (!memory) return nullptr;
+    auto* const made = new (memory) Lifecycle();
+    if (made->cause_.allocate(allocator, lanes) &&
+        made->chunk_has_ended_.allocate(allocator, (lanes + chunk_bodies - 1) / chunk_bodies) &&
+        made->life_.allocate(allocator, capacity) && made->ended_ids_.allocate(allocator, capacity) &&
+        made->born_ids_.allocate(allocator, capacity)) {
+        std::fill_n(made->life_.data(), capacity, 0u);
+        return made;
+    }
+    destroy(allocator, made);
+    return nullptr;
+}
+
+void Lifecycle::destroy(Allocator& allocator, Lifecycle* lifecycle) {
+    if (!lifecycle) return;
+    lifecycle->~Lifecycle();
+    allocator.release(lifecycle, sizeof(Lifecycle));
+}
+
+void Lifecycle::set_rules(const lr_batch_rules* rules) {
+    has_rules_ = rules != nullptr;
+    rules_ = {};
+    if (!rules) return;
+    rules_ = *rules;
+    rules_.struct_size = sizeof rules_;
+    std::fill(rules_.volumes + rules_.volume_count, rules_.volumes + LR_MAX_KILL_VOLUMES, lr_kill_volume{});
+}
+
+void Lifecycle::set_emitter(const lr_emitter_desc* emitter) {
+    has_emitter_ = emitter != nullptr;
+    if (!emitter) {
+        emitter_ = Emitter();
+        due_ = burst_clock_ = 0.0;
+        return;
+    }
+    lr_emitter_desc desc = *emitter;
+    desc.struct_size = sizeof desc;
+    emitter_ = Emitter(desc);
+}
+
+void Lifecycle::judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end) {
+    if (has_rules_) chunk_has_ended_[begin / chunk_bodies] = ended(rules_, arrays, begin, end, cause_.data()) ? 1 : 0;
+}
+
+void Lifecycle::finish(Batch& batch, lr_world& world, double dt) {
+    ended_ = born_ = missed_ = 0;
+    ended_respawned_ = respawns();
+    std::fill_n(by_cause_, cause_count, 0u);
+    if (has_rules_) end_bodies(batch, world);
+    if (has_emitter_) bear(batch, world, dt);
+}
+
+// From the last to the first: a body that moves into the place of one that ends has been judged already. What becomes of
+// a body depends on its key and life alone, so that the order does not matter.
+void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
+    for (uint32_t chunk = chunk_count(batch); chunk-- > 0;) {
+        if (chunk_has_ended_[chunk] == 0) continue;
+        const uint32_t begin = chunk * chunk_bodies;
+        for (uint32_t i = std::min(begin + chunk_bodies, batch.count()); i-- > begin;) {
+            if (cause_[i] == cause_none) continue;
+            ++by_cause_[cause_[i]];
+            ended_ids_[ended_++] = batch.ids()[i];
+            if (ended_respawned_)
+                batch.write(i, emitter_.draw(world.seed, batch.arrays().key[i], ++life_[i]));
+            else
+                batch.remove(batch.ids()[i]);
+        }
+    }
+    (ended_respawned_ ? total_respawned_ : total_destroyed_) += ended_;
+}
+
+void Lifecycle::bear(Batch& batch, lr_world& world, double dt) {
+    const lr_emitter_desc& d = emitter_.desc();
+    due_ += static_cast<double>(d.rate) * dt;
+    double births = std::floor(due_);
+    due_ -= births;
+    if (d.burst_count != 0) {
+        const double interval = static_cast<double>(d.burst_interval);
+        burst_clock_ += dt;
+        const double bursts = std::floor(burst_clock_ / interval);
+        burst_clock_ = std::max(burst_clock_ - bursts * interval, 0.0);
+        births += bursts * static_cast<double>(d.burst_count);
+    }
+    // Who finds no room is not born later either: a full batch must not burst when a place comes free.
+    const uint32_t wanted = static_cast<uint32_t>(std::min(births, 4294967295.0));
+    born_ = emit(batch, world, wanted, born_ids_.data());
+    missed_ = wanted - born_;
+    total_missed_ += missed_;
+}
+
+uint32_t Lifecycle::emit(Batch& batch, lr_world& world, uint32_t count, lr_body* out_ids) {
+    count = std::min(count, batch.capacity() - batch.count());
+    for (uint32_t i = 0; i < count; ++i) {
+        const lr_body id = batch.add(emitter_.draw(world.seed, world.take_key(), 0));
+        if (out_ids) out_ids[i] = id;
+    }
+    total_born_ += count;
+    return count;
+}
+
+void Lifecycle::move(uint32_t from, uint32_t to) {
+    life_[to] = life_[from];
+    life_[from] = 0;
+}
+
+void Lifecycle::report(lr_batch_events& out) const {
+    out.born = born_;
+    out.destroyed = ended_respawned_ ? 0 : ended_;
+    out.respawned = ended_respawned_ ? ended_ : 0;
+    out.missed = missed_;
+    out.by_age = by_cause_[cause_age];
+    out.by_not_finite = by_cause_[cause_not_finite];
+    std::copy(by_cause_ + cause_volume, by_cause_ + cause_count, out.by_volume);
+    out.total_born = total_born_;
+    out.total_destroyed = total_destroyed_;
+    out.total_respawned = total_respawned_;
+    out.total_missed = total_missed_;
+    out.ended_ids = ended_ids_.data();
+    out.born_ids = born_ids_.data();
+}
+
+Lifecycle::Record Lifecycle::record() const {
+    Record r{};
+    r.has_rules = has_rules_ ? 1 : 0;
+    r.has_emitter = has_emitter_ ? 1 : 0;
+    r.rules = rules_;
+    r.emitter = emitter_.desc();
+    r.due = due_;
+    r.burst_clock = burst_clock_;
+    const uint64_t totals[4] = {total_born_, total_destroyed_, total_respawned_, total_missed_};
+    std::copy(totals, totals + 4, r.totals);
+    return r;
+}
+
+bool Lifecycle::consistent(const Record& r) {
+    if (r.has_rules > 1 || r.has_emitter > 1) return false;
+    if (!(r.due >= 0.0 && r.due < 1.0) || !(r.burst_clock >= 0.0 && r.burst_clock <= 1e9)) return false;
+    if (r.has_rules && (!all_finite(r.rules) || wrong_in(r.rules))) return false;
+    if (r.has_emitter && (!all_finite(r.emitter) || wrong_in(r.emitter))) return false;
+    return r.has_emitter || !r.has_rules || r.rules.action != LR_END_RESPAWN;
+}
+
+void Lifecycle::restore(const Record& r, uint32_t count) {
+    set_rules(r.has_rules ? &r.rules : nullptr);
+    set_emitter(r.has_emitter ? &r.emitter : nullptr);
+    due_ = r.due;
+    burst_clock_ = r.burst_clock;
+    total_born_ = r.totals[0];
+    total_destroyed_ = r.totals[1];
+    total_respawned_ = r.totals[2];
+    total_missed_ = r.totals[3];
+    ended_ = born_ = missed_ = 0;
+    std::fill_n(by_cause_, cause_count, 0u);
+    std::fill(life_.data() + count, life_.data() + life_.size(), 0u);
+}
+
+} // namespace lr

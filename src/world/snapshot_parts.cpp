@@ -1,0 +1,103 @@
+#include "world/snapshot_parts.h"
+
+#include "world/lifecycle.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace lr {
+namespace {
+
+constexpr uint64_t even(uint64_t words) {
+    return (words + 1) / 2 * 2;
+}
+constexpr uint64_t record_words = sizeof(Lifecycle::Record) / 4;
+static_assert(sizeof(Lifecycle::Record) % 8 == 0 && force_components % 2 == 0);
+
+bool finite(const unsigned char* from, uint64_t words) {
+    for (uint64_t i = 0; i < words; ++i) {
+        float v;
+        std::memcpy(&v, from + 4 * i, 4);
+        if (!std::isfinite(v)) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+uint32_t parts_of(const Batch& batch) {
+    const Lifecycle* const lifecycle = batch.lifecycle();
+    return (batch.external.on_batch() ? part_batch_force : 0u) | (batch.external.pending() ? part_body_forces : 0u) |
+           (lifecycle && lifecycle->in_use() ? part_lifecycle : 0u);
+}
+
+uint64_t parts_bytes(uint32_t parts, uint32_t count) {
+    uint64_t words = 0;
+    if (parts & part_batch_force) words += force_components;
+    if (parts & part_body_forces) words += force_components * even(count);
+    if (parts & part_lifecycle) words += record_words + even(count);
+    return 4 * words;
+}
+
+void save_parts(Batch& batch, unsigned char* to) {
+    const uint32_t parts = parts_of(batch), count = batch.count();
+    const auto put = [&](const void* from, uint64_t words) {
+        if (words != 0) std::memcpy(to, from, 4 * words);
+        std::memset(to + 4 * words, 0, 4 * (even(words) - words));
+        to += 4 * even(words);
+    };
+    if (parts & part_batch_force) put(batch.external.batch(), force_components);
+    if (parts & part_body_forces)
+        for (size_t i = 0; i < force_components; ++i) put(batch.external.bodies() + i * batch.external.stride(), count);
+    if (parts & part_lifecycle) {
+        const Lifecycle::Record record = batch.lifecycle()->record();
+        put(&record, record_words);
+        put(batch.lifecycle()->lives(), count);
+    }
+}
+
+bool parts_consistent(uint32_t parts, uint32_t count, const unsigned char* from) {
+    if (parts & part_batch_force) {
+        if (!finite(from, force_components)) return false;
+        from += 4 * force_components;
+    }
+    if (parts & part_body_forces) {
+        const uint64_t words = force_components * even(count);
+        if (!finite(from, words)) return false;
+        from += 4 * words;
+    }
+    if (parts & part_lifecycle) {
+        Lifecycle::Record record;
+        std::memcpy(&record, from, sizeof record);
+        if (!Lifecycle::consistent(record)) return false;
+    }
+    return true;
+}
+
+bool reserve_parts(Batch& batch, uint32_t parts) {
+    if ((parts & part_body_forces) && !batch.reserve_forces()) return false;
+    return !(parts & part_lifecycle) || batch.reserve_lifecycle();
+}
+
+void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned char* from) {
+    const auto get = [&](void* to, uint64_t words) {
+        if (words != 0) std::memcpy(to, from, 4 * words);
+        from += 4 * even(words);
+    };
+    float force[force_components] = {};
+    if (parts & part_batch_force) get(force, force_components);
+    batch.external.set_batch(force);
+    batch.external.clear();
+    if (parts & part_body_forces) {
+        for (size_t i = 0; i < force_components; ++i) get(batch.external.bodies() + i * batch.external.stride(), count);
+        batch.external.restored_pending();
+    }
+    Lifecycle* const lifecycle = batch.lifecycle();
+    if (!lifecycle) return;
+    Lifecycle::Record record{};
+    if (parts & part_lifecycle) get(&record, record_words);
+    lifecycle->restore(record, parts & part_lifecycle ? count : 0);
+    if (parts & part_lifecycle) get(lifecycle->lives(), count);
+}
+
+} // namespace lr
