@@ -28,9 +28,13 @@ enum Field : size_t {
     field_count
 };
 
+struct FluidSample;
+
 struct BatchArrays {
     float* field[field_count];
     uint32_t* key;
+    // Null: the uniform wind of the step. Else one substep is taken, and this is the fluid at the bodies that it steps.
+    const FluidSample* fluid;
 };
 
 } // namespace lr

@@ -3,6 +3,7 @@
 
 #include "kernel/batch_arrays.h"
 #include "kernel/constants.h"
+#include "kernel/wind.h"
 
 #include <cstdint>
 
@@ -14,8 +15,10 @@ struct StepInput {
     uint32_t substeps;
     float h; // s, one substep
     float sqrt_h, inverse_sqrt_h;
-    float gravity[3]; // m/s^2, world
-    float wind[3];    // m/s, world
+    float gravity[3];    // m/s^2, world, less the acceleration of the uniform wind
+    float wind_begin[3]; // m/s, world: the uniform wind as the step begins,
+    float wind[3];       // and as it ends; linear between
+    bool wind_changes;
     Loads loads;
     Integrator integrator;
     BodyConstants body;
@@ -25,10 +28,24 @@ struct StepInput {
 // begin, end: multiples of lane_block.
 using StepFunction = void (*)(const StepInput&, const BatchArrays&, size_t begin, size_t end);
 
+// Positions (and velocities) of bodies in the middle of a substep, world axes.
+using PredictFunction = void (*)(const BatchArrays&, size_t begin, size_t end, float h, FieldBlock& out);
+// Winds at the block's positions.
+using EvaluateFunction = void (*)(const FieldInstant&, size_t count, FieldBlock& block);
+// What a substep needs of them.
+using CombineFunction = void (*)(float h, size_t count, const FieldBlock& block, FluidSample& out);
+// After the substep: bodies met the wind of their mean velocity over it, not that of their first.
+using SettleFunction = void (*)(const BodyConstants&, float h, const FieldBlock& block, const FluidSample& sample,
+                                const BatchArrays&, size_t begin, size_t end);
+
 struct KernelTarget {
     int32_t simd; // LR_SIMD_*
     int64_t hwy;  // Highway's bit for it
     StepFunction step;
+    PredictFunction predict;
+    EvaluateFunction evaluate;
+    CombineFunction combine;
+    SettleFunction settle;
 };
 
 // Targets in this build, best first; `count` receives how many.

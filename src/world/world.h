@@ -1,6 +1,7 @@
 // The world: batches, time, wind, workers. Behind lr_world.
 #pragma once
 
+#include "field/wind_field.h"
 #include "langevin_rigid.h"
 #include "world/allocator.h"
 #include "world/batch.h"
@@ -9,12 +10,8 @@
 #include <cstdint>
 
 namespace lr {
-
-struct Fluid {
-    float wind[3] = {0.0f, 0.0f, 0.0f}; // m/s
-};
-
-} // namespace lr
+struct StepChunks;
+}
 
 struct lr_world {
     // Null after an error. The desc has been checked.
@@ -30,6 +27,7 @@ struct lr_world {
     lr_status destroy_bodies(const lr_body* bodies, uint32_t count);
 
     void step(float dt, uint32_t substeps);
+    void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
 
     void log(int32_t level, const char* function, const char* message) const;
@@ -40,7 +38,7 @@ struct lr_world {
     uint64_t seed = 0;
     float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2
     float fluid_density = 0.0f;            // kg/m^3; 0: each asset's own
-    lr::Fluid fluid;
+    mutable lr::WindField wind{allocator}; // sampling prepares an instant
     uint64_t substep_count = 0;
     double time = 0.0; // s
     uint32_t next_key = 1;
@@ -57,6 +55,7 @@ struct lr_world {
     void* log_user = nullptr;
 
 private:
+    void step_through_field(const lr::StepTime& time, lr::StepChunks& chunks);
     explicit lr_world(const lr::Allocator& from) : allocator(from) {}
     ~lr_world();
     bool grow_batches();
