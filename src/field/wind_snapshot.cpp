@@ -1,5 +1,7 @@
 #include "field/wind_snapshot.h"
 
+#include "kernel/float_mode.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -58,6 +60,7 @@ WindSnapshot::~WindSnapshot() {
 }
 
 lr_status WindSnapshot::read(const unsigned char* from, uint64_t size, uint64_t seed, uint64_t& used) {
+    const FloatMode mode; // gusts are computed anew
     SavedWind wind;
     if (size < sizeof wind) return LR_ERROR_SNAPSHOT_FORMAT;
     std::memcpy(&wind, from, sizeof wind);

@@ -169,7 +169,8 @@ HWY_INLINE Vec3 limited_change(const FieldBlock& b, size_t at, VF h, Vec3 v) {
 
 void combine(float h, size_t count, const FieldBlock& b, FluidSample& out) {
     const DF d;
-    const VF half = constant(0.5f), hv = constant(h), rate = constant(1.0f / h);
+    // Steps below a nanosecond do not move anything; their inverse must stay finite.
+    const VF half = constant(0.5f), hv = constant(h), rate = constant(1.0f / (h > 1e-9f ? h : 1e-9f));
     for (size_t at = 0; at < count; at += hn::Lanes(d)) {
         const Vec3 wind = load3(b.wind, at), uniform = load3(b.change, at);
         const Vec3 met = add(uniform, limited_change(b, at, hv, load3(b.velocity, at)));

@@ -1,6 +1,7 @@
 // The wind's API: handles, refusals, callbacks, memory, snapshots.
 #include "support/counting_memory.h"
 #include "support/random.h"
+#include "support/sealed_snapshot.h"
 #include "support/wind.h"
 
 #include <algorithm>
@@ -357,14 +358,7 @@ TEST_CASE("a snapshot whose wind was changed and sealed again is refused, or res
         std::vector<unsigned char> bad = good;
         for (uint32_t k = 0; k <= n % 3; ++k)
             bad[104 + random.below(1700)] = static_cast<unsigned char>(random.bits());
-        uint64_t sum = bad.size(), word = 0; // src/world/snapshot.cpp
-        for (size_t i = 0; i + 8 <= bad.size(); i += 8) {
-            if (i == 24) continue;
-            std::memcpy(&word, bad.data() + i, 8);
-            sum = (sum ^ word) * 0x9e3779b97f4a7c15ull;
-            sum ^= sum >> 32;
-        }
-        std::memcpy(bad.data() + 24, &sum, 8);
+        seal(bad);
         if (lr_world_snapshot_restore(world.get(), bad.data(), bad.size()) == LR_OK) {
             ++taken;
             CHECK(lr_world_step(world.get(), 0.01f, 2) == LR_OK);

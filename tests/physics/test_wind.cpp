@@ -190,6 +190,31 @@ TEST_CASE("a tracer follows the fluid of a vortex with second order") {
     CHECK(errors[1] / errors[2] == doctest::Approx(4.0).epsilon(0.2));
 }
 
+// The caller's own field: a fluid that turns as a solid, ever faster.
+TEST_CASE("a callback's gradient and rate carry a tracer along as a source's do") {
+    const auto turning = [](void*, const lr_wind_query* q) {
+        const auto spin = static_cast<float>(1.0 + q->time);
+        for (uint32_t i = 0; i < q->count; ++i) {
+            const float x = q->position[0][i], y = q->position[1][i];
+            q->velocity[0][i] = -spin * y, q->velocity[1][i] = spin * x;
+            q->rate[0][i] = -y, q->rate[1][i] = x;
+            q->gradient[1][i] = -spin, q->gradient[3][i] = spin;
+        }
+    };
+    double errors[2];
+    for (size_t n = 0; n < 2; ++n) {
+        lr_body_desc at = body_desc();
+        at.position[0] = at.linear_velocity[1] = 0.5f;
+        Single s(sphere(1000.0), at);
+        REQUIRE(lr_world_set_wind_callback(s.world.get(), turning, nullptr) == LR_OK);
+        const int count = 50 << n;
+        steps(s.world, count, 1.0f / static_cast<float>(count), 1);
+        errors[n] = length(s.position() - 0.5 * Vec{std::cos(1.5), std::sin(1.5), 0.0});
+    }
+    CHECK(errors[0] < 1e-3);
+    CHECK(errors[0] / errors[1] > 3.0);
+}
+
 TEST_CASE("a sphere in a vortex is thrown out when heavy and drawn in when light") {
     for (double density : {300.0, 4000.0}) {
         lr_body_desc at = body_desc();
@@ -324,6 +349,8 @@ TEST_CASE("bodies stay finite in any wind at any step, and no faster than the wi
             set_wind(world, random.real(-20.0, 20.0), random.real(-20.0, 20.0), 0.0f);
             steps(world, 1, dt, 1 + random.below(3));
         }
+        steps(world, 1, 1e-40f, 1); // and where 1/h is no number
+        steps(world, 1, dt, 1);
         double worst = 0.0;
         bool finite = true;
         for (lr_body id : ids) {
