@@ -84,6 +84,7 @@ typedef int32_t lr_status;
 #define LR_ERROR_TIMESTEP_TOO_LARGE (-23)  /* dt / substeps is over LR_MAX_SUBSTEP */
 #define LR_ERROR_SUBSTEPS (-24)            /* substeps is 0 or over LR_MAX_SUBSTEPS */
 #define LR_ERROR_INTERNAL (-25)            /* a defect of the library: please report */
+#define LR_ERROR_STALE_WIND_SOURCE (-26)   /* the wind source was removed, or never was */
 
 #define LR_MAX_SUBSTEP 1.0f    /* s: the longest dt / substeps that is taken */
 #define LR_MAX_SUBSTEPS 65536u /* the most substeps in one step */
@@ -329,10 +330,125 @@ typedef struct lr_wind_desc {
 
 LR_API lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size);
 
-/* The velocity of the fluid, from the next step on; copied. Bodies keep their world velocity when it changes, and feel
- * the fluid's velocity relative to theirs. Null is still fluid.
+/* The uniform part of the fluid's velocity; copied. Bodies feel the fluid's velocity relative to theirs. A change is
+ * spread evenly over the next step, and bodies feel the fluid's acceleration in it (Froude-Krylov force and added mass):
+ * one that has the fluid's density is carried along, a heavy one keeps most of its velocity. What is set before the
+ * world's first step is there from the beginning and accelerates nothing; setting the same wind again changes nothing.
+ * Null is still fluid. docs/wind.md.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
+
+/* Wind sources: up to LR_MAX_WIND_SOURCES at a time, whose velocities add to the uniform wind. Formulas: docs/wind.md.
+ * Time is that of the world (lr_world_info.time). A source's position is where it is when it is added or updated; from
+ * then on it moves with its own `velocity`. */
+#define LR_WIND_SOURCE_GUSTS                                                                                           \
+    1 /* fluctuations of the uniform wind in time; fields speed, direction, spread, period,
+                                         seed */
+#define LR_WIND_SOURCE_RANKINE                                                                                         \
+    2 /* a straight vortex with a core that turns as a solid: position, direction, velocity,
+                                         circulation, size, radius, half_length */
+#define LR_WIND_SOURCE_LAMB_OSEEN 3   /* a straight vortex with a smooth core: the same fields */
+#define LR_WIND_SOURCE_POINT_BLOWER 4 /* a round jet: position, direction, velocity, speed, size, spread, range */
+#define LR_WIND_SOURCE_LINE_BLOWER 5  /* a plane jet from a slot: the same, and side, half_length */
+#define LR_WIND_SOURCE_TURBULENCE                                                                                      \
+    6 /* random, without divergence, everywhere; carried along by the uniform wind: speed,
+                                         size, period, octaves, seed, velocity */
+#define LR_WIND_SOURCE_GRID                                                                                            \
+    7 /* samples on a lattice: position, velocity, spacing, counts, frames, period, outside,
+                                         samples */
+#define LR_WIND_SOURCE_GROUND                                                                                          \
+    8 /* multiplies the uniform wind and the gusts by a logarithmic profile over a plane:
+                                         position, direction, size, reference_height */
+
+#define LR_WIND_OUTSIDE_ZERO 0   /* a grid adds nothing outside its samples */
+#define LR_WIND_OUTSIDE_CLAMP 1  /* it goes on as at its border */
+#define LR_WIND_OUTSIDE_REPEAT 2 /* it repeats itself; the first sample follows the last */
+
+#define LR_MAX_WIND_SOURCES 64u
+#define LR_MAX_WIND_SAMPLES 67108864u /* of a grid, all frames together */
+
+typedef uint32_t lr_wind_source; /* handle; 0 is never one */
+
+/* Fields that a kind does not name above are not used, but must be finite. Lengths up to 1e6 m, speeds up to 1000 m/s. */
+typedef struct lr_wind_source_desc {
+    uint32_t struct_size;
+    int32_t kind;       /* LR_WIND_SOURCE_*; initially 0, which is none of them */
+    float position[3];  /* m: a point of the vortex axis (its middle, if half_length > 0), the nozzle's middle, the
+                           grid's first sample, a point of the ground; initially 0 */
+    float direction[3]; /* any length but 0: the vortex axis (right-hand rule), where a blower blows, about where gusts
+                           blow, the ground's upward normal; initially 1, 0, 0 */
+    float side[3];      /* along the slot of a line blower, not along its direction; initially 0, 0, 1 */
+    float velocity[3];  /* m/s, of the source itself; initially 0 */
+    float speed;        /* m/s: of a blower at its nozzle; root mean square of gusts in all, of turbulence for each
+                           component; >= 0; initially 1 */
+    float circulation;  /* m^2/s, up to 1e6 in magnitude; initially 1 */
+    float size;         /* m, >= 1e-4: core radius, radius of the nozzle or half width of the slot, integral length of
+                           turbulence, roughness length of the ground (0.0001 water, 0.03 grass, 1 town); initially 1 */
+    float radius;       /* m: a vortex fades out from half of it on, to nothing at it; 0: no limit; initially 0 */
+    float half_length;  /* m: of a vortex, which fades likewise, 0 for no limit; of a slot; initially 0 */
+    float range;        /* m, >= size: a blower fades out from half of it on, to nothing at it; initially 10 */
+    float spread;       /* 0 to 1: widening of a jet per length, 0.11 as measured; gusts: root mean square angle in
+                           radians from `direction`; initially 0.1 */
+    float period;       /* s: integral time of gusts, 0 for 10; life of the largest eddies, 0 for size/speed; time from
+                           one frame to the next, 0 for 1; up to 1e6; initially 0 */
+    float reference_height; /* m: where the ground's factor is 1; >= size; initially 10 */
+    uint32_t octaves;       /* of turbulence, each half as large as the one before, 1 to 4; initially 2 */
+    uint32_t seed;          /* of gusts and turbulence, together with the world's; initially 0 */
+    int32_t outside;        /* LR_WIND_OUTSIDE_*; initially LR_WIND_OUTSIDE_ZERO */
+    uint32_t counts[3];     /* samples of a grid along x, y, z, each >= 1 */
+    uint32_t frames;        /* of a grid, shown one after the other and again from the first; >= 1; initially 1 */
+    float spacing[3];       /* m between samples, >= 1e-4; initially 1 */
+    uint32_t reserved;      /* 0 */
+    const float* samples;   /* m/s, x y z of each sample; x varies fastest, then y, z, frame; copied */
+} lr_wind_source_desc;
+
+LR_API lr_status lr_wind_source_desc_init(lr_wind_source_desc* desc, uint32_t struct_size);
+
+/* Adds a source. Bodies keep their velocities: a field that appears is not one that accelerates. out: receives the
+ * handle, 0 after an error.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->samples of a grid), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_world_add_wind(lr_world* world, const lr_wind_source_desc* desc, lr_wind_source* out);
+
+/* Replaces everything of a source, also its kind. A grid may be given without samples: it then keeps those it has, if
+ * counts and frames are as before.
+ * LR_OK, LR_ERROR_STALE_WIND_SOURCE, and what lr_world_add_wind returns. */
+LR_API lr_status lr_world_update_wind(lr_world* world, lr_wind_source source, const lr_wind_source_desc* desc);
+
+/* LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_WIND_SOURCE. */
+LR_API lr_status lr_world_remove_wind(lr_world* world, lr_wind_source source);
+
+/* What a wind callback is asked. Arrays have one value a body. */
+typedef struct lr_wind_query {
+    uint32_t struct_size;
+    uint32_t count;           /* bodies, 1 to 256 */
+    lr_batch batch;           /* whose bodies they are; 0 when asked by lr_world_sample_wind */
+    uint32_t reserved;        /* 0 */
+    double time;              /* s, of the middle of the substep */
+    const float* position[3]; /* m: where the bodies are expected to be at that time; finite */
+    float* velocity[3];       /* m/s, 0 at first: the velocity that is added to the other sources' */
+    float* rate[3];           /* m/s^2, 0 at first: its partial derivative in time, if it is known */
+    float* gradient[9];       /* 1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate
+                                 and gradient the callback's part gives drag, but neither the force of the fluid's
+                                 acceleration nor shear */
+} lr_wind_query;
+
+/* Called once for each body and substep, in no certain order, from the thread that steps and from the world's workers at
+ * the same time (with worker_count 0 from the stepping thread alone). Results must depend on nothing but position, time
+ * and batch for the world to be deterministic. Must not call the library on the same world, throw, or keep pointers. A
+ * body whose values are not finite, or over 1000 m/s, gets 0 for all of them, and a warning is logged once after the
+ * step. */
+typedef void (*lr_wind_fn)(void* user, const lr_wind_query* query);
+
+/* An engine's own field, added to all else. Null removes it. Not part of snapshots.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world). */
+LR_API lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user);
+
+/* The velocity of the fluid at the world's present time, of all sources: for particles, cloth, arrows on a screen.
+ * positions: 3 * count values, m, x y z x y z ..., each up to 1e9 in magnitude. velocities: receives 3 * count, m/s.
+ * Both may be null when count is 0; they may be the same array.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities);
 
 /* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit
  * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as
@@ -342,21 +458,23 @@ LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
 /* A hash of the state of all bodies and the time index. Independent of the order of bodies in memory, of the processor
- * and of worker_count; equal hashes mean equal motion from here on, given equal worlds.
+ * and of worker_count; equal hashes mean equal motion from here on, given equal worlds. Wind sources are part of it,
+ * grids by the hash of their samples.
  * LR_OK, LR_ERROR_NULL_ARGUMENT. */
 LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
-/* Writes the world's state (bodies with their ids, time, wind, gravity, tables, forces, rules and emitters) into `size`
- * bytes at `memory`, any alignment. Assets, batches' settings, threads and callbacks are not part of it. written: bytes
- * used; may be null.
+/* Writes the world's state (bodies with their ids, time, wind, gravity, tables, loads, forces, rules and emitters) into
+ * `size` bytes at `memory`, any alignment. Assets, batches' settings, threads and callbacks are not part of it, nor the
+ * samples of wind grids, which are named by their hash. written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
 
 /* Puts a saved state back, also into another world or process whose batches were created in the same order from equal
- * assets with equal capacities. Bodies have the same ids as when it was saved. Checked whole before anything changes.
+ * assets with equal capacities. Bodies and wind sources have the same ids as when it was saved; grids of wind must be
+ * in the world already, in any place. Checked whole before anything changes.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size);
 

@@ -62,6 +62,8 @@ const char* lr_status_string(lr_status status) {
         return "dt / substeps is over one second";
     case LR_ERROR_SUBSTEPS:
         return "substeps is zero or too large";
+    case LR_ERROR_STALE_WIND_SOURCE:
+        return "the wind source was removed";
     case LR_ERROR_INTERNAL:
         return "a defect of the library";
     default:

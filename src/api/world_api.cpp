@@ -96,7 +96,7 @@ lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size) {
 
 lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
-    lr::Fluid fluid;
+    float wind[3] = {0.0f, 0.0f, 0.0f};
     if (desc) {
         lr_wind_desc d;
         const lr_status status = read_struct(desc, d);
@@ -107,9 +107,9 @@ lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
         for (float v : d.velocity)
             if (!in_range(v, -1000.0, 1000.0))
                 return refuse(world, "lr_world_set_wind", LR_ERROR_INVALID_ARGUMENT, "velocity is over 1000 m/s");
-        if (d.kind == LR_WIND_UNIFORM) std::copy(d.velocity, d.velocity + 3, fluid.wind);
+        if (d.kind == LR_WIND_UNIFORM) std::copy(d.velocity, d.velocity + 3, wind);
     }
-    world->fluid = fluid;
+    std::copy(wind, wind + 3, world->wind.uniform.wind);
     return LR_OK;
 }
 

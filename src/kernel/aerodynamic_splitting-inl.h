@@ -162,28 +162,31 @@ HWY_INLINE void lift_half(const StepInput& in, const BodyConstants& c, const Hel
 
 // Weight, buoyancy and what acts from outside, in the body frame. A torque acts with the drag on the full path, where it
 // moves the centre of the loads, and with the spin drag on the diagonal one.
-template <bool kFull>
-HWY_INLINE Twist applied_loads(const BodyConstants& c, const Held& held, Vec3 weight, Vec3 gravity, Quaternion q) {
+template <bool kFull> HWY_INLINE Twist applied_loads(const BodyConstants& c, const Held& held, Quaternion q) {
     const VF zero = hn::Zero(DF());
-    Twist f{to_body(q, weight), {zero, zero, zero}};
-    if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(q, gravity));
+    Twist f{to_body(q, held.weight), {zero, zero, zero}};
+    if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(q, held.gravity));
     if (held.external) f = add(f, external_force<kFull>(c, *held.external, q));
     return f;
 }
 
 template <bool kFull>
-HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const BodyConstants& c, const Held& held,
-                                              Vec3 weight, Vec3 gravity, Body& b) {
+HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const BodyConstants& c, const Held& held, Body& b) {
     const VF nu = hn::Mul(constant(c.aerodynamics.viscosity), held.inverse_length);
-    const Twist before = applied_loads<kFull>(c, held, weight, gravity, b.q);
+    const Twist before = applied_loads<kFull>(c, held, b.q);
+    // Loads are those of the spin through the fluid.
+    if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
     drag_half<kFull>(in, c, held, nu, before, b);
     spin_drag_half<kFull>(in, c, held, nu, before, b);
     lift_half<kFull>(in, c, held, nu, b);
+    if (held.sheared) b.t.u = add(b.t.u, to_body(b.q, held.fluid_spin));
     free_step<kFull>(in, c, held, b);
-    const Twist after = applied_loads<kFull>(c, held, weight, gravity, b.q);
+    const Twist after = applied_loads<kFull>(c, held, b.q);
+    if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
     lift_half<kFull>(in, c, held, nu, b);
     spin_drag_half<kFull>(in, c, held, nu, after, b);
     drag_half<kFull>(in, c, held, nu, after, b);
+    if (held.sheared) b.t.u = add(b.t.u, to_body(b.q, held.fluid_spin));
 }
 
 } // namespace lr::HWY_NAMESPACE

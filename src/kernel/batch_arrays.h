@@ -41,9 +41,13 @@ constexpr size_t force_component(size_t frame, size_t kind) {
     return 3 * (force_kinds * frame + kind);
 }
 
+struct FluidSample;
+
 struct BatchArrays {
     float* field[field_count];
     uint32_t* key;
+    // Null: the uniform wind of the step. Else one substep is taken, and this is the fluid at the bodies that it steps.
+    const FluidSample* fluid;
 };
 
 } // namespace lr

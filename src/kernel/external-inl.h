@@ -22,7 +22,7 @@ HWY_NOINLINE External take_external(const ExternalInput& in, const BodyConstants
         if ((in.used >> i / 3 & 1u) == 0) continue;
         float* const own = in.bodies + i * in.stride + at;
         sum[i] = hn::Add(sum[i], hn::Load(d, own));
-        hn::Store(hn::Zero(d), d, own);
+        if (in.clear) hn::Store(hn::Zero(d), d, own);
     }
     const VF length = hn::Mul(body_scale, constant(c.length));
     const VF cube = hn::Mul(hn::Mul(body_scale, body_scale), body_scale);

@@ -75,6 +75,11 @@ HWY_INLINE Quaternion normalised(Quaternion q) {
     return {hn::Mul(q.x, s), hn::Mul(q.y, s), hn::Mul(q.z, s), hn::Mul(q.w, s)};
 }
 
+// Magnitudes under 1e-15 become zero: their squares would be denormal, which is slow, and nothing can be seen of them.
+HWY_INLINE VF without_dust(VF v) {
+    return hn::IfThenElseZero(hn::Ge(hn::Abs(v), constant(1e-15f)), v);
+}
+
 // Velocity through the fluid and spin, in kernel units: u = d s w.
 struct Twist {
     Vec3 v, u;
@@ -150,9 +155,15 @@ struct External {
 
 // What stays fixed over the stages of one substep.
 struct Held {
-    VF inverse_length;                  // 1/(d s)
-    VF alpha, beta;                     // 1/s and m/s^(3/2), AGE clock
-    Twist noise;                        // weighted turbulent force and torque per unit mass
+    VF inverse_length; // 1/(d s)
+    VF alpha, beta;    // 1/s and m/s^(3/2), AGE clock
+    Twist noise;       // weighted turbulent force and torque per unit mass
+    // The fluid at the body, world axes, in the middle of the substep (docs/wind.md).
+    Vec3 wind;       // m/s
+    Vec3 weight;     // force per mass unit: gravity, buoyancy, acceleration of the fluid and of the frame of t
+    Vec3 gravity;    // m/s^2, as buoyancy feels it: less the fluid's own acceleration
+    Vec3 fluid_spin; // d s times half the vorticity; read only where `sheared`
+    bool sheared;
     const External* external = nullptr; // null without forces from outside
 };
 
@@ -182,22 +193,22 @@ template <bool kFull> HWY_INLINE Twist dragged(const BodyConstants& c, Twist t) 
 }
 
 // Time derivative of the twist. P, L: momenta over mass unit; with w = u/(d s)
-//   P' = P x w + weight R^T g - alpha rho(V + A) v + noise
-//   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D u + noise
+//   P' = P x w + weight vector - alpha rho(V + A) v + noise
+//   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D (u - fluid spin) + noise
 // The Munk moment P x v carries the body's own momentum too, which is parallel to v and drops out.
 template <bool kFull, Loads kLoads>
-HWY_INLINE Twist twist_rate(const BodyConstants& c, const Held& held, Vec3 weight, Vec3 gravity, Quaternion q,
-                            Twist t) {
+HWY_INLINE Twist twist_rate(const BodyConstants& c, const Held& held, Quaternion q, Twist t) {
     const Twist p = momentum<kFull>(c, t);
     Twist f;
-    f.v = add_scaled(to_body(q, weight), held.inverse_length, cross(p.v, t.u));
+    f.v = add_scaled(to_body(q, held.weight), held.inverse_length, cross(p.v, t.u));
     f.u = scale(held.inverse_length, add(cross(p.u, t.u), cross(p.v, t.v)));
-    if constexpr (kFull) f.u = add(f.u, cross(broadcast(c.buoyancy), to_body(q, gravity)));
+    if constexpr (kFull) f.u = add(f.u, cross(broadcast(c.buoyancy), to_body(q, held.gravity)));
     if (held.external) f = add(f, external_force<kFull>(c, *held.external, q));
     if constexpr (is_langevin(kLoads)) {
         VF alpha = held.alpha;
         if constexpr (kLoads == Loads::langevin_speed)
             alpha = hn::Mul(hn::Mul(constant(c.speed_alpha), held.inverse_length), hn::Sqrt(dot(t.v, t.v)));
+        if (held.sheared) t.u = sub(t.u, to_body(q, held.fluid_spin)); // drag of the spin through the fluid
         const Twist d = dragged<kFull>(c, t);
         f.v = sub(add(f.v, held.noise.v), scale(alpha, d.v));
         f.u = sub(add(f.u, held.noise.u), scale(alpha, d.u));

@@ -15,8 +15,8 @@ namespace lr::HWY_NAMESPACE {
 
 // One substep of the classical Runge-Kutta scheme, with the noise held over its stages (docs/physics.md section 4).
 template <bool kFull, Loads kLoads>
-HWY_INLINE void rk4_substep(const StepInput& in, const BodyConstants& c, Held& held, Vec3 weight, Vec3 gravity,
-                            VF beta_unit, const VF gauss[6], Body& b) {
+HWY_INLINE void rk4_substep(const StepInput& in, const BodyConstants& c, Held& held, VF beta_unit, const VF gauss[6],
+                            Body& b) {
     const VF h = constant(in.h), half = constant(0.5f * in.h), quarter = constant(0.25f * in.h);
     if constexpr (is_langevin(kLoads)) {
         VF beta;
@@ -34,8 +34,9 @@ HWY_INLINE void rk4_substep(const StepInput& in, const BodyConstants& c, Held& h
             c, {scale(beta, Vec3{gauss[0], gauss[1], gauss[2]}), scale(spin_beta, Vec3{gauss[3], gauss[4], gauss[5]})});
     }
     const auto rate = [&](Quaternion q, Twist t) HWY_ATTR {
-        const Twist r = twist_rate<kFull, kLoads>(c, held, weight, gravity, q, t);
+        const Twist r = twist_rate<kFull, kLoads>(c, held, q, t);
         if constexpr (!is_aerodynamic(kLoads)) return r;
+        if (held.sheared) t.u = sub(t.u, to_body(q, held.fluid_spin));
         return add(r, acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held.inverse_length, t)));
     };
     const auto spin = [&](Twist t) HWY_ATTR { return scale(held.inverse_length, t.u); };
@@ -66,7 +67,7 @@ HWY_INLINE void rk4_substep(const StepInput& in, const BodyConstants& c, Held& h
     turned = turn(turned, q, constant(in.h / 12.0f), spin(t));
 
     const VF sixth = constant(in.h / 6.0f);
-    b.x = add(b.x, scale(h, broadcast(in.wind)));
+    b.x = add(b.x, scale(h, held.wind));
     b.x = add_scaled(b.x, sixth, add(travel, add(middle, middle)));
     const Twist inner = add(k2, k3);
     b.t = add_scaled(b.t, sixth, add(add(k1, k4), add(inner, inner)));

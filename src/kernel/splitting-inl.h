@@ -82,12 +82,16 @@ template <bool kNoise> HWY_INLINE VF relax(VF y, VF x, VF tau_f, VF kick) {
 
 // Damping, weight, and at the end of a step noise, for half a substep; orientation held.
 template <bool kFull, Loads kLoads, bool kNoise>
-HWY_INLINE void load_half(const StepInput& in, const BodyConstants& c, const Held& held, Vec3 weight, Vec3 gravity,
-                          VF beta_unit, const VF gauss[6], Body& b) {
+HWY_INLINE void load_half(const StepInput& in, const BodyConstants& c, const Held& held, VF beta_unit,
+                          const VF gauss[6], Body& b) {
     const VF tau = constant(0.5f * in.h);
-    Twist f{to_body(b.q, weight), {}};
+    // Damping is towards the fluid's own rotation: relax the spin through the fluid.
+    const bool sheared = kLoads != Loads::none && held.sheared;
+    const auto fluid_spin = [&]() HWY_ATTR { return to_body(b.q, held.fluid_spin); };
+    if (sheared) b.t.u = sub(b.t.u, fluid_spin());
+    Twist f{to_body(b.q, held.weight), {}};
     f.u = {hn::Zero(DF()), hn::Zero(DF()), hn::Zero(DF())};
-    if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(b.q, gravity));
+    if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(b.q, held.gravity));
     if (held.external) f = add(f, external_force<kFull>(c, *held.external, b.q));
     const Twist tau_f = scale(tau, force_to_modes<kFull>(c, f));
     const Twist y = to_modes<kFull>(c, b.t);
@@ -136,6 +140,7 @@ HWY_INLINE void load_half(const StepInput& in, const BodyConstants& c, const Hel
         b.t = add(b.t, from_modes<true>(c, {sub(relaxed.v, y.v), sub(relaxed.u, y.u)}));
     else
         b.t = relaxed;
+    if (sheared) b.t.u = add(b.t.u, fluid_spin());
 }
 
 // A 3x3 matrix by its columns.
@@ -287,18 +292,18 @@ HWY_INLINE void free_step(const StepInput& in, const BodyConstants& c, const Hel
 }
 
 template <bool kFull, Loads kLoads>
-HWY_INLINE void splitting_substep(const StepInput& in, const BodyConstants& c, Held& held, Vec3 weight, Vec3 gravity,
-                                  VF beta_unit, const VF gauss[6], Body& b) {
+HWY_INLINE void splitting_substep(const StepInput& in, const BodyConstants& c, Held& held, VF beta_unit,
+                                  const VF gauss[6], Body& b) {
     const VF half = constant(0.5f * in.h);
     if constexpr (kLoads == Loads::langevin_age) {
         VF beta_squared;
         sample_table(in.table, hn::Add(b.age, half), held.alpha, beta_squared);
         held.beta = hn::Sqrt(beta_squared);
     }
-    load_half<kFull, kLoads, false>(in, c, held, weight, gravity, beta_unit, gauss, b);
+    load_half<kFull, kLoads, false>(in, c, held, beta_unit, gauss, b);
     free_step<kFull>(in, c, held, b);
-    load_half<kFull, kLoads, kLoads != Loads::none>(in, c, held, weight, gravity, beta_unit, gauss, b);
-    b.x = add(b.x, scale(constant(in.h), broadcast(in.wind)));
+    load_half<kFull, kLoads, kLoads != Loads::none>(in, c, held, beta_unit, gauss, b);
+    b.x = add(b.x, scale(constant(in.h), held.wind));
     grow_older(b, constant(in.h));
 }
 

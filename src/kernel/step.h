@@ -4,6 +4,7 @@
 #include "kernel/batch_arrays.h"
 #include "kernel/constants.h"
 #include "kernel/ended.h"
+#include "kernel/wind.h"
 
 #include <cstdint>
 
@@ -16,6 +17,7 @@ struct ExternalInput {
     float* bodies;                 // on each by itself, force_components arrays
     uint32_t used;                 // a bit for each vector of `bodies`, from component 0 on; the others are 0
     size_t stride;                 // from one of these arrays to the next
+    bool clear = true;             // forces on bodies are for this call alone
 };
 
 struct StepInput {
@@ -24,8 +26,10 @@ struct StepInput {
     uint32_t substeps;
     float h; // s, one substep
     float sqrt_h, inverse_sqrt_h;
-    float gravity[3]; // m/s^2, world
-    float wind[3];    // m/s, world
+    float gravity[3];    // m/s^2, world, less the acceleration of the uniform wind
+    float wind_begin[3]; // m/s, world: the uniform wind as the step begins,
+    float wind[3];       // and as it ends; linear between
+    bool wind_changes;
     Loads loads;
     Integrator integrator;
     BodyConstants body;
@@ -36,11 +40,25 @@ struct StepInput {
 // begin, end: multiples of lane_block.
 using StepFunction = void (*)(const StepInput&, const BatchArrays&, size_t begin, size_t end);
 
+// Positions (and velocities) of bodies in the middle of a substep, world axes.
+using PredictFunction = void (*)(const BatchArrays&, size_t begin, size_t end, float h, FieldBlock& out);
+// Winds at the block's positions.
+using EvaluateFunction = void (*)(const FieldInstant&, size_t count, FieldBlock& block);
+// What a substep needs of them.
+using CombineFunction = void (*)(float h, size_t count, const FieldBlock& block, FluidSample& out);
+// After the substep: bodies met the wind of their mean velocity over it, not that of their first.
+using SettleFunction = void (*)(const BodyConstants&, float h, const FieldBlock& block, const FluidSample& sample,
+                                const BatchArrays&, size_t begin, size_t end);
+
 struct KernelTarget {
     int32_t simd; // LR_SIMD_*
     int64_t hwy;  // Highway's bit for it
     StepFunction step;
     EndedFunction ended;
+    PredictFunction predict;
+    EvaluateFunction evaluate;
+    CombineFunction combine;
+    SettleFunction settle;
 };
 
 // Targets in this build, best first; `count` receives how many.

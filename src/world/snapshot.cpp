@@ -1,5 +1,6 @@
 #include "world/snapshot.h"
 
+#include "field/wind_snapshot.h"
 #include "kernel/aerodynamics.h"
 #include "world/snapshot_parts.h"
 #include "world/world.h"
@@ -200,7 +201,7 @@ public:
 };
 
 uint64_t snapshot_size(const lr_world& w) {
-    uint64_t size = sizeof(Header);
+    uint64_t size = sizeof(Header) + WindSnapshot::bytes(w.wind);
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         size += sizeof(BatchHeader);
@@ -222,10 +223,12 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     header.substep_count = w.substep_count;
     header.time = w.time;
     std::memcpy(header.gravity, w.gravity, sizeof header.gravity);
-    std::memcpy(header.wind, w.fluid.wind, sizeof header.wind);
+    std::memcpy(header.wind, w.wind.uniform.wind, sizeof header.wind);
     header.next_key = w.next_key;
     std::memcpy(begin, &header, sizeof header);
     unsigned char* at = begin + sizeof header;
+    WindSnapshot::save(w.wind, at);
+    at += WindSnapshot::bytes(w.wind);
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         std::memcpy(at, &h, sizeof h);
@@ -266,8 +269,12 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
     Buffer<Buffer<float>> tables;
     if (!tables.allocate(w.allocator, w.batch_slots)) return LR_ERROR_OUT_OF_MEMORY;
     for (uint32_t i = 0; i < w.batch_slots; ++i) new (&tables[i]) Buffer<float>();
+    WindSnapshot wind(w.wind);
+    uint64_t wind_bytes = 0;
     const auto check = [&]() -> lr_status {
-        uint64_t at = sizeof header;
+        const lr_status windy = wind.read(begin + sizeof header, header.size - sizeof header, header.seed, wind_bytes);
+        if (windy != LR_OK) return windy;
+        uint64_t at = sizeof header + wind_bytes;
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
             BatchHeader h{};
             if (header.size - at < sizeof h) return LR_ERROR_SNAPSHOT_FORMAT;
@@ -304,7 +311,8 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
     };
     const lr_status status = check();
     if (status == LR_OK) {
-        const unsigned char* at = begin + sizeof header;
+        const unsigned char* at = begin + sizeof header + wind_bytes;
+        wind.commit();
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
             BatchHeader h{};
             std::memcpy(&h, at, sizeof h);
@@ -324,7 +332,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         w.time = header.time;
         w.next_key = header.next_key;
         std::memcpy(w.gravity, header.gravity, sizeof header.gravity);
-        std::memcpy(w.fluid.wind, header.wind, sizeof header.wind);
+        std::memcpy(w.wind.uniform.wind, header.wind, sizeof header.wind);
     }
     for (uint32_t i = 0; i < w.batch_slots; ++i) tables[i].~Buffer<float>();
     return status;

@@ -1,6 +1,7 @@
 // How the bodies of a world are cut into pieces of work.
 #pragma once
 
+#include "field/field_step.h"
 #include "world/lifecycle.h"
 #include "world/world.h"
 
@@ -18,18 +19,27 @@ inline uint32_t chunk_count(const Batch& batch) {
 struct StepChunks {
     const lr_world* world;
     uint32_t count;
+    const FieldSlice* slice; // null where there is no wind but a uniform one
 
     static void run(void* context, uint32_t chunk) {
-        const lr_world& w = *static_cast<const StepChunks*>(context)->world;
+        const StepChunks& chunks = *static_cast<const StepChunks*>(context);
+        const lr_world& w = *chunks.world;
         // The last batch that begins at or before this chunk and has any.
         for (uint32_t i = w.batch_slots; i-- > 0;) {
             const Batch* const batch = w.batches[i].batch;
             if (!batch || batch->first_chunk > chunk || batch->count() == 0) continue;
             const uint32_t begin = (chunk - batch->first_chunk) * chunk_bodies;
             const uint32_t end = std::min(begin + chunk_bodies, batch->padded_count());
-            w.target->step(batch->step, batch->arrays(), begin, end);
+            bool last = true;
+            if (chunks.slice) {
+                const lr_batch handle = pack(BatchHandle{i, w.batches[i].generation});
+                step_in_field(*chunks.slice, batch->step, batch->arrays(), handle, batch->count(), begin, end);
+                last = chunks.slice->first + chunks.slice->count == chunks.slice->time.substeps;
+            } else {
+                w.target->step(batch->step, batch->arrays(), begin, end);
+            }
             // While the chunk is still in the cache.
-            if (batch->lifecycle()) batch->lifecycle()->judge(w.target->ended, batch->arrays(), begin, end);
+            if (last && batch->lifecycle()) batch->lifecycle()->judge(w.target->ended, batch->arrays(), begin, end);
             return;
         }
     }

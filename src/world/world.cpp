@@ -121,6 +121,10 @@ uint32_t lr_world::take_key() {
 
 void lr_world::step(float dt, uint32_t substeps) {
     const double h = static_cast<double>(dt) / substeps;
+    // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
+    lr::UniformWind& uniform = wind.uniform;
+    if (substep_count == 0) std::copy(uniform.wind, uniform.wind + 3, uniform.before);
+    const bool field = wind.active();
     lr::StepChunks chunks{};
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
@@ -135,11 +139,22 @@ void lr_world::step(float dt, uint32_t substeps) {
         in.sqrt_h = static_cast<float>(std::sqrt(h));
         in.inverse_sqrt_h = static_cast<float>(1.0 / std::sqrt(h));
         std::copy(gravity, gravity + 3, in.gravity);
-        std::copy(fluid.wind, fluid.wind + 3, in.wind);
         in.external = batch->external.input();
+        std::copy(uniform.before, uniform.before + 3, in.wind_begin);
+        std::copy(uniform.wind, uniform.wind + 3, in.wind);
+        in.wind_changes = !field && !std::equal(uniform.wind, uniform.wind + 3, uniform.before);
+        if (!in.wind_changes) continue;
+        // In a fluid that accelerates as a whole, bodies move as if gravity were less by it. Above the limit, which only
+        // steps of microseconds reach, the product with the step could overflow.
+        for (size_t k = 0; k < 3; ++k)
+            in.gravity[k] -= std::clamp((uniform.wind[k] - uniform.before[k]) / dt, -1e9f, 1e9f);
     }
     chunks.world = this;
-    pool.run(chunks.count, &lr::StepChunks::run, &chunks);
+    if (field)
+        step_through_field({time, h, substeps}, chunks);
+    else
+        pool.run(chunks.count, &lr::StepChunks::run, &chunks);
+    wind.end_step(dt);
     substep_count += substeps;
     time += static_cast<double>(dt);
     for (uint32_t i = 0; i < batch_slots; ++i) {
@@ -148,6 +163,23 @@ void lr_world::step(float dt, uint32_t substeps) {
         batch->external.stepped();
         if (batch->lifecycle()) batch->lifecycle()->finish(*batch, *this, static_cast<double>(dt));
     }
+}
+
+void lr_world::step_through_field(const lr::StepTime& t, lr::StepChunks& chunks) {
+    lr::FieldSlice slice{target, &wind, t, 0, 0};
+    chunks.slice = &slice;
+    for (; slice.first < t.substeps; slice.first += slice.count) {
+        slice.count = std::min(lr::WindField::slice, t.substeps - slice.first);
+        wind.prepare(t, slice.first, slice.count, seed);
+        pool.run(chunks.count, &lr::StepChunks::run, &chunks);
+    }
+    if (wind.take_blame())
+        log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
+}
+
+void lr_world::sample_wind(const float* positions, uint32_t count, float* velocities) const {
+    wind.prepare_now(time, seed);
+    lr::sample_field(*target, wind, time, positions, count, velocities);
 }
 
 namespace {
@@ -192,7 +224,8 @@ uint64_t lr_world::hash() const {
                                   std::bit_cast<uint64_t>(batch.lifecycle()->burst_clock())})
                 result = mix(result ^ word);
     }
-    return result;
+    const uint64_t sources = wind.hash(time);
+    return sources == 0 ? result : mix(result ^ sources);
 }
 
 void lr_world::log(int32_t level, const char* function, const char* message) const {

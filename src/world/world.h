@@ -1,6 +1,7 @@
 // The world: batches, time, wind, workers. Behind lr_world.
 #pragma once
 
+#include "field/wind_field.h"
 #include "langevin_rigid.h"
 #include "world/allocator.h"
 #include "world/batch.h"
@@ -9,12 +10,8 @@
 #include <cstdint>
 
 namespace lr {
-
-struct Fluid {
-    float wind[3] = {0.0f, 0.0f, 0.0f}; // m/s
-};
-
-} // namespace lr
+struct StepChunks;
+}
 
 struct lr_world {
     // Null after an error. The desc has been checked.
@@ -32,6 +29,7 @@ struct lr_world {
     uint32_t take_key(); // that tells the next body from all others
 
     void step(float dt, uint32_t substeps);
+    void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
 
     void log(int32_t level, const char* function, const char* message) const;
@@ -43,7 +41,7 @@ struct lr_world {
     float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2
     float fluid_density = 0.0f;            // kg/m^3; 0: each asset's own
     float fluid_viscosity = 0.0f;          // m^2/s; 0: each asset's own
-    lr::Fluid fluid;
+    mutable lr::WindField wind{allocator}; // sampling prepares an instant
     uint64_t substep_count = 0;
     double time = 0.0; // s
     uint32_t next_key = 1;
@@ -60,6 +58,7 @@ struct lr_world {
     void* log_user = nullptr;
 
 private:
+    void step_through_field(const lr::StepTime& time, lr::StepChunks& chunks);
     explicit lr_world(const lr::Allocator& from) : allocator(from) {}
     ~lr_world();
     bool grow_batches();

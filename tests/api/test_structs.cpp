@@ -71,6 +71,7 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_world_desc>(lr_world_desc_init);
     check_init<lr_world_info>(lr_world_info_init);
     check_init<lr_wind_desc>(lr_wind_desc_init);
+    check_init<lr_wind_source_desc>(lr_wind_source_desc_init);
     check_init<lr_batch_desc>(lr_batch_desc_init);
     check_init<lr_turbulence_table>(lr_turbulence_table_init);
     check_init<lr_load_gains>(lr_load_gains_init);
@@ -103,6 +104,10 @@ TEST_CASE("initial values are those of the header") {
     CHECK((a.drag[0] == 0.0 && a.spin_drag_stokes[2] == 0.0 && a.intensity == 0.0 && a.length == 1.0));
     const lr_load_gains g = initialised(lr_load_gains_init);
     CHECK((g.drag == 1.0f && g.lift == 1.0f && g.spin_drag == 1.0f && g.turbulence == 1.0f));
+    const lr_wind_source_desc s = initialised(lr_wind_source_desc_init);
+    CHECK((s.kind == 0 && s.direction[0] == 1.0f && s.side[2] == 1.0f && s.speed == 1.0f && s.circulation == 1.0f));
+    CHECK((s.size == 1.0f && s.radius == 0.0f && s.range == 10.0f && s.spread == 0.1f && s.period == 0.0f));
+    CHECK((s.reference_height == 10.0f && s.octaves == 2 && s.frames == 1 && s.spacing[1] == 1.0f && !s.samples));
     const lr_ellipsoid_desc e = initialised(lr_ellipsoid_desc_init);
     const lr_emitter_desc m = initialised(lr_emitter_desc_init);
     CHECK((m.orientation[3] == 1.0f && m.body_orientation[3] == 1.0f && m.direction[1] == -1.0f && m.rate == 0.0f));
@@ -146,6 +151,12 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
         return status;
     });
     check_use<lr_wind_desc>(wind_desc(), [&](lr_wind_desc* d) { return lr_world_set_wind(w, d); });
+    lr_wind_source_desc blower = initialised(lr_wind_source_desc_init);
+    blower.kind = LR_WIND_SOURCE_POINT_BLOWER;
+    lr_wind_source source = 0;
+    check_use<lr_wind_source_desc>(blower, [&](lr_wind_source_desc* d) { return lr_world_add_wind(w, d, &source); });
+    REQUIRE(lr_world_add_wind(w, &blower, &source) == LR_OK);
+    check_use<lr_wind_source_desc>(blower, [&](lr_wind_source_desc* d) { return lr_world_update_wind(w, source, d); });
     const float sample = 1.0f;
     lr_turbulence_table t = table_desc();
     t.count = 1;

@@ -1,7 +1,9 @@
 // Engines and their plug-ins change the rounding mode and flush denormals. A step neither sees that nor leaves a trace.
 #include "support/played_scene.h"
+#include "support/wind.h"
 
 #include <cfenv>
+#include <utility>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -103,3 +105,34 @@ TEST_CASE("flushed denormals and unmasked traps of the caller change no bit eith
     CHECK(after == mode);
 }
 #endif
+
+TEST_CASE("wind is made, sampled, updated and restored alike in any rounding mode of the caller") {
+    const std::vector<float> samples = grid_samples();
+    const std::vector<lr_wind_source_desc> sources = one_of_each(samples);
+    const auto run = [&](int mode) {
+        const World world = make(world_desc());
+        std::vector<float> velocities = {0.3f, 0.2f, 0.1f, -1.0f, 0.5f, 2.0f};
+        std::vector<unsigned char> snapshot;
+        uint64_t hash = 0;
+        bool ok = true;
+        const RestoreMode restore;
+        std::fesetround(mode);
+        for (int round = 0; round < 2; ++round)
+            for (const lr_wind_source_desc& d : sources) {
+                lr_wind_source source = 0;
+                ok = ok && lr_world_add_wind(world.get(), &d, &source) == LR_OK;
+                ok = ok && lr_world_update_wind(world.get(), source, &d) == LR_OK;
+                ok = ok && lr_world_step(world.get(), frame_dt, 3) == LR_OK;
+            }
+        snapshot.resize(lr_world_snapshot_size(world.get()));
+        ok = ok && lr_world_snapshot_save(world.get(), snapshot.data(), snapshot.size(), nullptr) == LR_OK;
+        ok = ok && lr_world_snapshot_restore(world.get(), snapshot.data(), snapshot.size()) == LR_OK;
+        ok = ok && lr_world_sample_wind(world.get(), velocities.data(), 2, velocities.data()) == LR_OK;
+        ok = ok && lr_world_hash(world.get(), &hash) == LR_OK;
+        std::fesetround(FE_TONEAREST);
+        REQUIRE(ok);
+        return std::pair(hash, velocities);
+    };
+    const auto expected = run(FE_TONEAREST);
+    for (int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) CHECK(run(mode) == expected);
+}

@@ -95,10 +95,24 @@ TEST_CASE("changed forces, rules and emitters in a snapshot are refused, or rest
     CHECK(refused > 100);
 }
 
+namespace {
+
+// The first batch's header begins with the content hash of its asset.
+size_t batch_header(const std::vector<unsigned char>& bytes, const Asset& asset) {
+    const uint64_t hash = info_of(asset).content_hash;
+    for (size_t i = 0; i + 8 <= bytes.size(); i += 8)
+        if (std::memcmp(bytes.data() + i, &hash, 8) == 0) return i;
+    FAIL("no batch in the snapshot");
+    return 0;
+}
+constexpr size_t parts_at = 52, header_bytes = 56 + 8 * (6 + 5 + 49); // fixed words, gains, table, loads
+
+} // namespace
+
 TEST_CASE("a snapshot with parts that this library does not know is refused") {
     const Scene scene(false);
     std::vector<unsigned char> bytes = snapshot_of(scene.world);
-    bytes[88 + 52] = 8; // the last word of the first batch's header
+    bytes[batch_header(bytes, scene.asset) + parts_at] = 8;
     seal(bytes);
     CHECK(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) == LR_ERROR_SNAPSHOT_FORMAT);
 }
@@ -112,8 +126,9 @@ TEST_CASE("a body that has left the finite numbers ends under any rules, or begi
                 lr_batch_rules r = rules_desc();
                 r.action = action;
                 std::vector<unsigned char> bytes = snapshot_of(scene.world);
-                // Headers of 88 and 56 bytes, then fields of 7 bodies, padded to 8.
-                std::memcpy(bytes.data() + 88 + 56 + 4 * (8 * field + 3), &lost, 4);
+                // Behind the header: fields of 7 bodies, padded to 8.
+                std::memcpy(bytes.data() + batch_header(bytes, scene.asset) + header_bytes + 4 * (8 * field + 3), &lost,
+                            4);
                 seal(bytes);
                 REQUIRE(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) == LR_OK);
                 set_rules(scene.world, scene.batch, r);

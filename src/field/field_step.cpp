@@ -1,0 +1,95 @@
+#include "field/field_step.h"
+
+#include "kernel/float_mode.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+constexpr float fastest_answer = 1000.0f, steepest_answer = 1e6f; // m/s; m/s^2 and 1/s
+
+// Asks the caller's own field, and adds what it says to the block where that is a flow.
+void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlock& block) {
+    alignas(64) float answer[15][field_block]; // velocity, rate, gradient
+    for (float(&row)[field_block] : answer) std::fill(row, row + count, 0.0f);
+    lr_wind_query query{};
+    query.struct_size = sizeof query;
+    query.count = count;
+    query.batch = batch;
+    query.time = time;
+    for (size_t k = 0; k < 3; ++k) {
+        query.position[k] = block.position[k];
+        query.velocity[k] = answer[k];
+        query.rate[k] = answer[3 + k];
+    }
+    for (size_t k = 0; k < 9; ++k) query.gradient[k] = answer[6 + k];
+    {
+        const FloatMode mode; // the callback's own does not outlive it
+        field.callback()(field.callback_user(), &query);
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        bool flow = true;
+        for (size_t k = 0; k < 15; ++k)
+            flow = flow && std::abs(answer[k][i]) <= (k < 3 ? fastest_answer : steepest_answer); // false for NaN
+        if (!flow) {
+            field.blame_callback();
+            continue;
+        }
+        float largest = 0.0f;
+        for (size_t k = 0; k < 3; ++k) {
+            block.wind[k][i] += answer[k][i];
+            block.rate[k][i] += answer[3 + k][i];
+            largest = std::max(largest, std::abs(answer[k][i]));
+        }
+        for (size_t k = 0; k < 9; ++k) block.gradient[k][i] += answer[6 + k][i];
+        block.reference[i] += largest;
+    }
+}
+
+} // namespace
+
+void step_in_field(const FieldSlice& slice, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
+                   uint32_t live, uint32_t begin, uint32_t end) {
+    const auto h = static_cast<float>(slice.time.h);
+    FieldBlock block;
+    FluidSample sample;
+    StepInput substep = in;
+    substep.substeps = 1;
+    BatchArrays bodies = arrays;
+    bodies.fluid = &sample;
+    for (uint32_t i = 0; i < slice.count; ++i) {
+        substep.first_substep = in.first_substep + slice.first + i;
+        substep.external.clear = slice.first + i + 1 == slice.time.substeps;
+        const double time = slice.time.begin + (slice.first + i + 0.5) * slice.time.h;
+        for (uint32_t at = begin; at < end; at += static_cast<uint32_t>(field_block)) {
+            const uint32_t last = std::min(at + static_cast<uint32_t>(field_block), end);
+            slice.target->predict(arrays, at, last, h, block);
+            slice.target->evaluate(slice.field->instant(i), last - at, block);
+            if (slice.field->callback() && at < live) ask(*slice.field, time, batch, std::min(last, live) - at, block);
+            slice.target->combine(h, last - at, block, sample);
+            slice.target->step(substep, bodies, at, last);
+            slice.target->settle(in.body, h, block, sample, arrays, at, last);
+        }
+    }
+}
+
+void sample_field(const KernelTarget& target, WindField& field, double time, const float* positions, uint32_t count,
+                  float* velocities) {
+    FieldBlock block;
+    constexpr auto most = static_cast<uint32_t>(field_block), lanes = static_cast<uint32_t>(lane_block);
+    for (uint32_t from = 0; from < count; from += std::min(most, count - from)) {
+        const uint32_t here = std::min(most, count - from);
+        const uint32_t padded = (here + lanes - 1) / lanes * lanes;
+        for (size_t k = 0; k < 3; ++k)
+            for (size_t i = 0; i < padded; ++i)
+                block.position[k][i] = positions[3 * (from + std::min<size_t>(i, here - 1)) + k];
+        target.evaluate(field.instant(0), padded, block);
+        if (field.callback()) ask(field, time, 0, here, block);
+        for (size_t k = 0; k < 3; ++k)
+            for (size_t i = 0; i < here; ++i) velocities[3 * (from + i) + k] = block.wind[k][i];
+    }
+}
+
+} // namespace lr

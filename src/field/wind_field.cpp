@@ -1,0 +1,253 @@
+#include "field/wind_field.h"
+
+#include "field/harmonic.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+namespace lr {
+const WindSource* WindField::find(lr_wind_source source) const {
+    const uint32_t slot = (source & ((1u << slot_bits) - 1)) - 1;
+    if (slot >= capacity || slots_[slot].generation != source >> slot_bits) return nullptr;
+    return slots_[slot].source;
+}
+
+lr_status WindField::make(const lr_wind_source_desc& desc, double time, uint64_t seed, GridSamples* grid,
+                          WindSource*& out) {
+    if (desc.kind == LR_WIND_SOURCE_GRID && !grid) {
+        void* const memory = allocator_->allocate(sizeof(GridSamples));
+        if (!memory) return LR_ERROR_OUT_OF_MEMORY;
+        grid = new (memory) GridSamples{};
+        const uint64_t count = sample_count(desc);
+        if (!grid->values.allocate(*allocator_, count)) {
+            release(grid);
+            return LR_ERROR_OUT_OF_MEMORY;
+        }
+        for (uint64_t i = 0; i < count; ++i) {
+            grid->values[i] = desc.samples[i];
+            grid->fastest = std::max(grid->fastest, std::abs(desc.samples[i]));
+        }
+        grid->hash = hash_samples(desc, desc.samples);
+    }
+    if (grid) ++grid->references;
+    void* const memory = allocator_->allocate(sizeof(WindSource));
+    if (!memory) {
+        release(grid);
+        return LR_ERROR_OUT_OF_MEMORY;
+    }
+    WindSource* const source = new (memory) WindSource{};
+    source->desc = desc;
+    source->desc.struct_size = sizeof desc;
+    source->desc.samples = nullptr;
+    source->since = time;
+    source->grid = grid;
+    if (desc.kind == LR_WIND_SOURCE_GUSTS) source->gusts = gusts_of(desc, seed);
+    out = source;
+    return LR_OK;
+}
+
+void WindField::release(GridSamples* grid) {
+    if (!grid || (grid->references != 0 && --grid->references != 0)) return;
+    grid->~GridSamples();
+    allocator_->release(grid, sizeof(GridSamples));
+}
+
+void WindField::release(WindSource* source) {
+    if (!source) return;
+    release(source->grid);
+    source->~WindSource();
+    allocator_->release(source, sizeof(WindSource));
+}
+
+void WindField::clear() {
+    for (Slot& slot : slots_) {
+        release(slot.source);
+        slot.source = nullptr;
+    }
+    used_ = 0;
+}
+
+GridSamples* WindField::find_samples(const lr_wind_source_desc& desc, uint64_t hash) const {
+    for (const Slot& slot : slots_)
+        if (slot.source && slot.source->grid && slot.source->grid->hash == hash &&
+            slot.source->grid->values.size() == sample_count(desc))
+            return slot.source->grid;
+    return nullptr;
+}
+
+uint32_t WindField::total_instants() const {
+    uint32_t total = 0;
+    for (const Slot& slot : slots_)
+        if (slot.source) total += slot.source->instants();
+    return total;
+}
+
+bool WindField::reserve(uint32_t instants) {
+    const size_t needed = size_t{slice} * instants;
+    if (needed <= prepared_.size()) return true;
+    Buffer<SourceInstant> larger;
+    if (!larger.allocate(*allocator_, needed)) return false;
+    prepared_.swap(larger);
+    return true;
+}
+
+lr_status WindField::add(const lr_wind_source_desc& desc, double time, uint64_t seed, lr_wind_source& out) {
+    Slot* const slot = std::find_if(slots_, slots_ + capacity, [](const Slot& s) { return !s.source; });
+    if (slot == slots_ + capacity) return LR_ERROR_CAPACITY;
+    WindSource* source = nullptr;
+    const lr_status status = make(desc, time, seed, nullptr, source);
+    if (status != LR_OK) return status;
+    if (!reserve(total_instants() + source->instants())) {
+        release(source);
+        return LR_ERROR_OUT_OF_MEMORY;
+    }
+    slot->source = source;
+    ++used_;
+    out = static_cast<uint32_t>(slot - slots_ + 1) | slot->generation << slot_bits;
+    return LR_OK;
+}
+
+lr_status WindField::update(lr_wind_source handle, const lr_wind_source_desc& desc, double time, uint64_t seed) {
+    const WindSource* const old = find(handle);
+    if (!old) return LR_ERROR_STALE_WIND_SOURCE;
+    GridSamples* grid = nullptr;
+    if (desc.kind == LR_WIND_SOURCE_GRID && !desc.samples) {
+        const bool same =
+            old->grid && std::equal(desc.counts, desc.counts + 3, old->desc.counts) && desc.frames == old->desc.frames;
+        if (!same) return LR_ERROR_NULL_ARGUMENT;
+        grid = old->grid;
+    }
+    WindSource* source = nullptr;
+    const lr_status status = make(desc, time, seed, grid, source);
+    if (status != LR_OK) return status;
+    if (!reserve(total_instants() - old->instants() + source->instants())) {
+        release(source);
+        return LR_ERROR_OUT_OF_MEMORY;
+    }
+    Slot& slot = slots_[(handle & ((1u << slot_bits) - 1)) - 1];
+    release(slot.source);
+    slot.source = source;
+    return LR_OK;
+}
+
+bool WindField::remove(lr_wind_source handle) {
+    if (!find(handle)) return false;
+    Slot& slot = slots_[(handle & ((1u << slot_bits) - 1)) - 1];
+    release(slot.source);
+    slot.source = nullptr;
+    slot.generation = (slot.generation + 1) & last_generation;
+    --used_;
+    return true;
+}
+
+void WindField::set_callback(lr_wind_fn function, void* user) {
+    callback_ = function;
+    callback_user_ = user;
+    blamed_.store(false, std::memory_order_relaxed);
+    told_ = false;
+}
+
+bool WindField::take_blame() {
+    if (told_ || !blamed_.load(std::memory_order_relaxed)) return false;
+    told_ = true;
+    return true;
+}
+
+// part: of the step, 0 to 1.
+void WindField::uniform_at(double part, double time, double wind[3]) const {
+    for (size_t k = 0; k < 3; ++k) {
+        const auto from = static_cast<double>(uniform.before[k]), to = static_cast<double>(uniform.wind[k]);
+        wind[k] = from + part * (to - from);
+    }
+    for (const Slot& slot : slots_)
+        if (slot.source && slot.source->desc.kind == LR_WIND_SOURCE_GUSTS) slot.source->gusts.add(time, wind);
+}
+
+// Everything but the uniform part with its gusts.
+void WindField::fill(FieldInstant& to, SourceInstant* sources, double time, const Carried& carried,
+                     uint64_t seed) const {
+    to.sources = sources;
+    to.source_count = 0;
+    to.reference = 0.0f;
+    bool ground = false;
+    for (const Slot& slot : slots_) {
+        if (!slot.source) continue;
+        const uint32_t instants = slot.source->instants();
+        if (instants == 0) continue; // gusts are part of the uniform wind
+        slot.source->at(time, seed, carried.way, carried.velocity, sources + to.source_count);
+        to.source_count += instants;
+        to.reference += slot.source->fastest();
+        ground = ground || slot.source->desc.kind == LR_WIND_SOURCE_GROUND;
+    }
+    // Over the ground the uniform part has a gradient too.
+    if (ground)
+        for (float w : to.wind) to.reference += std::abs(w);
+}
+
+void WindField::prepare(const StepTime& t, uint32_t first, uint32_t count, uint64_t seed) {
+    const uint32_t each = total_instants();
+    double begin[3], end[3];
+    uniform_at(first / static_cast<double>(t.substeps), t.begin + first * t.h, begin);
+    for (uint32_t i = 0; i < count; ++i, std::copy(end, end + 3, begin)) {
+        const double after = first + i + 1.0, middle = first + i + 0.5;
+        uniform_at(after / t.substeps, t.begin + after * t.h, end);
+        FieldInstant& to = instants_[i];
+        Carried carried{};
+        const double part = middle / t.substeps, seconds = middle * t.h;
+        for (size_t k = 0; k < 3; ++k) {
+            // Adding zero: no zero is negative, so that a source that adds nothing changes no bit.
+            to.wind[k] = static_cast<float>(0.5 * (begin[k] + end[k])) + 0.0f;
+            to.change[k] = static_cast<float>(end[k] - begin[k]) + 0.0f;
+            const auto before = static_cast<double>(uniform.before[k]), last = static_cast<double>(uniform.wind[k]);
+            carried.velocity[k] = before + part * (last - before);
+            carried.way[k] = uniform.drift[k] + seconds * 0.5 * (before + carried.velocity[k]);
+        }
+        fill(to, prepared_.data() + size_t{i} * each, t.begin + seconds, carried, seed);
+    }
+}
+
+void WindField::prepare_now(double time, uint64_t seed) {
+    double wind[3];
+    uniform_at(1.0, time, wind);
+    Carried carried{};
+    for (size_t k = 0; k < 3; ++k) {
+        instants_[0].wind[k] = static_cast<float>(wind[k]) + 0.0f;
+        instants_[0].change[k] = 0.0f;
+        carried.way[k] = uniform.drift[k];
+        carried.velocity[k] = static_cast<double>(uniform.wind[k]);
+    }
+    fill(instants_[0], prepared_.data(), time, carried, seed);
+}
+
+void WindField::end_step(float dt) {
+    for (size_t k = 0; k < 3; ++k) {
+        uniform.drift[k] += 0.5 * static_cast<double>(dt) *
+                            (static_cast<double>(uniform.before[k]) + static_cast<double>(uniform.wind[k]));
+        uniform.before[k] = uniform.wind[k];
+    }
+}
+
+uint64_t WindField::hash(double time) const {
+    if (used_ == 0) return 0;
+    uint64_t hash = random_bits(std::bit_cast<uint64_t>(time), 0);
+    const auto take = [&](uint64_t word) { hash = random_bits(hash ^ word, 1); };
+    for (size_t k = 0; k < 3; ++k) {
+        take(std::bit_cast<uint32_t>(uniform.wind[k]) | uint64_t{std::bit_cast<uint32_t>(uniform.before[k])} << 32);
+        take(std::bit_cast<uint64_t>(uniform.drift[k]));
+    }
+    for (const Slot& slot : slots_) {
+        take(slot.source != nullptr);
+        if (!slot.source) continue;
+        uint32_t words[source_bytes / 4];
+        std::memcpy(words, &slot.source->desc, source_bytes);
+        for (size_t i = 1; i < source_bytes / 4; ++i) take(words[i]); // all but struct_size
+        take(std::bit_cast<uint64_t>(slot.source->since));
+        if (slot.source->grid) take(slot.source->grid->hash);
+    }
+    return hash;
+}
+
+} // namespace lr

@@ -1,0 +1,109 @@
+#include "field/wind_snapshot.h"
+
+#include "kernel/float_mode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace lr {
+namespace {
+
+struct SavedWind {
+    float before[3];
+    uint32_t sources;
+    double drift[3];
+    uint32_t generations[LR_MAX_WIND_SOURCES];
+};
+struct SavedSource {
+    uint32_t slot;
+    uint32_t reserved;
+    double since;
+    uint64_t samples; // their hash
+    unsigned char desc[source_bytes];
+};
+static_assert(sizeof(SavedWind) % 8 == 0 && sizeof(SavedSource) % 8 == 0);
+
+template <class T, size_t N> bool all_finite(const T (&values)[N]) {
+    return std::all_of(values, values + N, [](T v) { return std::isfinite(v); });
+}
+
+} // namespace
+
+uint64_t WindSnapshot::bytes(const WindField& field) {
+    return sizeof(SavedWind) + field.used_ * sizeof(SavedSource);
+}
+
+void WindSnapshot::save(const WindField& field, unsigned char* to) {
+    SavedWind wind{};
+    std::copy(field.uniform.before, field.uniform.before + 3, wind.before);
+    std::copy(field.uniform.drift, field.uniform.drift + 3, wind.drift);
+    wind.sources = field.used_;
+    for (uint32_t i = 0; i < WindField::capacity; ++i) wind.generations[i] = field.slots_[i].generation;
+    std::memcpy(to, &wind, sizeof wind);
+    to += sizeof wind;
+    for (uint32_t i = 0; i < WindField::capacity; ++i) {
+        const WindSource* const source = field.slots_[i].source;
+        if (!source) continue;
+        SavedSource saved{};
+        saved.slot = i;
+        saved.since = source->since;
+        saved.samples = source->grid ? source->grid->hash : 0;
+        std::memcpy(saved.desc, &source->desc, source_bytes);
+        std::memcpy(to, &saved, sizeof saved);
+        to += sizeof saved;
+    }
+}
+
+WindSnapshot::~WindSnapshot() {
+    for (WindSource* source : sources_) field_->release(source);
+}
+
+lr_status WindSnapshot::read(const unsigned char* from, uint64_t size, uint64_t seed, uint64_t& used) {
+    const FloatMode mode; // gusts are computed anew
+    SavedWind wind;
+    if (size < sizeof wind) return LR_ERROR_SNAPSHOT_FORMAT;
+    std::memcpy(&wind, from, sizeof wind);
+    used = sizeof wind + wind.sources * uint64_t{sizeof(SavedSource)};
+    if (wind.sources > WindField::capacity || size < used || !all_finite(wind.before) || !all_finite(wind.drift))
+        return LR_ERROR_SNAPSHOT_FORMAT;
+    for (uint32_t generation : wind.generations)
+        if (generation > WindField::last_generation) return LR_ERROR_SNAPSHOT_FORMAT;
+    uint32_t instants = 0;
+    for (uint32_t i = 0; i < wind.sources; ++i) {
+        SavedSource saved;
+        std::memcpy(&saved, from + sizeof wind + i * sizeof saved, sizeof saved);
+        lr_wind_source_desc desc{};
+        std::memcpy(static_cast<void*>(&desc), saved.desc, source_bytes);
+        const char* why = nullptr;
+        if (saved.slot >= WindField::capacity || sources_[saved.slot] || !std::isfinite(saved.since) ||
+            check_wind_source(desc, why) != LR_OK)
+            return LR_ERROR_SNAPSHOT_FORMAT;
+        GridSamples* grid = nullptr;
+        if (desc.kind == LR_WIND_SOURCE_GRID) {
+            grid = field_->find_samples(desc, saved.samples);
+            if (!grid) return LR_ERROR_SNAPSHOT_MISMATCH;
+        }
+        const lr_status status = field_->make(desc, saved.since, seed, grid, sources_[saved.slot]);
+        if (status != LR_OK) return status;
+        instants += sources_[saved.slot]->instants();
+    }
+    if (!field_->reserve(instants)) return LR_ERROR_OUT_OF_MEMORY;
+    std::copy(wind.before, wind.before + 3, before_);
+    std::copy(wind.drift, wind.drift + 3, drift_);
+    std::copy(wind.generations, wind.generations + WindField::capacity, generations_);
+    return LR_OK;
+}
+
+void WindSnapshot::commit() {
+    field_->clear();
+    for (uint32_t i = 0; i < WindField::capacity; ++i) {
+        field_->slots_[i] = {sources_[i], generations_[i]};
+        if (sources_[i]) ++field_->used_;
+        sources_[i] = nullptr;
+    }
+    std::copy(before_, before_ + 3, field_->uniform.before);
+    std::copy(drift_, drift_ + 3, field_->uniform.drift);
+}
+
+} // namespace lr

@@ -1,0 +1,245 @@
+// Gusts and turbulence: what their statistics are said to be.
+#include "support/random.h"
+#include "support/wind.h"
+
+#include <algorithm>
+
+using namespace test;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// The gusts' velocity at count moments, dt apart.
+std::vector<Vec> history(const World& world, int count, float dt) {
+    std::vector<Vec> out;
+    for (int i = 0; i < count; ++i) {
+        out.push_back(wind_at(world, {0.0, 0.0, 0.0}));
+        steps(world, 1, dt, 1);
+    }
+    return out;
+}
+
+struct Turbulent {
+    World world = make(world_desc());
+    explicit Turbulent(uint32_t octaves, uint32_t seed = 0, float size = 2.0f) {
+        lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_TURBULENCE);
+        d.speed = 1.5f, d.size = size, d.octaves = octaves, d.seed = seed;
+        add_source(world, d);
+    }
+    std::vector<Vec> at(const std::vector<Vec>& points) const {
+        std::vector<float> positions, velocities;
+        for (const Vec& p : points)
+            for (double x : p) positions.push_back(narrow(x));
+        samples_of(world, positions, velocities);
+        std::vector<Vec> out;
+        for (size_t i = 0; i < velocities.size(); i += 3) out.push_back(vec(&velocities[i]));
+        return out;
+    }
+};
+
+std::vector<Vec> points_in(double side, size_t count, uint64_t seed) {
+    Random random(seed);
+    std::vector<Vec> out(count);
+    for (Vec& p : out)
+        for (double& x : p) x = random.uniform(-side, side);
+    return out;
+}
+
+} // namespace
+
+TEST_CASE("gusts have their variance, direction and spread") {
+    for (float spread : {0.0f, 0.3f}) {
+        const World world = make(world_desc());
+        lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_GUSTS);
+        set(d.direction, 3.0f, 0.0f, 4.0f);
+        d.speed = 2.0f, d.period = 1.0f, d.spread = spread;
+        add_source(world, d);
+        const Vec along = {0.6, 0.0, 0.8};
+        double all = 0.0, ahead = 0.0;
+        Vec mean{};
+        const std::vector<Vec> velocities = history(world, 40000, 0.111f);
+        for (const Vec& v : velocities) {
+            mean = mean + 1.0 / 40000.0 * v;
+            all += dot(v, v) / 40000.0;
+            ahead += dot(v, along) * dot(v, along) / 40000.0;
+        }
+        CAPTURE(spread);
+        CHECK(std::sqrt(all) == doctest::Approx(2.0).epsilon(0.02));
+        CHECK(length(mean) < 0.05);
+        // Of the energy, the mean square sine of the angles lies across: spread^2 less a fourth-order term.
+        if (spread == 0.0f)
+            CHECK(ahead == doctest::Approx(all).epsilon(1e-5));
+        else
+            CHECK(1.0 - ahead / all == doctest::Approx(0.09).epsilon(0.12));
+    }
+}
+
+TEST_CASE("the spectrum of gusts falls with the power -5/3 and is flat at long times") {
+    // Energy of harmonics f to 2 f, averaged over seeds: f S(f) goes as f^(-2/3) at high, as f at low frequencies.
+    constexpr int count = 4096;
+    constexpr float dt = 0.02f;
+    const double bands[5] = {0.01, 0.02, 0.5, 1.0, 4.0}; // 1/s, with a period of 1 s
+    double energy[5] = {};
+    for (uint32_t seed = 0; seed < 12; ++seed) {
+        const World world = make(world_desc());
+        lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_GUSTS);
+        d.period = 1.0f, d.spread = 0.0f, d.seed = seed;
+        add_source(world, d);
+        const std::vector<Vec> u = history(world, count, dt);
+        for (size_t b = 0; b < 5; ++b) {
+            const int first = static_cast<int>(std::lround(bands[b] * count * wide(dt)));
+            for (int n = std::max(first, 1); n < std::max(2 * first, 2); ++n) {
+                double re = 0.0, im = 0.0;
+                for (int i = 0; i < count; ++i) {
+                    // Hann's window: the harmonics do not fit into the record.
+                    const double w = 1.0 - std::cos(2.0 * pi * i / count), at = 2.0 * pi * n * i / count;
+                    re += w * u[static_cast<size_t>(i)][0] * std::cos(at);
+                    im += w * u[static_cast<size_t>(i)][0] * std::sin(at);
+                }
+                energy[b] += re * re + im * im;
+            }
+        }
+    }
+    CHECK(std::log2(energy[3] / energy[2]) == doctest::Approx(-2.0 / 3.0).epsilon(0.5));
+    CHECK(std::log2(energy[4] / energy[2]) / 3.0 == doctest::Approx(-2.0 / 3.0).epsilon(0.25));
+    CHECK(energy[1] > 1.2 * energy[0]);
+}
+
+TEST_CASE("gusts are a function of time: jumps, long times and other seeds") {
+    const auto at = [](float time, uint64_t world_seed, uint32_t seed) {
+        lr_world_desc wd = world_desc();
+        wd.seed = world_seed;
+        const World world = make(wd);
+        lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_GUSTS);
+        d.seed = seed;
+        for (int i = 0; i < 8; ++i) steps(world, 1, time / 8.0f, static_cast<uint32_t>(time) + 1);
+        add_source(world, d);
+        return wind_at(world, {1.0, 2.0, 3.0});
+    };
+    const World walked = make(world_desc());
+    add_source(walked, source_desc(LR_WIND_SOURCE_GUSTS));
+    steps(walked, 1024, 0.125f, 2);
+    CHECK(length(wind_at(walked, {5.0, 0.0, 0.0}) - at(128.0f, 0, 0)) == 0.0);
+    CHECK(length(at(64.0f, 0, 0) - at(64.0f, 0, 1)) > 0.01);
+    CHECK(length(at(64.0f, 0, 0) - at(64.0f, 1, 0)) > 0.01);
+    CHECK(length(at(8192.0f, 0, 0)) > 0.0);
+}
+
+TEST_CASE("turbulence has its root mean square in each direction, and no mean") {
+    for (uint32_t octaves : {1u, 2u, 4u}) {
+        const Turbulent field(octaves);
+        Vec mean{}, square{}, mixed{};
+        const size_t count = 200000;
+        for (const Vec& v : field.at(points_in(500.0, count, 1)))
+            for (size_t i = 0; i < 3; ++i) {
+                mean[i] += v[i] / static_cast<double>(count);
+                square[i] += v[i] * v[i] / static_cast<double>(count);
+                mixed[i] += v[i] * v[(i + 1) % 3] / static_cast<double>(count);
+            }
+        CAPTURE(octaves);
+        for (size_t i = 0; i < 3; ++i) {
+            CHECK(std::sqrt(square[i]) == doctest::Approx(1.5).epsilon(0.02));
+            CHECK(std::abs(mean[i]) < 0.02);
+            CHECK(std::abs(mixed[i]) < 0.03);
+        }
+    }
+}
+
+TEST_CASE("the integral length of turbulence is the size that was asked for, alike in all directions") {
+    const Vec ways[4] = {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.6, 0.8, 0.0}, {1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0}};
+    for (uint32_t octaves : {1u, 3u}) {
+        const Turbulent field(octaves);
+        const std::vector<Vec> points = points_in(400.0, 30000, 2);
+        const std::vector<Vec> here = field.at(points);
+        double sum = 0.0;
+        for (const Vec& way : ways) {
+            double total = 0.0;
+            const double dr = 0.25;
+            for (int n = 0; n < 60; ++n) {
+                std::vector<Vec> moved = points;
+                for (Vec& p : moved) p = p + dr * n * way;
+                const std::vector<Vec> there = field.at(moved);
+                double product = 0.0, square = 0.0;
+                for (size_t i = 0; i < here.size(); ++i) {
+                    product += dot(here[i], way) * dot(there[i], way);
+                    square += dot(here[i], way) * dot(here[i], way);
+                }
+                total += product / square * dr * (n == 0 ? 0.5 : 1.0);
+            }
+            CAPTURE(octaves);
+            CHECK(total == doctest::Approx(2.0).epsilon(0.12));
+            sum += total / 4.0;
+        }
+        CHECK(sum == doctest::Approx(2.0).epsilon(0.07));
+    }
+}
+
+TEST_CASE("turbulence has no divergence") {
+    const Turbulent field(2);
+    double divergence = 0.0, gradient = 0.0;
+    const double e = 0.015625;
+    const std::vector<Vec> points = points_in(8.0, 5000, 4);
+    std::vector<Vec> around;
+    for (const Vec& p : points)
+        for (size_t j = 0; j < 3; ++j)
+            for (double side : {-2.0, -1.0, 1.0, 2.0}) {
+                Vec x = p;
+                for (double& v : x) v = std::round(v * 1024.0) / 1024.0; // so that differences are exact
+                x[j] += side * e;
+                around.push_back(x);
+            }
+    const std::vector<Vec> u = field.at(around);
+    for (size_t n = 0; n < points.size(); ++n) {
+        double trace = 0.0;
+        for (size_t j = 0; j < 3; ++j) {
+            const Vec* const v = &u[n * 12 + j * 4];
+            const Vec slope = 1.0 / (12.0 * e) * (v[0] - v[3] + 8.0 * (v[2] - v[1])); // fourth order
+            trace += slope[j];
+            gradient += dot(slope, slope);
+        }
+        divergence += trace * trace;
+    }
+    CHECK(std::sqrt(divergence) < 1e-3 * std::sqrt(gradient));
+    CHECK(std::sqrt(gradient / 5000.0) > 1.0);
+}
+
+TEST_CASE("turbulence goes along with the uniform wind, and changes on the way") {
+    lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_TURBULENCE);
+    d.size = 1.0f, d.period = 1e6f; // as good as frozen
+    const World world = make(world_desc());
+    set_wind(world, 4.0f, 0.0f, 1.0f);
+    add_source(world, d);
+    const Vec mean = {4.0, 0.0, 1.0}, x = {0.3, 0.4, 0.5};
+    const Vec before = wind_at(world, x) - mean;
+    steps(world, 10, 0.1f, 1);
+    CHECK(length(wind_at(world, x) - mean - before) > 0.05);
+    CHECK(length(wind_at(world, x + mean) - mean - before) < 1e-4);
+    // With a wind that is changed: its way is the sum of what it was.
+    set_wind(world, 0.0f, 0.0f, 0.0f);
+    steps(world, 1, 0.5f, 4); // (1, 0, 0.25) more on average of the ramp
+    CHECK(length(wind_at(world, x + mean + Vec{1.0, 0.0, 0.25}) - before) < 1e-4);
+
+    // In still air eddies live for the period: correlated at once, not after three times it.
+    d.period = 1.0f, d.octaves = 1;
+    const World still = make(world_desc());
+    add_source(still, d);
+    std::vector<float> positions, first, later;
+    for (const Vec& p : points_in(100.0, 20000, 9))
+        for (double c : p) positions.push_back(narrow(c));
+    samples_of(still, positions, first);
+    const auto correlation = [&] {
+        samples_of(still, positions, later);
+        double product = 0.0, a = 0.0, b = 0.0;
+        for (size_t i = 0; i < first.size(); ++i) {
+            product += wide(first[i]) * wide(later[i]);
+            a += wide(first[i]) * wide(first[i]);
+            b += wide(later[i]) * wide(later[i]);
+        }
+        return product / std::sqrt(a * b);
+    };
+    steps(still, 1, 0.02f, 1);
+    CHECK(correlation() > 0.98);
+    steps(still, 3, 1.0f, 1);
+    CHECK(std::abs(correlation()) < 0.15);
+}
