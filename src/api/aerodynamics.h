@@ -1,6 +1,7 @@
 // Coefficients of the quasi-steady loads across the ABI.
 #pragma once
 
+#include "api/arguments.h"
 #include "format/asset_data.h"
 #include "langevin_rigid.h"
 
@@ -56,6 +57,19 @@ inline AerodynamicData from_struct(const lr_aerodynamics& from) {
     to.lift_stall = from.lift_stall;
     copy(from.lift_moment_stalled, to.lift_moment_stalled);
     return to;
+}
+
+// Whatever cannot be a body's is refused by is_usable afterwards.
+inline lr_status read_loads(const lr_aerodynamics* from, lr_aerodynamics& a) {
+    const lr_status status = read_struct(from, a);
+    if (status != LR_OK) return status;
+    const double scalars[] = {a.intensity, a.length, a.wake_reynolds, a.lift_stall};
+    if (!finite(a.axes) || !finite(a.drag) || !finite(a.drag_blunt) || !finite(a.drag_layer) ||
+        !finite(a.drag_stokes) || !finite(a.lift) || !finite(a.spin_lift) || !finite(a.lift_moment) ||
+        !finite(a.spin_drag) || !finite(a.spin_drag_stream) || !finite(a.spin_drag_stokes) || !finite(a.broadside) ||
+        !finite(a.lift_moment_stalled) || !finite(scalars))
+        return LR_ERROR_NOT_FINITE;
+    return a.reserved == 0 ? LR_OK : LR_ERROR_INVALID_ARGUMENT;
 }
 
 } // namespace lr::api
