@@ -68,7 +68,7 @@ PhaseResult run_phase_point(const PhasePoint& point, const PhaseOptions& options
         earth * (areal_density - fluid_density * thickness); // weight in the fluid over the disc's area
     double speed = std::sqrt(2.0 * pressure / (fluid_density * drag_coefficient(point.reynolds)));
     const double viscosity = speed * d / point.reynolds;
-    const Asset disc = bake_disc(0.5 * d, thickness, areal_density, {fluid_density, viscosity}, 12);
+    const Asset disc = bake_disc(0.5 * d, thickness, areal_density, {fluid_density, viscosity}, 8);
 
     PhaseResult result;
     result.asked = point;

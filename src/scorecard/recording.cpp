@@ -59,6 +59,7 @@ std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<
     lr_world_desc wd = initialised(lr_world_desc_init);
     wd.worker_count = run.threads > 1 ? run.threads - 1 : 0;
     wd.seed = run.seed;
+    wd.simd_target = run.simd_target;
     wd.gravity[1] = static_cast<float>(-run.gravity);
     const World world = make_world(wd);
     lr_wind_desc wind = initialised(lr_wind_desc_init);

@@ -35,6 +35,7 @@ struct Run {
     double interval = 1e-2; // s between samples; between steps they are interpolated
     uint64_t seed = 1;      // of the noise
     uint32_t threads = 1;   // in all
+    int32_t simd_target = LR_SIMD_AUTO;
     Eigen::Vector3d wind = Eigen::Vector3d::Zero();
 };
 

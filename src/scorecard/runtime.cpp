@@ -38,6 +38,7 @@ lr_batch add_batch(const World& world, const Asset& asset, const Loads& loads, u
     d.capacity = capacity;
     d.load_model = loads.load_model;
     d.integrator = loads.integrator;
+    d.clock = loads.clock;
     d.noise_gain = loads.noise_gain;
     lr_batch batch = 0;
     require(lr_batch_create(world.get(), &d, &batch), "lr_batch_create");

@@ -38,6 +38,7 @@ World make_world(const lr_world_desc& desc);
 struct Loads {
     int32_t load_model = LR_LOADS_DEFAULT;
     int32_t integrator = LR_INTEGRATOR_DEFAULT;
+    int32_t clock = LR_CLOCK_SPEED;
     float noise_gain = 1.0f;
     // Called once the batch exists and before it has bodies; may override coefficients. May be empty. Several
     // measurements may call it at the same time, each with a world of its own.
