@@ -14,7 +14,7 @@ using baker::PlotFrame;
 using baker::Svg;
 using baker::SvgPoint;
 
-constexpr double panel_width = 520.0, panel_height = 400.0, left = 78.0, right = 20.0, top = 62.0, bottom = 56.0;
+constexpr double left = 78.0, right = 20.0, top = 62.0, bottom = 56.0;
 constexpr double legend_line = 16.0;
 
 struct Range {
@@ -36,7 +36,7 @@ Axis axis(Range r, bool logarithmic, int ticks) {
     return Axis::linear(r.low, r.high, ticks);
 }
 
-PlotFrame frame_of(const LinePlot& plot, SvgPoint corner) {
+PlotFrame frame_of(const LinePlot& plot, SvgPoint corner, PanelSize panel) {
     Range x, y;
     for (const Series& s : plot.series)
         for (const PlotPoint& p : s.points) {
@@ -51,8 +51,8 @@ PlotFrame frame_of(const LinePlot& plot, SvgPoint corner) {
     PlotFrame frame;
     frame.x = corner.x + left;
     frame.y = corner.y + top;
-    frame.width = panel_width - left - right;
-    frame.height = panel_height - top - bottom;
+    frame.width = panel.width - left - right - plot.legend_width;
+    frame.height = panel.height - top - bottom;
     if (plot.equal_scale) {
         x.widen();
         y.widen();
@@ -71,6 +71,11 @@ PlotFrame frame_of(const LinePlot& plot, SvgPoint corner) {
     return frame;
 }
 
+void draw_marker(Svg& svg, SvgPoint at, const Series& s) {
+    if (s.marker == Marker::disc) svg.circle(at, 4.0, "fill=\"" + s.color + "\"");
+    if (s.marker == Marker::ring) svg.circle(at, 4.0, "fill=\"white\" stroke-width=\"1.4\" stroke=\"" + s.color + "\"");
+}
+
 void draw_series(Svg& svg, const PlotFrame& frame, const Series& s) {
     std::vector<SvgPoint> line;
     const size_t stride = s.points.size() / 4000 + 1; // as fine as the picture can show
@@ -81,26 +86,23 @@ void draw_series(Svg& svg, const PlotFrame& frame, const Series& s) {
     const std::string stroke = "stroke-width=\"1.4\" stroke=\"" + s.color + "\"";
     for (const PlotPoint& p : s.points) {
         if (p.low < p.high) svg.line(frame.at(p.x, p.low), frame.at(p.x, p.high), stroke);
-        if (s.marker != Marker::none)
-            svg.circle(frame.at(p.x, p.y), 4.0,
-                       s.marker == Marker::disc ? "fill=\"" + s.color + "\"" : "fill=\"white\" " + stroke);
+        draw_marker(svg, frame.at(p.x, p.y), s);
     }
 }
 
 void draw_legend(Svg& svg, const PlotFrame& frame, const LinePlot& plot) {
+    const bool outside = plot.legend_width > 0.0;
+    const double x = frame.x + frame.width + (outside ? 14.0 : -28.0); // of the sample, 16 px wide
     double y = frame.y + 16.0;
     for (const Series& s : plot.series) {
         if (s.name.empty()) continue;
-        const double x = frame.x + frame.width - 12.0;
-        svg.text({x - 22.0, y + 4.0}, s.name,
-                 R"(text-anchor="end" stroke="white" stroke-width="3" paint-order="stroke" fill="#222")");
+        svg.text({outside ? x + 24.0 : x - 8.0, y + 4.0}, s.name,
+                 outside ? R"(fill="#222")"
+                         : R"(text-anchor="end" stroke="white" stroke-width="3" paint-order="stroke" fill="#222")");
         if (s.line)
-            svg.line({x - 16.0, y}, {x, y},
-                     "stroke-width=\"2\" stroke=\"" + s.color + "\"" + (s.dashed ? " stroke-dasharray=\"6 4\"" : ""));
-        if (s.marker != Marker::none)
-            svg.circle({x - 8.0, y}, 4.0,
-                       s.marker == Marker::disc ? "fill=\"" + s.color + "\""
-                                                : "fill=\"white\" stroke-width=\"1.4\" stroke=\"" + s.color + "\"");
+            svg.line({x, y}, {x + 16.0, y},
+                     "stroke-width=\"2\" stroke=\"" + s.color + "\"" + (s.dashed ? " stroke-dasharray=\"5 3\"" : ""));
+        draw_marker(svg, {x + 8.0, y}, s);
         y += legend_line;
     }
 }
@@ -111,16 +113,16 @@ std::string with_factor(const std::string& title, const std::string& factor) {
 
 } // namespace
 
-std::string draw(const std::vector<LinePlot>& plots, size_t across) {
+std::string draw(const std::vector<LinePlot>& plots, size_t across, PanelSize panel) {
     const size_t columns = std::max<size_t>(1, std::min(across, plots.size())),
                  rows = (plots.size() + columns - 1) / columns;
-    Svg svg(panel_width * static_cast<double>(columns), panel_height * static_cast<double>(rows),
+    Svg svg(panel.width * static_cast<double>(columns), panel.height * static_cast<double>(rows),
             plots.empty() ? "" : plots[0].title, "lr_scorecard");
     for (size_t i = 0; i < plots.size(); ++i) {
         const LinePlot& plot = plots[i];
-        const SvgPoint corner{panel_width * static_cast<double>(i % columns),
-                              panel_height * static_cast<double>(i / columns)};
-        const PlotFrame frame = frame_of(plot, corner);
+        const SvgPoint corner{panel.width * static_cast<double>(i % columns),
+                              panel.height * static_cast<double>(i / columns)};
+        const PlotFrame frame = frame_of(plot, corner, panel);
         svg.text({frame.x, corner.y + 26.0}, plot.title, R"(font-size="15" font-weight="bold")");
         svg.text({frame.x, corner.y + 46.0}, plot.note, R"(fill="#444")");
         frame.draw(svg, true);

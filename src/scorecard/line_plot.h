@@ -26,15 +26,19 @@ struct LinePlot {
     std::string title, x_title, y_title;
     std::vector<Series> series = {};
     bool log_x = false, log_y = false;
-    bool equal_scale = false; // a metre is as long both ways
-    bool from_zero = false;   // the vertical axis
-    std::string note = {};    // below the title
+    bool equal_scale = false;  // a metre is as long both ways
+    bool from_zero = false;    // the vertical axis
+    std::string note = {};     // below the title
+    double legend_width = 0.0; // px right of the frame; 0: inside, top right
 };
 
 // Several in a row, or in more rows of `across` each.
-std::string draw(const std::vector<LinePlot>& plots, size_t across);
-inline std::string draw(const LinePlot& plot) {
-    return draw(std::vector{plot}, 1);
+struct PanelSize {
+    double width = 520.0, height = 400.0; // px
+};
+std::string draw(const std::vector<LinePlot>& plots, size_t across, PanelSize panel = {});
+inline std::string draw(const LinePlot& plot, PanelSize panel = {}) {
+    return draw(std::vector{plot}, 1, panel);
 }
 
 // Density of the values in equal bins, as steps.

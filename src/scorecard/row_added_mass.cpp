@@ -158,12 +158,8 @@ RowResult run_lamb(const Context& context) {
         const Body& body = bodies[b];
         const double v = 4.0 / 3.0 * pi * body.axes[0] * body.axes[1] * body.axes[2];
         const Lamb reference = lamb(body.axes);
-        lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
-        for (size_t i = 0; i < 3; ++i) d.semi_axes[i] = body.axes[i];
-        d.density = 1100.0;
-        lr_asset* made = nullptr;
-        require(lr_asset_create_ellipsoid(&d, &made), "lr_asset_create_ellipsoid");
-        compare(result, info_of(Asset(made)), reference, v, body.axes, std::string(body.name) + ", closed form", 1e-6);
+        compare(result, info_of(make_ellipsoid(body.axes, 1100.0, water)), reference, v, body.axes,
+                std::string(body.name) + ", closed form", 1e-6);
         for (int divisions = 3; divisions <= most; ++divisions) {
             const Triangles mesh = ellipsoid_mesh(body.axes, divisions);
             const lr_asset_info info = info_of(load(mesh.bake(solid_in_water())));

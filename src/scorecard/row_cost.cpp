@@ -33,14 +33,7 @@ double step_time(const Asset& asset, uint32_t bodies, float dt, int steps, uint3
 
 RowResult run_cost(const Context& context) {
     RowResult result;
-    lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
-    d.semi_axes[0] = 0.04, d.semi_axes[1] = 0.02, d.semi_axes[2] = 0.01;
-    d.density = 1100.0;
-    d.fluid_density = 1000.0;
-    d.fluid_viscosity = 1e-6;
-    lr_asset* made = nullptr;
-    require(lr_asset_create_ellipsoid(&d, &made), "lr_asset_create_ellipsoid");
-    const Asset ellipsoid(made);
+    const Asset ellipsoid = rubber_ellipsoid();
     const Asset paper = bake_disc(0.0344, 1e-4, 0.07, Fluid{});
     // The paper's times for one body, ms.
     result.add("ellipsoid, step of 1 ms", Rule::at_most, 1e3 * step_time(ellipsoid, 1, 1e-3f, 2000, 1), 1.59, 0.0,

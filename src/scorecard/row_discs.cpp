@@ -16,13 +16,16 @@ struct Quantity {
     Statistic DiscFalls::*ours;
     double FallMeasures::*single;
     double most; // of the histogram
+    size_t bins;
 };
+// Peaks come whole in half of a fall of 1.5 s: 15 bins hold one number each.
 const std::array<Quantity, 4> quantities{
-    {{"descent", "m/s", &MeasuredDisc::descent, &DiscFalls::descent, &FallMeasures::descent, 1.6},
+    {{"descent", "m/s", &MeasuredDisc::descent, &DiscFalls::descent, &FallMeasures::descent, 1.6, 32},
      {"horizontal speed", "m/s", &MeasuredDisc::horizontal_speed, &DiscFalls::horizontal_speed,
-      &FallMeasures::horizontal_speed, 1.6},
-     {"drift angle", "deg", &MeasuredDisc::drift_angle, &DiscFalls::drift_angle, &FallMeasures::drift_angle, 90.0},
-     {"projected-area peaks", "1/s", &MeasuredDisc::peak_rate, &DiscFalls::peak_rate, &FallMeasures::peak_rate, 20.0}}};
+      &FallMeasures::horizontal_speed, 1.6, 32},
+     {"drift angle", "deg", &MeasuredDisc::drift_angle, &DiscFalls::drift_angle, &FallMeasures::drift_angle, 90.0, 30},
+     {"projected-area peaks", "1/s", &MeasuredDisc::peak_rate, &DiscFalls::peak_rate, &FallMeasures::peak_rate, 20.0,
+      15}}};
 
 constexpr std::array<const char*, 4> colors{"#1f5fa8", "#2e7d43", "#b5402a", "#7a4a9c"};
 
@@ -44,6 +47,7 @@ std::string draw_means(const std::array<DiscFalls, 4>& all) {
     for (const Quantity& q : quantities) {
         LinePlot plot{q.name, "mean radius (mm)", std::string(q.name) + " (" + q.unit + ")"};
         plot.from_zero = true;
+        plot.legend_width = 90.0;
         plot.note = "bars: 5th to 95th percentile of single falls";
         Series ours{"here", "#b5402a", {}}, measured{"measured", "#1f5fa8", {}};
         ours.marker = Marker::disc, measured.marker = Marker::ring;
@@ -63,10 +67,12 @@ std::string draw_distributions(const std::array<DiscFalls, 4>& all) {
     for (const Quantity& q : quantities) {
         LinePlot plot{q.name, std::string(q.name) + " (" + q.unit + ")", "density"};
         plot.from_zero = true;
+        plot.legend_width = 90.0;
         for (size_t i = 0; i < all.size(); ++i) {
             std::vector<double> values;
             for (const FallMeasures& f : all[i].falls) values.push_back(f.*q.single);
-            plot.series.push_back(histogram(millimetres(measured_discs[i].radius), colors[i], values, 0.0, q.most, 32));
+            plot.series.push_back(
+                histogram(millimetres(measured_discs[i].radius), colors[i], values, 0.0, q.most, q.bins));
         }
         plots.push_back(std::move(plot));
     }

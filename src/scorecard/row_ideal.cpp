@@ -2,6 +2,7 @@
 #include "scorecard/random.h"
 #include "scorecard/recording.h"
 #include "scorecard/row.h"
+#include "scorecard/shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -15,20 +16,6 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::array<LoadChoice, 2> integrators() {
     return {{{"RK4", LR_INTEGRATOR_RK4}, {"splitting", LR_INTEGRATOR_SPLITTING}}};
-}
-
-Asset ellipsoid(const Eigen::Vector3d& semi_axes, double density, const Eigen::Vector3d& center_of_mass) {
-    lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
-    for (int i = 0; i < 3; ++i) {
-        d.semi_axes[i] = semi_axes[i];
-        d.center_of_mass[i] = center_of_mass[i];
-    }
-    d.density = density;
-    d.fluid_density = 1000.0;
-    d.fluid_viscosity = 1e-6;
-    lr_asset* asset = nullptr;
-    require(lr_asset_create_ellipsoid(&d, &asset), "lr_asset_create_ellipsoid");
-    return Asset(asset);
 }
 
 // Body and added mass together, order vx vy vz wx wy wz.
@@ -111,13 +98,13 @@ Run calm(double duration, double interval) {
 
 RowResult run_kirchhoff(const Context& context) {
     RowResult result;
-    const Eigen::Vector3d axes(0.04, 0.02, 0.01);
+    const std::array<double, 3> axes{0.04, 0.02, 0.01};
     struct Body {
         const char* name;
         Asset asset;
     };
-    const std::array<Body, 2> bodies{{{"diagonal", ellipsoid(axes, 1200.0, Eigen::Vector3d::Zero())},
-                                      {"full 6x6", ellipsoid(axes, 1200.0, {0.012, -0.006, 0.003})}}};
+    const std::array<Body, 2> bodies{{{"diagonal", make_ellipsoid(axes, 1200.0, water)},
+                                      {"full 6x6", make_ellipsoid(axes, 1200.0, water, {0.012, -0.006, 0.003})}}};
     const std::vector<int32_t> targets = simd_targets();
     std::vector<Drift> drifts(integrators().size() * bodies.size() * targets.size());
     context.parallel(drifts.size(), [&](size_t job) {
@@ -148,7 +135,7 @@ RowResult run_kirchhoff(const Context& context) {
 
 RowResult run_sphere(const Context&) {
     RowResult result;
-    const Asset sphere = ellipsoid({0.05, 0.05, 0.05}, 700.0, Eigen::Vector3d::Zero());
+    const Asset sphere = make_ellipsoid({0.05, 0.05, 0.05}, 700.0, water);
     Start start;
     start.velocity = {1.0, -0.5, 0.25};
     start.spin = {10.0, 15.0, -5.0};
@@ -169,14 +156,7 @@ RowResult run_sphere(const Context&) {
 
 RowResult run_galilean(const Context& context) {
     RowResult result;
-    const Asset leaf = [] {
-        lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
-        d.semi_axes[0] = 0.04, d.semi_axes[1] = 0.01, d.semi_axes[2] = 5e-5;
-        d.density = 800.0;
-        lr_asset* asset = nullptr;
-        require(lr_asset_create_ellipsoid(&d, &asset), "lr_asset_create_ellipsoid");
-        return Asset(asset);
-    }();
+    const Asset leaf = paper_leaf();
     Random random(3);
     std::vector<Start> still(16);
     for (Start& s : still) {
@@ -212,8 +192,8 @@ RowResult run_galilean(const Context& context) {
 namespace {
 
 // Ballasted by `offset` along -y in still water in which it neither sinks nor rises, tilted by 0.02 about x.
-Track rock(const Eigen::Vector3d& axes, double offset, double duration, double interval, int32_t integrator) {
-    const Asset body = ellipsoid(axes, 1000.0, {0.0, -offset, 0.0});
+Track rock(const std::array<double, 3>& axes, double offset, double duration, double interval, int32_t integrator) {
+    const Asset body = make_ellipsoid(axes, water.density, water, {0.0, -offset, 0.0});
     Run run = calm(duration, interval);
     run.gravity = 9.81;
     run.dt = static_cast<float>(interval);
@@ -232,11 +212,11 @@ double tilt(const Sample& s) {
 
 RowResult run_buoyancy(const Context&) {
     RowResult result;
-    const Eigen::Vector3d axes(0.04, 0.01, 0.02);
+    const std::array<double, 3> axes{0.04, 0.01, 0.02};
     const double offset = 0.004;
     // Small rocking about x: torque rho V g offset sin(angle) against the inertia about the centre of mass of body and water.
     // The momentum along z stays zero, and with it some velocity: eliminated, it leaves the Schur complement.
-    const lr_asset_info info = info_of(ellipsoid(axes, 1000.0, {0.0, -offset, 0.0}));
+    const lr_asset_info info = info_of(make_ellipsoid(axes, water.density, water, {0.0, -offset, 0.0}));
     const Matrix6 m = mass_matrix(info);
     const double inertia = m(3, 3) - m(3, 2) * m(2, 3) / m(2, 2);
     const double rate = std::sqrt(info.fluid_density * info.volume * 9.81 * offset / inertia);

@@ -153,12 +153,7 @@ void add_leaf_case(RowResult& result, const Asset& leaf, const LoadChoice& model
 
 RowResult run_leaf(const Context& context) {
     RowResult result;
-    lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
-    d.semi_axes[0] = 0.04, d.semi_axes[1] = 0.01, d.semi_axes[2] = 5e-5;
-    d.density = 800.0;
-    lr_asset* made = nullptr;
-    require(lr_asset_create_ellipsoid(&d, &made), "lr_asset_create_ellipsoid");
-    const Asset leaf(made);
+    const Asset leaf = paper_leaf();
     std::vector<LinePlot> plots;
     for (const LoadChoice& model : models())
         for (double angle : {75.0, 30.0}) add_leaf_case(result, leaf, model, angle, context.quick ? 50 : 200, plots);
@@ -260,14 +255,7 @@ RowResult run_paper_plane(const Context& context) {
 
 RowResult run_rubber_ellipsoid(const Context& context) {
     RowResult result;
-    lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
-    d.semi_axes[0] = 0.04, d.semi_axes[1] = 0.02, d.semi_axes[2] = 0.01;
-    d.density = 1100.0;
-    d.fluid_density = 1000.0;
-    d.fluid_viscosity = 1e-6;
-    lr_asset* made = nullptr;
-    require(lr_asset_create_ellipsoid(&d, &made), "lr_asset_create_ellipsoid");
-    const Asset ellipsoid(made);
+    const Asset ellipsoid = rubber_ellipsoid();
     Random random(41);
     std::vector<Start> starts(context.quick ? 50 : 200);
     for (Start& s : starts) {

@@ -45,11 +45,13 @@ const PhaseResult* clearest(const std::vector<Point>& points, size_t regime) {
 std::string draw_map(const std::vector<Point>& points) {
     LinePlot plot{"Falling discs: Re and I*", "Re = U d/nu", "I* = pi rho_s t/(64 rho_f d)"};
     plot.log_x = plot.log_y = true;
+    plot.legend_width = 150.0;
     plot.note = "filled: most seeds fall as the map says; rings: they do not";
     static constexpr const char* kinds[] = {"steady | periodic", "periodic | chaotic", "chaotic | tumbling"};
     for (size_t kind = 0; kind < 3; ++kind) {
-        Series line{kinds[kind], "#888888", {}};
-        line.dashed = kind > 0;
+        static constexpr const char* greys[] = {"#b0b0b0", "#7d7d7d", "#303030"};
+        Series line{kinds[kind], greys[kind], {}};
+        line.dashed = kind == 1;
         line.width = 1.2;
         for (const BoundaryPoint& b : boundary_points())
             if (static_cast<size_t>(b.kind) == kind) line.points.push_back({b.at.reynolds, b.at.inertia});
@@ -77,7 +79,7 @@ std::string draw_map(const std::vector<Point>& points) {
             }
             plot.series.push_back(std::move(s));
         }
-    return draw(plot);
+    return draw(plot, {860.0, 520.0});
 }
 
 std::string draw_paths(const std::vector<Point>& points, double diameter) {

@@ -117,13 +117,7 @@ struct LangevinFall {
 RowResult run_langevin(const Context& context) {
     RowResult result;
     const LangevinFall fall;
-    lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
-    for (double& a : d.semi_axes) a = 0.02;
-    d.density = d.fluid_density = 1000.0;
-    d.fluid_viscosity = 1e-6;
-    lr_asset* made = nullptr;
-    require(lr_asset_create_ellipsoid(&d, &made), "lr_asset_create_ellipsoid");
-    const Asset sphere(made);
+    const Asset sphere = make_ellipsoid({0.02, 0.02, 0.02}, water.density, water);
 
     const double t_correlation = 1.0 / fall.alpha();
     const int lags = 4; // to two correlation times, by halves

@@ -63,6 +63,29 @@ langevin_rigid::BakeOptions sheet_options(double thickness, double areal_density
     return options;
 }
 
+Asset make_ellipsoid(const std::array<double, 3>& semi_axes, double density, const Fluid& fluid,
+                     const std::array<double, 3>& center_of_mass) {
+    lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
+    for (size_t i = 0; i < 3; ++i) {
+        d.semi_axes[i] = semi_axes[i];
+        d.center_of_mass[i] = center_of_mass[i];
+    }
+    d.density = density;
+    d.fluid_density = fluid.density;
+    d.fluid_viscosity = fluid.viscosity;
+    lr_asset* asset = nullptr;
+    require(lr_asset_create_ellipsoid(&d, &asset), "lr_asset_create_ellipsoid");
+    return Asset(asset);
+}
+
+Asset paper_leaf() {
+    return make_ellipsoid({0.04, 0.01, 5e-5}, 800.0, Fluid{});
+}
+
+Asset rubber_ellipsoid() {
+    return make_ellipsoid({0.04, 0.02, 0.01}, 1100.0, water);
+}
+
 Asset bake_disc(double radius, double thickness, double areal_density, const Fluid& fluid, uint32_t rings) {
     return load(disc_mesh(radius, rings).bake(sheet_options(thickness, areal_density, fluid)));
 }

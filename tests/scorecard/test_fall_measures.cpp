@@ -105,15 +105,7 @@ TEST_CASE("random orientations are uniform: the normal's height is") {
 }
 
 TEST_CASE("a recording of a body in vacuum's stead falls as Galileo says, at times between steps too") {
-    const Asset ball = [] {
-        lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
-        for (double& x : d.semi_axes) x = 0.05;
-        d.density = 1e4;
-        d.fluid_density = 1e-3;
-        lr_asset* asset = nullptr;
-        require(lr_asset_create_ellipsoid(&d, &asset), "lr_asset_create_ellipsoid");
-        return Asset(asset);
-    }();
+    const Asset ball = make_ellipsoid({0.05, 0.05, 0.05}, 1e4, {1e-3, 1.5e-5});
     Run run;
     run.loads.load_model = LR_LOADS_NONE;
     run.duration = 0.5;
