@@ -100,8 +100,8 @@ std::string to_markdown(const std::vector<Finished>& rows, const Context& contex
             ++all;
             held += c.holds();
         }
-        out += "| [" + std::string(f.row->id) + "](#" + f.row->id + ") | " + f.row->title + " | " + f.row->source +
-               " | " + std::to_string(held) + " of " + std::to_string(all) + " | " +
+        out += "| [" + std::string(f.row->id) + "](#" + f.row->id + ") | " + in_table(f.row->title) + " | " +
+               f.row->source + " | " + std::to_string(held) + " of " + std::to_string(all) + " | " +
                (f.result.holds() ? "pass" : "**FAIL**") + " |\n";
     }
     for (const Finished& f : rows) {

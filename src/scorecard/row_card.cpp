@@ -51,7 +51,8 @@ std::vector<CardState> fall_in_library(const CardModel& model, double duration) 
     start.orientation = Eigen::AngleAxisd(released().angle, Eigen::Vector3d::UnitZ());
     std::vector<CardState> states;
     double angle = released().angle;
-    for (const Sample& s : record(card.asset, run, {start})[0].samples) {
+    const std::vector<Track> tracks = record(card.asset, run, {start});
+    for (const Sample& s : tracks[0].samples) {
         const Eigen::Vector3d chord = s.orientation * Eigen::Vector3d::UnitX();
         angle += std::remainder(std::atan2(chord.y(), chord.x()) - angle, 2.0 * std::numbers::pi);
         const Eigen::Vector3d v = s.orientation.conjugate() * s.velocity / card.speed;
