@@ -169,7 +169,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
         out.spin_weight[k] = static_cast<float>(most > 0.0 ? loads.spin_drag[k] / most : 0.0);
     }
     out.rate_of_gusts = static_cast<float>(d / loads.length);
-    const double intensity = loads.intensity * gains.turbulence;
+    const double intensity = loads.intensity * gains.turbulence * gains.noise;
     out.variance_of_gusts = static_cast<float>(intensity * intensity);
     out.wake_reynolds = static_cast<float>(loads.wake_reynolds);
     out.gust_gain = static_cast<float>(gains.turbulence * gains.turbulence);
@@ -182,8 +182,9 @@ void set_gust_turbulence(const TurbulenceSample& s, const Gains& gains, BodyCons
                  beta_squared = langevin_beta_squared(epsilon_star, s.c0, {});
     out.aerodynamics.rate_of_gusts = static_cast<float>(alpha * static_cast<double>(out.length) / s.l);
     out.aerodynamics.wake_reynolds = 0.0f;
-    out.aerodynamics.variance_of_gusts =
-        static_cast<float>(alpha > 0.0 ? gains.turbulence * gains.turbulence * beta_squared / (2.0 * alpha) : 0.0);
+    out.aerodynamics.variance_of_gusts = static_cast<float>(
+        alpha > 0.0 ? gains.noise * gains.noise * gains.turbulence * gains.turbulence * beta_squared / (2.0 * alpha)
+                    : 0.0);
 }
 
 } // namespace lr

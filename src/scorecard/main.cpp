@@ -95,9 +95,7 @@ int main(int argc, char** argv) {
     std::vector<std::string> ids;
     for (const Row& row : all_rows()) ids.emplace_back(row.id);
     std::map<std::string, int32_t> models{{"default", LR_LOADS_DEFAULT}, {"langevin", LR_LOADS_LANGEVIN}};
-#ifdef LR_LOADS_AERODYNAMIC
     models["aerodynamic"] = LR_LOADS_AERODYNAMIC;
-#endif
     std::vector<std::string> model_names;
     for (const auto& [name, model] : models) model_names.push_back(name);
     app.add_flag("--list", o.list, "say which rows there are, and run none");

@@ -34,7 +34,6 @@ std::string name_of(Regime r) {
     return regime_names[static_cast<size_t>(r)];
 }
 
-#ifdef LR_LOADS_AERODYNAMIC
 // The same fall by the library, in the model's units.
 std::vector<CardState> fall_in_library(const CardModel& model, double duration) {
     const CardBody card = make_card(model);
@@ -61,7 +60,6 @@ std::vector<CardState> fall_in_library(const CardModel& model, double duration) 
     }
     return states;
 }
-#endif
 
 void compare_means(RowResult& result, const std::string& who, const CardMeans& m) {
     // Which way it tumbles depends on the release: Vx and w change sign together.
@@ -96,7 +94,6 @@ RowResult run_card(const Context& context) {
         LinePlot plot{"Falling card" + which, "x/a", "y/a"};
         plot.equal_scale = true;
         plot.series.push_back(path("model", "#1f5fa8", states, 60.0));
-#ifdef LR_LOADS_AERODYNAMIC
         const std::vector<CardState> ours = fall_in_library(model, duration);
         const Regime found = regime_of(ours);
         result.add("library" + which + ": is " + name_of(c.regime) + " (found " + name_of(found) + ")", Rule::at_least,
@@ -108,14 +105,9 @@ RowResult run_card(const Context& context) {
                    std::hypot(ours[early].x - states[early].x, ours[early].y - states[early].y), 0.05, 0.0);
         plot.series.push_back(path("library", "#b5402a", ours, 60.0));
         plot.series.back().dashed = true;
-#endif
         plots.push_back(std::move(plot));
         if (context.progress) context.progress(static_cast<double>(plots.size()) / cases.size());
     }
-#ifndef LR_LOADS_AERODYNAMIC
-    result.remarks.push_back(
-        "This build has no quasi-steady loads, so only the reference is measured, not the library.");
-#endif
     result.pictures.push_back({"card.svg", draw(plots, 3), "Falling cards in two dimensions, in semi-chords."});
     return result;
 }

@@ -21,9 +21,7 @@ constexpr double degree = pi / 180.0;
 
 std::vector<LoadChoice> models() {
     std::vector<LoadChoice> out{{"LANGEVIN", LR_LOADS_LANGEVIN}};
-#ifdef LR_LOADS_AERODYNAMIC
     out.push_back({"AERODYNAMIC", LR_LOADS_AERODYNAMIC});
-#endif
     return out;
 }
 
