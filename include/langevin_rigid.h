@@ -365,25 +365,23 @@ LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
 /* Wind sources: up to LR_MAX_WIND_SOURCES at a time, whose velocities add to the uniform wind. Formulas: docs/wind.md.
  * Time is that of the world (lr_world_info.time). A source's position is where it is when it is added or updated; from
- * then on it moves with its own `velocity`. */
-#define LR_WIND_SOURCE_GUSTS                                                                                           \
-    1 /* fluctuations of the uniform wind in time; fields speed, direction, spread, period,
-                                         seed */
-#define LR_WIND_SOURCE_RANKINE                                                                                         \
-    2 /* a straight vortex with a core that turns as a solid: position, direction, velocity,
-                                         circulation, size, radius, half_length */
-#define LR_WIND_SOURCE_LAMB_OSEEN 3   /* a straight vortex with a smooth core: the same fields */
-#define LR_WIND_SOURCE_POINT_BLOWER 4 /* a round jet: position, direction, velocity, speed, size, spread, range */
-#define LR_WIND_SOURCE_LINE_BLOWER 5  /* a plane jet from a slot: the same, and side, half_length */
-#define LR_WIND_SOURCE_TURBULENCE                                                                                      \
-    6 /* random, without divergence, everywhere; carried along by the uniform wind: speed,
-                                         size, period, octaves, seed, velocity */
-#define LR_WIND_SOURCE_GRID                                                                                            \
-    7 /* samples on a lattice: position, velocity, spacing, counts, frames, period, outside,
-                                         samples */
-#define LR_WIND_SOURCE_GROUND                                                                                          \
-    8 /* multiplies the uniform wind and the gusts by a logarithmic profile over a plane:
-                                         position, direction, size, reference_height */
+ * then on it moves with its own `velocity`. Fields that each kind has:
+ *   GUSTS         speed direction spread period seed
+ *   RANKINE       position direction velocity circulation size radius half_length
+ *   LAMB_OSEEN    the same
+ *   POINT_BLOWER  position direction velocity speed size spread range
+ *   LINE_BLOWER   the same, and side half_length
+ *   TURBULENCE    speed size period octaves seed velocity
+ *   GRID          position velocity spacing counts frames period outside samples
+ *   GROUND        position direction velocity size reference_height */
+#define LR_WIND_SOURCE_GUSTS 1        /* fluctuations of the uniform wind in time */
+#define LR_WIND_SOURCE_RANKINE 2      /* a straight vortex with a core that turns as a solid */
+#define LR_WIND_SOURCE_LAMB_OSEEN 3   /* a straight vortex with a smooth core */
+#define LR_WIND_SOURCE_POINT_BLOWER 4 /* a round jet */
+#define LR_WIND_SOURCE_LINE_BLOWER 5  /* a plane jet from a slot */
+#define LR_WIND_SOURCE_TURBULENCE 6   /* random, without divergence, everywhere; carried along by the uniform wind */
+#define LR_WIND_SOURCE_GRID 7         /* samples on a lattice, in one or more frames */
+#define LR_WIND_SOURCE_GROUND 8       /* a factor of the uniform wind and the gusts: logarithmic over a plane */
 
 #define LR_WIND_OUTSIDE_ZERO 0   /* a grid adds nothing outside its samples */
 #define LR_WIND_OUTSIDE_CLAMP 1  /* it goes on as at its border */
@@ -394,7 +392,7 @@ LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
 typedef uint32_t lr_wind_source; /* handle; 0 is never one */
 
-/* Fields that a kind does not name above are not used, but must be finite. Lengths up to 1e6 m, speeds up to 1000 m/s. */
+/* Fields that a kind does not have are not used, but must be in range. Lengths up to 1e6 m, speeds up to 1000 m/s. */
 typedef struct lr_wind_source_desc {
     uint32_t struct_size;
     int32_t kind;       /* LR_WIND_SOURCE_*; initially 0, which is none of them */
