@@ -161,12 +161,12 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     narrow(loads.spin_drag, gains.spin_drag * per_unit / (d * d), out.spin_drag);
     narrow(loads.spin_drag_stream, gains.spin_drag * per_unit / d, out.spin_drag_stream);
     narrow(loads.spin_drag_stokes, gains.spin_drag * per_unit, out.spin_drag_stokes);
-    const double most = std::max({loads.spin_drag[0], loads.spin_drag[1], loads.spin_drag[2]});
+    const double strongest = std::max({loads.spin_drag[0], loads.spin_drag[1], loads.spin_drag[2]});
     for (size_t k = 0; k < 3; ++k) {
         const size_t i = (k + 1) % 3, j = (k + 2) % 3;
         out.lift_layer[k] = static_cast<float>(layer * (loads.drag_layer[j] - loads.drag_layer[i]));
         out.lift_stokes[k] = static_cast<float>(stokes * (loads.drag_stokes[j] - loads.drag_stokes[i]));
-        out.spin_weight[k] = static_cast<float>(most > 0.0 ? loads.spin_drag[k] / most : 0.0);
+        out.spin_weight[k] = static_cast<float>(strongest > 0.0 ? loads.spin_drag[k] / strongest : 0.0);
     }
     out.rate_of_gusts = static_cast<float>(d / loads.length);
     const double intensity = loads.intensity * gains.turbulence * gains.noise;
