@@ -101,7 +101,7 @@ TEST_CASE("a sphere follows the standard drag curve within 8 %, from creep to th
 TEST_CASE("blunt and flat bodies have their measured drag in a steady stream") {
     PlateCoefficients steady;
     steady.unsteady_disc = steady.unsteady_strip = 1.0;
-    steady.edge_drag = 0.0;
+    steady.edge_drag = steady.edge_strip = 0.0;
     // Hoerner, Fluid-Dynamic Drag, ch. 3: disc 1.17, cube 1.05, long cylinder across 1.2, long strip 1.98.
     const auto coefficient = [&](const AerodynamicGeometry& g, size_t k) {
         const double d = std::max({g.extent[0], g.extent[1], g.extent[2]});
@@ -137,7 +137,8 @@ TEST_CASE("a plate is lifted away from its thin direction, and by spin about its
 // The rest fades with flatness: a cube, a sphere and a rod are in a steady stream's hands alone.
 TEST_CASE("only plates have what free flight adds") {
     PlateCoefficients other;
-    other.unsteady_disc = 5.0, other.unsteady_strip = 4.0, other.edge_drag = 3.0, other.stall = 2.0;
+    other.unsteady_disc = 5.0, other.unsteady_strip = 4.0, other.edge_drag = 3.0, other.edge_strip = 2.0,
+    other.stall = 2.0;
     other.moment = 0.5, other.moment_stalled = -0.5;
     const AerodynamicGeometry blunt[] = {ellipsoid_geometry({1.0, 1.0, 1.0}), box_geometry({1.0, 1.0, 1.0}),
                                          ellipsoid_geometry({1.0, 0.01, 0.01})};
