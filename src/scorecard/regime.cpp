@@ -95,10 +95,12 @@ RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Ei
         straight.push_back(a.axis.dot(b.axis) > 0.0 && way < limits.longest_half_turn * std::numbers::pi);
     }
     size_t time = 0;
-    for (size_t i = 0; i < straight.size(); ++i) {
-        if (!straight[i] || !((i > 0 && straight[i - 1]) || (i + 1 < straight.size() && straight[i + 1]))) continue;
-        m.half_turns += 1.0;
-        time += motion.crossings[i + 1].at - motion.crossings[i].at;
+    for (size_t begin = 0; begin < straight.size();) {
+        size_t end = begin;
+        while (end < straight.size() && straight[end]) ++end;
+        if (end - begin >= 2) m.half_turns += static_cast<double>(end - begin);
+        if (end - begin >= limits.tumbling_run) time += motion.crossings[end].at - motion.crossings[begin].at;
+        begin = end + 1;
     }
     m.tumbling_share = static_cast<double>(time) / static_cast<double>(normals.size() - 1);
 

@@ -139,6 +139,14 @@ TEST_CASE("regime: flutter that now and then goes over, or has no regular amplit
     CHECK(regime(in_plane([](double t) { return 25.0 * degree * (std::sin(t) + std::sin(1.27 * t)); })) == "chaotic");
 }
 
+TEST_CASE("regime: tumbling that turns back after a few half turns is chaotic") {
+    for (double turns : {2.0, 3.0}) // to and fro; a single one is flutter of 180 degrees
+        CHECK(regime(in_plane([&](double t) {
+                  const double phase = std::fmod(1.1 * t, 4.0 * pi * turns);
+                  return phase < 2.0 * pi * turns ? phase : 4.0 * pi * turns - phase;
+              })) == "chaotic");
+}
+
 TEST_CASE("regime: turned back at every second half turn is not tumbling") {
     // 0 to 200 degrees and back: the normal goes over, and returns the way it came.
     CHECK(regime(in_plane([](double t) { return (100.0 - 100.0 * std::cos(0.8 * t)) * degree; })) != "tumbling");
