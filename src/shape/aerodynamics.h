@@ -29,14 +29,14 @@ AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes);
 // What a thin plate in free flight adds to the rules for steady streams. Fitted to measured falls of discs
 // (docs/physics.md, "Plates in free flight"); a body that is no plate has none of it.
 struct PlateCoefficients {
-    double unsteady_disc = 2.32, unsteady_strip = 1.3; // drag broadside over that in a steady stream
-    double edge_drag = 0.179, edge_strip = 0.4;        // C_D of the planform, edge on
-    double lift_span = 1.35, rotation_span = 2.52;     // lift falls as r/(r + this), r span over chord
-    double stall = -0.142;
-    double moment = 0.0456, moment_stalled = 0.137; // of the planform times the chord
-    double spin_disc = 1.28, spin_strip = 2.5;      // C_M by span over chord
-    double spin_stream = 0.0732;                    // of stroke2
-    double intensity = 0.0379, correlation = 2.35;  // of the wake; in largest extents
+    double unsteady_disc = 2.357, unsteady_strip = 1.3; // drag broadside over that in a steady stream
+    double edge_drag = 0.179, edge_strip = 0.4;         // C_D of the planform, edge on
+    double lift_span = 1.35, rotation_span = 2.52;      // lift falls as r/(r + this), r span over chord
+    double stall = -0.1774;
+    double moment = 0.05824, moment_stalled = 0.137; // of the planform times the chord
+    double spin_disc = 1.28, spin_strip = 2.5;       // C_M by span over chord
+    double spin_stream = 0.074;                      // of stroke2
+    double intensity = 0.03374, correlation = 2.793; // of the wake; in largest extents
     double wake_reynolds = 1500;
 };
 
