@@ -7,7 +7,7 @@
 
 #include "langevin_rigid.h"
 #include "renderer/egl_context.h"
-#include "renderer/mesh.h"
+#include "mesh.h"
 #include "storm_scene.h"
 
 enum class Look { leaf, petal, paper };
