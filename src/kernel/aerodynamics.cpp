@@ -99,6 +99,13 @@ bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6&
     mobility_of(spin, spin_response, n_spin);
     if (!invert3(n, n_inverse) || !invert3(n_spin, spin_inverse) || !eigen3(n, values, vectors)) return false;
     upper_triangle3(n, out.mobility);
+    double adjugate[3][3];
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) {
+            const size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            adjugate[i][j] = n[i1][j1] * n[i2][j2] - n[i1][j2] * n[i2][j1]; // of a symmetric matrix: its cofactors
+        }
+    upper_triangle3(adjugate, out.mobility_adjugate);
     upper_triangle3(n_spin, out.spin_mobility);
     for (size_t i = 0; i < 3; ++i) {
         out.spin_limit[i] = static_cast<float>(1e4 / n_spin[i][i]);

@@ -28,6 +28,7 @@ struct AerodynamicConstants {
     // Full path. Q: body axes to those of the loads; P = Q (1, -[r]x): velocity of the centre of the loads.
     float axes[9], arm[3];   // Q; r = r_b/d
     float mobility[6];       // P M^-1 P^T, upper triangle
+    float mobility_adjugate[6];
     float modes[9];          // columns: its eigenvectors
     float rate[3];           // and eigenvalues
     float response[18];      // M^-1 P^T, 6x3: twist for an impulse at the centre
