@@ -213,9 +213,10 @@ typedef struct lr_aerodynamics {
     double spin_drag[3];        /* m^5 */
     double spin_drag_stream[3]; /* m^4 */
     double spin_drag_stokes[3]; /* m^3 */
-    double intensity;           /* of the velocity of the fluid in the body's own wake: per axis `intensity` times s */
-    double length;              /* m, correlated over length/s */
-    double wake_reynolds;       /* that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar */
+    double intensity;     /* of the velocity of the fluid in the body's own wake: per axis `intensity` times s. More
+                                   than 0.4, gains included, acts as 0.4: such a wake would feed itself */
+    double length;        /* m, correlated over length/s */
+    double wake_reynolds; /* that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar */
     /* Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k
      * sigma to lift_moment_k. */
     double broadside[3]; /* 0 to 1 */

@@ -125,6 +125,10 @@ bool within(const std::array<double, 3>& values, double low, double high) {
 // Bodies are up to 1000 m: nothing has a larger length to the fifth power.
 constexpr double most = 1e16;
 
+// A wake's velocity counts in the speed that it goes with. On a body that is not carried along, E s^2 = v^2 + 3 I^2 E s^2:
+// from I^2 = 1/3 on it would feed itself.
+constexpr double most_variance = 0.16;
+
 } // namespace
 
 bool is_usable(const AerodynamicData& a) {
@@ -177,7 +181,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     }
     out.rate_of_gusts = static_cast<float>(d / loads.length);
     const double intensity = loads.intensity * gains.turbulence * gains.noise;
-    out.variance_of_gusts = static_cast<float>(intensity * intensity);
+    out.variance_of_gusts = static_cast<float>(std::min(intensity * intensity, most_variance));
     out.wake_reynolds = static_cast<float>(loads.wake_reynolds);
     out.gust_gain = static_cast<float>(gains.turbulence * gains.turbulence);
     return make_frame(a, loads, kernel_mass(a, diagonal, rho), out);
@@ -189,9 +193,9 @@ void set_gust_turbulence(const TurbulenceSample& s, const Gains& gains, BodyCons
                  beta_squared = langevin_beta_squared(epsilon_star, s.c0, {});
     out.aerodynamics.rate_of_gusts = static_cast<float>(alpha * static_cast<double>(out.length) / s.l);
     out.aerodynamics.wake_reynolds = 0.0f;
-    out.aerodynamics.variance_of_gusts = static_cast<float>(
-        alpha > 0.0 ? gains.noise * gains.noise * gains.turbulence * gains.turbulence * beta_squared / (2.0 * alpha)
-                    : 0.0);
+    const double gain = gains.noise * gains.turbulence;
+    out.aerodynamics.variance_of_gusts =
+        static_cast<float>(alpha > 0.0 ? std::min(gain * gain * beta_squared / (2.0 * alpha), most_variance) : 0.0);
 }
 
 } // namespace lr

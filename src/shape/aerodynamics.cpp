@@ -109,6 +109,7 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     const StokesResistance stokes = stokes_resistance({0.5 * g.extent[0], 0.5 * g.extent[1], 0.5 * g.extent[2]});
     out.drag_stokes = stokes.translation;
     out.spin_drag_stokes = stokes.rotation;
+    for (double& couple : out.spin_drag_stokes) couple *= 1.0 - (1.0 - plate.spin_creeping) * sheet;
     out.lift_stall = plate.stall * sheet;
     out.intensity = plate.intensity;
     out.length = plate.correlation * std::max({g.extent[0], g.extent[1], g.extent[2]});

@@ -35,7 +35,8 @@ struct PlateCoefficients {
     double stall = -0.1774;
     double moment = 0.05824, moment_stalled = 0.137; // of the planform times the chord
     double spin_disc = 1.28, spin_strip = 2.5;       // C_M by span over chord
-    double spin_stream = 0.074;                      // of stroke2
+    double spin_stream = 0.076;                      // of stroke2
+    double spin_creeping = 0.88;                     // of the creeping couple
     double intensity = 0.03374, correlation = 2.793; // of the wake; in largest extents
     double wake_reynolds = 1500;
 };
