@@ -17,9 +17,9 @@ constexpr double drag_blunt_share = 0.445;                        // of a sphere
 constexpr double layer_friction = 0.558;                          // Blasius, 0.664 a side, over chord/sqrt(2)
 constexpr double layer_pressure = 0.42, layer_separation = 0.414; // of faces across the stream, of rounded ones
 constexpr double turbulent_friction = 0.004;                      // of the surface along the stream
-constexpr double translation_lift = 1.2, rotation_lift = std::numbers::pi; // C_T, C_R of a plate in two dimensions
-constexpr double magnus = 0.5;                                             // of the volume, about an axis of revolution
-constexpr double strip_half = 4.0; // span over chord, less 1, half-way to a strip
+constexpr double translation_lift = 1.2;                          // C_T of a plate in two dimensions
+constexpr double magnus = 0.5;                                    // of the volume, about an axis of revolution
+constexpr double strip_half = 4.0;                                // span over chord, less 1, half-way to a strip
 constexpr double spin_friction = 0.008;
 
 // 0 for a flat face, 1 where it is as round as a sphere or rounder.
@@ -82,7 +82,7 @@ void set_lift(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& p
     // The extent along the flat side; of a body that is as thick as wide, the mean of both.
     const double chord = total > 0.0 ? (g.area[j] * g.extent[i] + g.area[i] * g.extent[j]) / total : 0.0;
     out.lift[k] = translation_lift * difference * share(span, plate.lift_span * chord);
-    out.spin_lift[k] = 0.5 * rotation_lift * plan * chord * flatness * share(span, plate.rotation_span * chord) +
+    out.spin_lift[k] = 0.5 * plate.rotation * plan * chord * flatness * share(span, plate.rotation_span * chord) +
                        magnus * g.volume * (1.0 - flatness);
     const double sheet = std::max(sheetness(g, i), sheetness(g, j));
     out.lift_moment[k] = plate.moment * sheet * difference * chord;

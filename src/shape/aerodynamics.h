@@ -31,12 +31,13 @@ AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes);
 struct PlateCoefficients {
     double unsteady_disc = 2.357, unsteady_strip = 1.3; // drag broadside over that in a steady stream
     double edge_drag = 0.179, edge_strip = 0.4;         // C_D of the planform, edge on
-    double lift_span = 1.35, rotation_span = 2.52;      // lift falls as r/(r + this), r span over chord
+    double lift_span = 1.35;                            // lift falls as r/(r + this), r span over chord
+    double rotation = 1.3, rotation_span = 0.4545;      // C_R of a long strip; falls likewise
     double stall = -0.1774;
     double moment = 0.05824, moment_stalled = 0.137; // of the planform times the chord
     double spin_disc = 1.28, spin_strip = 2.5;       // C_M by span over chord
     double spin_stream = 0.076;                      // of stroke2
-    double spin_creeping = 0.88;                     // of the creeping couple
+    double spin_creeping = 0.85;                     // of the creeping couple
     double intensity = 0.03374, correlation = 2.793; // of the wake; in largest extents
     double wake_reynolds = 1500;
 };

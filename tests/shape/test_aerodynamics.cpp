@@ -128,7 +128,8 @@ TEST_CASE("a plate is lifted away from its thin direction, and by spin about its
     const PlateCoefficients plate;
     CHECK(c.lift[0] == doctest::Approx(1.2 * length * chord * 10.0 / (10.0 + plate.lift_span)).epsilon(1e-2));
     CHECK(c.spin_lift[0] ==
-          doctest::Approx(0.5 * pi * length * chord * chord * 10.0 / (10.0 + plate.rotation_span)).epsilon(1e-2));
+          doctest::Approx(0.5 * plate.rotation * length * chord * chord * 10.0 / (10.0 + plate.rotation_span))
+              .epsilon(1e-2));
     CHECK(c.spin_lift[0] / (0.5 * length * chord * chord) > c.spin_lift[1] / (0.5 * chord * length * length));
     CHECK(c.length == doctest::Approx(plate.correlation * length));
     CHECK(c.broadside[2] == 1.0);
