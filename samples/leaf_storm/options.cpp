@@ -104,8 +104,8 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
                    "aerodynamic: quasi-steady drag and lift; langevin: the paper's turbulent loads; none")
         ->type_name("NAME")
         ->default_str("aerodynamic")
-        ->transform(one_of(
-            {{"aerodynamic", LR_LOADS_AERODYNAMIC}, {"langevin", LR_LOADS_LANGEVIN}, {"none", LR_LOADS_NONE}}));
+        ->transform(
+            one_of({{"aerodynamic", LR_LOADS_AERODYNAMIC}, {"langevin", LR_LOADS_LANGEVIN}, {"none", LR_LOADS_NONE}}));
     app.add_option("--clock", options.clock, "speed: turbulence by present speed; age: by the baked table in time")
         ->type_name("NAME")
         ->default_str("speed")
