@@ -222,6 +222,9 @@ typedef struct lr_aerodynamics {
     double broadside[3]; /* 0 to 1 */
     double lift_stall;
     double lift_moment_stalled[3]; /* m^3 */
+    /* Couple -rho g_k (g . w)/s, g_k = sqrt(roll_damping_k) v_k, on the part of the spin about the stream: a wing's roll. All
+     * >= 0. In a plane that spin is nought. */
+    double roll_damping[3]; /* m^4 */
 } lr_aerodynamics;
 
 /* Initially the axes are those of the body, `length` is 1 and all else 0: no loads. */

@@ -47,7 +47,8 @@ Json make_json(const AerodynamicData& a) {
             {"wake_reynolds", a.wake_reynolds},
             {"broadside", a.broadside},
             {"lift_stall", a.lift_stall},
-            {"lift_moment_stalled", a.lift_moment_stalled}};
+            {"lift_moment_stalled", a.lift_moment_stalled},
+            {"roll_damping", a.roll_damping}};
 }
 
 Json make_json(const AssetData& a) {

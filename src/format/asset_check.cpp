@@ -178,6 +178,7 @@ void check_aerodynamics(const AssetData& d, Checker& check) {
     range(a.spin_drag, "aerodynamics.spin_drag", 0.0, d3 * d2);
     range(a.spin_drag_stream, "aerodynamics.spin_drag_stream", 0.0, d2 * d2);
     range(a.spin_drag_stokes, "aerodynamics.spin_drag_stokes", 0.0, d3);
+    range(a.roll_damping, "aerodynamics.roll_damping", 0.0, d2 * d2);
     check.range(a.intensity, "aerodynamics.intensity", 0.0, 10.0);
     check.range(a.length, "aerodynamics.length", 1e-9, 1e5);
     check.range(a.wake_reynolds, "aerodynamics.wake_reynolds", 0.0, 1e9);
@@ -241,9 +242,9 @@ uint64_t content_hash(const AssetData& d) {
     if (d.has_aerodynamics) {
         const AerodynamicData& a = d.aerodynamics;
         numbers(a.axes);
-        for (const auto* values :
-             {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.lift, &a.spin_lift, &a.lift_moment,
-              &a.spin_drag, &a.spin_drag_stream, &a.spin_drag_stokes, &a.broadside, &a.lift_moment_stalled})
+        for (const auto* values : {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.lift, &a.spin_lift,
+                                   &a.lift_moment, &a.spin_drag, &a.spin_drag_stream, &a.spin_drag_stokes, &a.broadside,
+                                   &a.lift_moment_stalled, &a.roll_damping})
             numbers(*values);
         number(a.intensity);
         number(a.length);

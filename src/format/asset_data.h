@@ -50,6 +50,8 @@ struct AerodynamicData {
     std::array<double, 3> spin_drag{};        // m^5
     std::array<double, 3> spin_drag_stream{}; // m^4
     std::array<double, 3> spin_drag_stokes{}; // m^3
+    // Roll damping -rho g_k (g . w)/s, g_k = sqrt(roll_damping_k) v_k: of the part of the spin about the stream.
+    std::array<double, 3> roll_damping{}; // m^4
     // Velocity of the fluid in the body's own wake: per axis intensity times s Re/(Re + wake_reynolds), correlated over
     // length/s. Below some hundreds wakes are laminar.
     double intensity = 0.0;

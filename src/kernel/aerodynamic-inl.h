@@ -78,6 +78,15 @@ HWY_INLINE Vec3 spin_drag_rate(const AerodynamicConstants& c, VF b, VF nu, VF s,
     return {along(0), along(1), along(2)};
 }
 
+// Roll damping is -rate (axis . u) axis.
+struct Roll {
+    Vec3 axis;
+    VF rate;
+};
+HWY_INLINE Roll roll_damping(const AerodynamicConstants& c, VF b, VF s, Vec3 v) {
+    return {times(broadcast(c.roll), v), hn::Div(b, s)};
+}
+
 HWY_INLINE Vec3 lift_moment(const AerodynamicConstants& c, VF b, Vec3 v) {
     const VF sigma = stall(c, speed_squared(v), v);
     const auto along = [&](int k, VF vi, VF vj) HWY_ATTR {
@@ -101,7 +110,11 @@ template <bool kFull> HWY_INLINE Twist aerodynamic_loads(const AerodynamicConsta
     const VF nu = hn::Mul(constant(c.viscosity), b);
     const Vec3 v = centre_velocity<kFull>(c, t), u = load_spin<kFull>(c, t);
     const Vec3 force = sub(cross(circulation(c, b, nu, v, u), v), scale(drag_rate(c, b, nu, v), v));
-    const Vec3 torque = sub(lift_moment(c, b, v), times(spin_drag_rate(c, b, nu, hn::Sqrt(speed_squared(v)), u), u));
+    const VF s = hn::Sqrt(speed_squared(v));
+    const Roll roll = roll_damping(c, b, s, v);
+    const Vec3 resisted =
+        add_scaled(times(spin_drag_rate(c, b, nu, s, u), u), hn::Mul(roll.rate, dot(roll.axis, u)), roll.axis);
+    const Vec3 torque = sub(lift_moment(c, b, v), resisted);
     if constexpr (!kFull) return {force, torque};
     const Vec3 f = columns(c.axes, force);
     return {f, add(columns(c.axes, torque), cross(broadcast(c.arm), f))};

@@ -58,19 +58,40 @@ HWY_INLINE void drag_half(const StepInput& in, const BodyConstants& c, const Hel
     }
 }
 
-// (1 + X)^-1 r with X = tau N D, D diagonal: the columns of N scaled.
-HWY_INLINE Vec3 solve_damped(const float n[6], Vec3 x, VF quadratic, Vec3 r) {
-    // Columns of N, scaled by tau times the rate of each axis.
-    const Columns m{scale(x.x, Vec3{constant(n[0]), constant(n[1]), constant(n[2])}),
-                    scale(x.y, Vec3{constant(n[1]), constant(n[3]), constant(n[4])}),
-                    scale(x.z, Vec3{constant(n[2]), constant(n[4]), constant(n[5])})};
-    // 1 + X + quadratic X^2, column by column.
+// A spin's resistance over a time: x along each axis, and `share` of the product of `axis` with itself.
+struct Resistance {
+    Vec3 x;
+    Vec3 axis;
+    VF share;
+};
+HWY_INLINE Vec3 resisted(const Resistance& d, Vec3 u) {
+    return add_scaled(times(d.x, u), hn::Mul(d.share, dot(d.axis, u)), d.axis);
+}
+
+// (1 + X + quadratic X^2)^-1 r with X = N D.
+HWY_INLINE Vec3 solve_damped(const float n[6], const Resistance& d, VF quadratic, Vec3 r) {
+    // Columns of N D: those of N scaled, and N axis by the axis' entries.
+    const Vec3 rolled = scale(d.share, symmetric3(n, d.axis));
+    const Columns m{add_scaled(scale(d.x.x, Vec3{constant(n[0]), constant(n[1]), constant(n[2])}), d.axis.x, rolled),
+                    add_scaled(scale(d.x.y, Vec3{constant(n[1]), constant(n[3]), constant(n[4])}), d.axis.y, rolled),
+                    add_scaled(scale(d.x.z, Vec3{constant(n[2]), constant(n[4]), constant(n[5])}), d.axis.z, rolled)};
     const auto column = [&](Vec3 e, Vec3 xe) HWY_ATTR {
         const Vec3 square = add(scale(xe.x, m.x), add(scale(xe.y, m.y), scale(xe.z, m.z)));
         return add(e, add_scaled(xe, quadratic, square));
     };
     const VF one = constant(1.0f), zero = hn::Zero(DF());
     return solve({column({one, zero, zero}, m.x), column({zero, one, zero}, m.y), column({zero, zero, one}, m.z)}, r);
+}
+
+// Roll damping of half a substep for a body whose loads act at its centre of mass: exact but for exp(-x), as relax_second.
+HWY_INLINE void roll_half(const StepInput& in, const BodyConstants& c, const Held& held, Body& b) {
+    const Roll roll = roll_damping(c.aerodynamics, held.inverse_length, hn::Sqrt(speed_squared(b.t.v)), b.t.v);
+    const Vec3 response = scaled_by(c.inverse_spin_mass, roll.axis);
+    const VF rate = hn::Mul(constant(0.5f * in.h), roll.rate);
+    const VF x = hn::Min(hn::Mul(rate, dot(roll.axis, response)), constant(1e15f));
+    const VF p = mul_add(x, constant(0.5f), constant(1.0f));
+    const VF lost = hn::Div(hn::Mul(hn::Mul(rate, dot(roll.axis, b.t.u)), p), mul_add(x, p, constant(1.0f)));
+    b.t.u = sub(b.t.u, scale(lost, response));
 }
 
 HWY_INLINE Vec3 smaller(Vec3 a, Vec3 b) {
@@ -101,23 +122,31 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, cons
         const Vec3 x = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, middle));
         b.t.u = each(relax_second, u, times(rate, x), push);
     } else {
-        // The square of what is solved must stay finite.
-        const auto bounded = [&](Vec3 x) HWY_ATTR { return smaller(x, broadcast(a.spin_limit)); };
-        const Vec3 r = add_scaled(u, half, bounded_push(symmetric3(a.spin_mobility, couple), s));
-        const Vec3 first = bounded(scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, r)));
-        // Half the rate in the middle, as in relax_middle; a rate on each axis as if that were a mode.
         const float* const n = a.spin_mobility;
-        const Vec3 eased = relax_middle(first, times(Vec3{constant(n[0]), constant(n[3]), constant(n[5])}, first));
-        const Vec3 middle = solve_damped(n, scale(half, eased), hn::Zero(DF()), r);
+        // The square of what is solved must stay finite.
+        const auto resistance = [&](VF stream, Vec3 v_at, Vec3 u_at) HWY_ATTR {
+            const Roll roll = roll_damping(a, held.inverse_length, stream, v_at);
+            const VF most =
+                hn::Div(constant(1e4f), hn::Add(dot(roll.axis, symmetric3(n, roll.axis)), constant(1e-20f)));
+            return Resistance{
+                smaller(scale(tau, spin_drag_rate(a, held.inverse_length, nu, stream, u_at)), broadcast(a.spin_limit)),
+                roll.axis, hn::Min(hn::Mul(tau, roll.rate), most)};
+        };
+        const Vec3 r = add_scaled(u, half, bounded_push(symmetric3(n, couple), s));
+        const Resistance first = resistance(s, v, r);
+        // Half the rate in the middle, as in relax_middle; a rate on each axis as if that were a mode.
+        const Vec3 eased = relax_middle(first.x, times(Vec3{constant(n[0]), constant(n[3]), constant(n[5])}, first.x));
+        const Vec3 middle =
+            solve_damped(n, {scale(half, eased), first.axis, hn::Mul(half, first.share)}, hn::Zero(DF()), r);
         // A couple moves a centre that lies off the centre of mass.
         const Vec3 v_middle = centre_velocity<true>(a, add(b.t, rows6(a.spin_response, sub(middle, u))));
         const VF s_middle = hn::Sqrt(speed_squared(v_middle));
-        const Vec3 push = bounded_push(
-            symmetric3(a.spin_mobility, scale(tau, lift_moment(a, held.inverse_length, v_middle))), s_middle);
-        const Vec3 x = bounded(scale(tau, spin_drag_rate(a, held.inverse_length, nu, s_middle, middle)));
+        const Vec3 push =
+            bounded_push(symmetric3(n, scale(tau, lift_moment(a, held.inverse_length, v_middle))), s_middle);
+        const Resistance x = resistance(s_middle, v_middle, middle);
         // u1 = (1 + X + X^2/2)^-1 (u0 + (1 + X/2) push)
-        const Vec3 more = symmetric3(a.spin_mobility, times(x, push));
-        const Vec3 after = solve_damped(a.spin_mobility, x, half, add(u, add_scaled(push, half, more)));
+        const Vec3 more = symmetric3(n, resisted(x, push));
+        const Vec3 after = solve_damped(n, x, half, add(u, add_scaled(push, half, more)));
         b.t = add(b.t, rows6(a.spin_response, sub(after, u)));
     }
 }
@@ -188,7 +217,9 @@ HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const BodyCon
     if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
     drag_half<kFull>(in, c, held, nu, applied, b);
     spin_drag_half<kFull>(in, c, held, nu, applied, b);
+    if constexpr (!kFull) roll_half(in, c, held, b);
     lift_step<kFull>(in, c, held, nu, b);
+    if constexpr (!kFull) roll_half(in, c, held, b);
     spin_drag_half<kFull>(in, c, held, nu, applied, b);
     drag_half<kFull>(in, c, held, nu, applied, b);
     if (held.sheared) b.t.u = add(b.t.u, to_body(b.q, held.fluid_spin));

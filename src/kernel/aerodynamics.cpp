@@ -133,7 +133,7 @@ constexpr double most_variance = 0.16;
 
 bool is_usable(const AerodynamicData& a) {
     for (const auto* v : {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.spin_drag, &a.spin_drag_stream,
-                          &a.spin_drag_stokes})
+                          &a.spin_drag_stokes, &a.roll_damping})
         if (!within(*v, 0.0, most)) return false;
     if (!within(a.broadside, 0.0, 1.0) || !(std::abs(a.lift_stall) <= 10.0)) return false;
     for (const auto* v : {&a.lift, &a.spin_lift, &a.lift_moment, &a.lift_moment_stalled})
@@ -177,6 +177,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
         const size_t i = (k + 1) % 3, j = (k + 2) % 3;
         out.lift_layer[k] = static_cast<float>(layer * (loads.drag_layer[j] - loads.drag_layer[i]));
         out.lift_stokes[k] = static_cast<float>(stokes * (loads.drag_stokes[j] - loads.drag_stokes[i]));
+        out.roll[k] = static_cast<float>(std::sqrt(gains.spin_drag * per_unit / d * loads.roll_damping[k]));
         out.spin_weight[k] = static_cast<float>(strongest > 0.0 ? loads.spin_drag[k] / strongest : 0.0);
     }
     out.rate_of_gusts = static_cast<float>(d / loads.length);

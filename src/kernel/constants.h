@@ -25,6 +25,7 @@ struct AerodynamicConstants {
     float broadside[3], lift_stall, lift_moment_stalled[3];
     float spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
     float spin_weight[3]; // spin_drag over its largest
+    float roll[3];        // square root of roll_damping
     // Full path. Q: body axes to those of the loads; P = Q (1, -[r]x): velocity of the centre of the loads.
     float axes[9], arm[3]; // Q; r = r_b/d
     float mobility[6];     // P M^-1 P^T, upper triangle

@@ -20,6 +20,7 @@ constexpr double turbulent_friction = 0.004;                      // of the surf
 constexpr double translation_lift = 1.2;                          // C_T of a plate in two dimensions
 constexpr double magnus = 0.5;                                    // of the volume, about an axis of revolution
 constexpr double strip_half = 4.0;                                // span over chord, less 1, half-way to a strip
+constexpr double roll_half = 4.0;                                 // span over chord
 constexpr double spin_friction = 0.008;
 
 // 0 for a flat face, 1 where it is as round as a sphere or rounder.
@@ -91,6 +92,9 @@ void set_lift(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& p
         by_slenderness(plate.spin_disc, plate.spin_strip, chord > 0.0 ? std::max(0.0, span / chord - 1.0) : 0.0);
     out.spin_drag[k] = 0.5 * (moment * g.stroke3[k] + spin_friction * g.rub[k]);
     out.spin_drag_stream[k] = plate.spin_stream * g.stroke2[k];
+    // A wing of the span across the stream, rolling about it: lifting-line theory's span over chord.
+    const double wing = g.extent[g.area[i] > g.area[j] ? j : i];
+    out.roll_damping[k] = plate.roll * sheet * g.stroke2[k] * (1.0 + roll_half) * share(wing, roll_half * g.extent[k]);
 }
 
 } // namespace

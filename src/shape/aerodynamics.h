@@ -37,6 +37,7 @@ struct PlateCoefficients {
     double moment = 0.05824, moment_stalled = 0.137; // of the planform times the chord
     double spin_disc = 1.28, spin_strip = 2.5;       // C_M by span over chord
     double spin_stream = 0.076;                      // of stroke2
+    double roll = 0.4;                               // damping of roll, of stroke2, where span and chord are alike
     double spin_creeping = 0.85;                     // of the creeping couple
     double intensity = 0.03374, correlation = 2.793; // of the wake; in largest extents
     double wake_reynolds = 1500;

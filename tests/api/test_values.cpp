@@ -358,6 +358,9 @@ TEST_CASE("gravity, wind, batches and tables refuse impossible values and leave 
                           {-huge, huge},
                           {-1.0, 1.0}});
     }
+    for (size_t i = 0; i < 3; ++i)
+        fields.push_back(
+            {"roll damping", offsetof(lr_aerodynamics, roll_damping) + 8 * i, Field::f64, {-1e-9, huge}, {0.0, 1.0}});
     for (size_t i = 0; i < 9;
          ++i) // still unit vectors, but not orthogonal ones; or the body's, turned on a diagonal body
         fields.push_back({"axes", offsetof(lr_aerodynamics, axes) + 8 * i, Field::f64, {0.5, -1.0}, {}});

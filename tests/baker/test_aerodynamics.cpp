@@ -366,6 +366,7 @@ TEST_CASE("aerodynamics: a bake puts them into the asset, the report and the fil
     CHECK(j["lift_moment"] == a.lift_moment);
     CHECK(j["spin_drag"] == a.spin_drag);
     CHECK(j["spin_drag_stream"] == a.spin_drag_stream);
+    CHECK(j["roll_damping"] == a.roll_damping);
     CHECK(j["spin_drag_stokes"] == a.spin_drag_stokes);
     CHECK(j["intensity"] == a.intensity);
     CHECK(j["length"] == a.length);

@@ -21,7 +21,8 @@ bool same(const AerodynamicData& a, const AerodynamicData& b) {
     return a.axes == b.axes && a.drag == b.drag && a.drag_blunt == b.drag_blunt && a.drag_layer == b.drag_layer &&
            a.drag_stokes == b.drag_stokes && a.lift == b.lift && a.spin_lift == b.spin_lift &&
            a.lift_moment == b.lift_moment && a.spin_drag == b.spin_drag && a.spin_drag_stream == b.spin_drag_stream &&
-           a.spin_drag_stokes == b.spin_drag_stokes && a.intensity == b.intensity && a.length == b.length;
+           a.spin_drag_stokes == b.spin_drag_stokes && a.intensity == b.intensity && a.length == b.length &&
+           a.roll_damping == b.roll_damping;
 }
 
 bool same(const AssetData& a, const AssetData& b) {
@@ -61,6 +62,7 @@ TEST_CASE("what is written is read back, the same bytes for the same data") {
     d.aerodynamics.axes = {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0};
     d.aerodynamics.lift_moment = {1e-9, -2e-9, 3e-9};
     d.aerodynamics.spin_drag_stream = {1e-12, 2e-12, 3e-12};
+    d.aerodynamics.roll_damping = {4e-12, 5e-12, 6e-12};
     const std::vector<uint8_t> bytes = write_asset(d);
     CHECK(write_asset(d) == bytes);
     CHECK(std::memcmp(bytes.data() + 4, "LRBA", 4) == 0);
@@ -104,6 +106,7 @@ TEST_CASE("the content hash sees everything that moves a body, and no names") {
         [](AssetData& a) { a.aerodynamics.lift_moment[2] = -1e-9; },
         [](AssetData& a) { a.aerodynamics.spin_drag[0] *= 1.1; },
         [](AssetData& a) { a.aerodynamics.spin_drag_stream[2] = 1e-12; },
+        [](AssetData& a) { a.aerodynamics.roll_damping[1] = 1e-12; },
         [](AssetData& a) { a.aerodynamics.spin_drag_stokes[0] *= 1.1; },
         [](AssetData& a) { a.aerodynamics.intensity = 0.1; },
         [](AssetData& a) { a.aerodynamics.length *= 2.0; },
@@ -197,6 +200,8 @@ TEST_CASE("each impossible number has its fault, at its field") {
          [](AssetData& a) { a.aerodynamics.spin_drag[0] = -1e-20; }},
         {FaultId::asset_not_finite, "aerodynamics.spin_drag_stream[0]",
          [](AssetData& a) { a.aerodynamics.spin_drag_stream[0] = not_a_number; }},
+        {FaultId::asset_out_of_range, "aerodynamics.roll_damping[1]",
+         [](AssetData& a) { a.aerodynamics.roll_damping[1] = -1e-20; }},
         {FaultId::asset_out_of_range, "aerodynamics.spin_drag_stokes[2]",
          [](AssetData& a) { a.aerodynamics.spin_drag_stokes[2] = 1e9; }},
         {FaultId::asset_out_of_range, "aerodynamics.intensity", [](AssetData& a) { a.aerodynamics.intensity = -0.1; }},

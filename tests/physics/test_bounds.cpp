@@ -57,7 +57,7 @@ void draw_loads(Random& random, const World& world, lr_batch batch, bool noise, 
     for (size_t k = 0; k < 3; ++k) {
         if (override_all) {
             for (double* c : {a.drag, a.drag_blunt, a.drag_layer, a.drag_stokes, a.lift, a.spin_lift, a.spin_drag,
-                              a.spin_drag_stream, a.spin_drag_stokes})
+                              a.spin_drag_stream, a.spin_drag_stokes, a.roll_damping})
                 c[k] *= random.below(4) == 0 ? 0.0 : random.logarithmic(0.01, 100.0);
             if (random.below(2)) a.lift[k] = -a.lift[k];
         }

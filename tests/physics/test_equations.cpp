@@ -61,6 +61,7 @@ lr_aerodynamics lively(const Case& c, const Asset& asset) {
         a.lift_moment[k] = 0.2 * part * d * d * d;
         a.lift_moment_stalled[k] = -0.3 * part * d * d * d;
         a.spin_drag_stream[k] = 0.1 * part * d * d * d * d;
+        a.roll_damping[k] = 0.2 * part * d * d * d * d;
         a.broadside[k] = 0.3 * static_cast<double>(k + 1);
     }
     a.lift_stall = 0.4;

@@ -66,6 +66,7 @@ constexpr Field fields[] = {{&AerodynamicData::drag, 2.0, true},
                             {&AerodynamicData::lift_moment, 3.0, false},
                             {&AerodynamicData::spin_drag, 5.0, true},
                             {&AerodynamicData::spin_drag_stream, 4.0, true},
+                            {&AerodynamicData::roll_damping, 4.0, true},
                             {&AerodynamicData::spin_drag_stokes, 3.0, true}};
 
 // The largest difference over the fields, each in its power of the largest extent.

@@ -39,7 +39,9 @@ struct ReferenceLoads {
         for (size_t i = 0; i < 3; ++i)
             if (most > 0.0) whirl += at.spin_drag[i] / most * w[i] * w[i];
         whirl = std::sqrt(whirl);
-        Vec force{}, torque{}, circulation{};
+        Vec force{}, torque{}, circulation{}, roll{};
+        for (size_t k = 0; k < 3; ++k) roll[k] = std::sqrt(at.roll_damping[k] * s4) * v[k];
+        const double rolling = roll[0] * w[0] + roll[1] * w[1] + roll[2] * w[2];
         for (size_t k = 0; k < 3; ++k) {
             const size_t i = (k + 1) % 3, j = (k + 2) % 3;
             circulation[k] =
@@ -48,7 +50,8 @@ struct ReferenceLoads {
                         density *
                             (at.spin_drag[k] * s5 * whirl + at.spin_drag_stream[k] * s4 * s +
                              at.spin_drag_stokes[k] * s3 * viscosity) *
-                            w[k];
+                            w[k] -
+                        density * roll[k] * rolling / s;
         }
         double opposing = 0.0; // the part of the drag that is against the velocity
         for (size_t i = 0; i < 3; ++i) {
