@@ -83,15 +83,14 @@ HWY_INLINE Vec3 solve_damped(const float n[6], const Resistance& d, VF quadratic
     return solve({column({one, zero, zero}, m.x), column({zero, one, zero}, m.y), column({zero, zero, one}, m.z)}, r);
 }
 
-// Roll damping of half a substep for a body whose loads act at its centre of mass: exact but for exp(-x), as relax_second.
-HWY_INLINE void roll_half(const StepInput& in, const BodyConstants& c, const Held& held, Body& b) {
-    const Roll roll = roll_damping(c.aerodynamics, held.inverse_length, hn::Sqrt(speed_squared(b.t.v)), b.t.v);
+// Roll damping of half a substep where the loads act at the centre of mass: exact but for exp(-x), as relax_second.
+HWY_INLINE Vec3 rolled_half(const BodyConstants& c, const Roll& roll, VF tau, Vec3 u) {
     const Vec3 response = scaled_by(c.inverse_spin_mass, roll.axis);
-    const VF rate = hn::Mul(constant(0.5f * in.h), roll.rate);
+    const VF rate = hn::Mul(tau, roll.rate);
     const VF x = hn::Min(hn::Mul(rate, dot(roll.axis, response)), constant(1e15f));
     const VF p = mul_add(x, constant(0.5f), constant(1.0f));
-    const VF lost = hn::Div(hn::Mul(hn::Mul(rate, dot(roll.axis, b.t.u)), p), mul_add(x, p, constant(1.0f)));
-    b.t.u = sub(b.t.u, scale(lost, response));
+    const VF lost = hn::Div(hn::Mul(hn::Mul(rate, dot(roll.axis, u)), p), mul_add(x, p, constant(1.0f)));
+    return sub(u, scale(lost, response));
 }
 
 HWY_INLINE Vec3 smaller(Vec3 a, Vec3 b) {
@@ -105,15 +104,18 @@ HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
     return {one(push.x), one(push.y), one(push.z)};
 }
 
-template <bool kFull>
+// On the diagonal path roll damping is a part of its own, next to the lift on both sides; the full path has no use for kBeforeLift.
+template <bool kFull, bool kBeforeLift>
 HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Twist applied,
                                Body& b) {
     const AerodynamicConstants& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);
-    const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
+    const Vec3 v = centre_velocity<kFull>(a, b.t);
     const VF s = hn::Sqrt(speed_squared(v));
     const Vec3 couple = scale(tau, lift_moment(a, held.inverse_length, v));
     if constexpr (!kFull) {
+        const Roll roll = roll_damping(a, held.inverse_length, s, v);
+        const Vec3 u = kBeforeLift ? b.t.u : rolled_half(c, roll, tau, b.t.u);
         const Vec3 rate = broadcast(c.inverse_spin_mass),
                    push = add_scaled(bounded_push(times(rate, couple), s), tau, times(rate, applied.u));
         const Vec3 r = add_scaled(u, half, push);
@@ -121,7 +123,9 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, cons
         const Vec3 middle = relax_middle(r, times(rate, first));
         const Vec3 x = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, middle));
         b.t.u = each(relax_second, u, times(rate, x), push);
+        if constexpr (kBeforeLift) b.t.u = rolled_half(c, roll, tau, b.t.u);
     } else {
+        const Vec3 u = load_spin<true>(a, b.t);
         const float* const n = a.spin_mobility;
         // The square of what is solved must stay finite.
         const auto resistance = [&](VF stream, Vec3 v_at, Vec3 u_at) HWY_ATTR {
@@ -216,11 +220,9 @@ HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const BodyCon
     // Loads are those of the spin through the fluid.
     if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
     drag_half<kFull>(in, c, held, nu, applied, b);
-    spin_drag_half<kFull>(in, c, held, nu, applied, b);
-    if constexpr (!kFull) roll_half(in, c, held, b);
+    spin_drag_half<kFull, true>(in, c, held, nu, applied, b);
     lift_step<kFull>(in, c, held, nu, b);
-    if constexpr (!kFull) roll_half(in, c, held, b);
-    spin_drag_half<kFull>(in, c, held, nu, applied, b);
+    spin_drag_half<kFull, kFull>(in, c, held, nu, applied, b);
     drag_half<kFull>(in, c, held, nu, applied, b);
     if (held.sheared) b.t.u = add(b.t.u, to_body(b.q, held.fluid_spin));
     free_step<kFull>(0.5f * in.h, c, held, b);
