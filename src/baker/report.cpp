@@ -47,7 +47,8 @@ Json make_json(const AerodynamicData& a) {
             {"wake_reynolds", a.wake_reynolds},
             {"broadside", a.broadside},
             {"lift_stall", a.lift_stall},
-            {"lift_moment_stalled", a.lift_moment_stalled}};
+            {"lift_moment_stalled", a.lift_moment_stalled},
+            {"center", a.center}};
 }
 
 Json make_json(const AssetData& a) {
