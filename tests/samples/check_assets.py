@@ -18,7 +18,7 @@ EXPECTED = {  # mm^3: closed forms where there are any, else the size of the she
 }
 OPEN = {  # mm^2
     "paper_plane_surface.obj": (2450.7, 1e-3), "paper_plane_layers.obj": (83.0 * 83.0, 1e-5),  # folds keep the area
-    "paper_plane_uneven_surface.obj": (2519.6, 1e-3), "paper_plane_uneven_layers.obj": (83.0 * 83.0, 1e-5),
+    "paper_plane_uneven_surface.obj": (2512.0, 1e-3), "paper_plane_uneven_layers.obj": (83.0 * 83.0, 1e-5),
 }
 
 
