@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Makes the source meshes of this folder: closed, outward-wound triangle meshes in metres, as Wavefront OBJ.
+"""Makes the source meshes of this folder: triangle meshes in metres, closed and wound outward but for two, as Wavefront OBJ.
 
     python3 make_assets.py [OUTDIR]        OUTDIR: initially the folder of this script
 
-Only the standard library; the same bytes every time. Every mesh is checked before it is written: each edge has exactly
+Only the standard library; the same bytes every time. Every closed mesh is checked before it is written: each edge has exactly
 two faces that run through it in opposite directions, the volume is positive, no triangle is degenerate, the surface is
 one piece. A mesh that fails is not written and the exit code is 1.
 
@@ -20,7 +20,7 @@ import sys
 
 class Mesh:
     def __init__(self, name, text):
-        self.name, self.text = name, text
+        self.name, self.text, self.open = name, text, False
         self.points, self.uvs, self.faces = [], [], []
 
     def add(self, point, uv):
@@ -46,11 +46,16 @@ class Mesh:
     def volume(self):
         return sum(dot(a, cross(b, c)) for a, b, c in self.corners()) / 6.0
 
+    def area(self):
+        return sum(length(cross(sub(b, a), sub(c, a))) for a, b, c in self.corners()) / 2.0
+
     def smallest_angle(self):
         return min(min(angles(*t)) for t in self.corners())
 
     def faults(self):
         found, edges, parent = [], {}, list(range(len(self.points)))
+        if self.open:
+            return [f"triangle {i + 1} is degenerate" for i, t in enumerate(self.corners()) if min(angles(*t)) < 1e-3]
         for f in self.faces:
             for k in range(3):
                 edge = (f[k], f[(k + 1) % 3])
@@ -75,8 +80,10 @@ class Mesh:
         return found
 
     def write(self, path):
-        lines = [f"# {self.name}: {self.text}", "# metres; x: long axis, z: thin direction; closed, wound outward",
-                 f"# {len(self.points)} vertices, {len(self.faces)} triangles, volume {self.volume() * 1e9:.4f} mm^3",
+        kind = "open" if self.open else "closed, wound outward"
+        size = f"area {self.area() * 1e6:.2f} mm^2" if self.open else f"volume {self.volume() * 1e9:.4f} mm^3"
+        lines = [f"# {self.name}: {self.text}", f"# metres; x: long axis, z: thin direction; {kind}",
+                 f"# {len(self.points)} vertices, {len(self.faces)} triangles, {size}",
                  "# made by make_assets.py of Langevin Rigid; SPDX-License-Identifier: MIT", f"o {self.name}"]
         # 10 nm: exact enough for a sheet of 0.1 mm, and short enough to read.
         lines += ["v " + " ".join(f"{round(x, 8) + 0.0:.8f}" for x in p) for p in self.points]
@@ -306,18 +313,130 @@ def confetti():
     return mesh
 
 
-def paper_plane():
-    """A dart folded from a square of 8.3 cm: two wings and a keel, three pages that meet along their rims.
+# The dart: a square folded in half along x, its front corners folded to the middle (45 degrees from the middle line), the
+# edges so made folded there again (22.5 degrees), and the wings folded out from the keel (7.5 degrees). All folds pass the
+# nose. Measures in m, from the nose along the crease of the wings.
+square, edge_fold, wing_fold = 0.083, math.radians(22.5), math.radians(7.5)
+dart_root, dart_lean = square / math.cos(wing_fold), math.tan(wing_fold)
+dart_span = square / math.cos(edge_fold) * math.sin(edge_fold - wing_fold)
+dart_keel = square * math.sin(wing_fold)
+dart_rise = math.atan(0.10)  # dihedral
+# About the centroid of the surface: each of the triangles has one corner at the nose and one at the end of the crease.
+_wings, _keel = 2.0 * dart_span, dart_keel
+dart_centre = (2.0 / 3.0 * dart_root + dart_lean * (_wings * dart_span - _keel * dart_keel) / (_wings + _keel) / 3.0,
+               (_wings * dart_span * math.sin(dart_rise) - _keel * dart_keel) / (_wings + _keel) / 3.0)
 
-    A page is a triangle of rows from the nose to the tail. The wings and the keel of the folded dart are two to four
-    layers of 0.1 mm paper; here they are one sheet of 0.3 mm, which is about the volume of paper there is.
+
+def dart_place(along, sideways, down):
+    """A point of the wings (along the crease, off it, 0) or the keel (along, 0, below it), in the frame of the meshes."""
+    return (dart_centre[0] - along, sideways * math.cos(dart_rise),
+            abs(sideways) * math.sin(dart_rise) - down - dart_centre[1])
+
+
+def folds(uneven):
+    """Degrees by which the second fold goes farther on the left than on the right; the sides with their angles."""
+    return (1.0, edge_fold + math.radians(uneven)), (-1.0, edge_fold)
+
+
+def dart_mesh(what, text, uneven):
+    name = "paper_plane_uneven_" if uneven else "paper_plane_"
+    mesh = Mesh(name + what, "dart folded from a square sheet of 8.3 cm" + (", a degree unevenly" if uneven else "") + text)
+    mesh.open = True
+    return mesh
+
+
+def paper_plane_surface(uneven=0.0):
+    """Wings and keel. Behind the tail of either wing the flap that the second fold turned inwards stands out: its edge runs
+    from the crease of the first fold to the corner of the square, parallel to the middle line before that fold."""
+    mesh = dart_mesh("surface", ", as a surface", uneven)
+
+    def add(along, off, down=0.0):
+        return mesh.add(dart_place(along, off, down), (along / square, 0.5 + (off + down) / square))
+    nose, tail = add(0.0, 0.0), add(dart_root, 0.0)
+    for hand, fold in folds(uneven):
+        corner = turned((square, -0.5 * square), 2.0 * fold)
+        way = turned((1.0, 0.0), 2.0 * fold)
+        inner = tuple(c - w * (corner[0] - square) / way[0] for c, w in zip(corner, way))
+        inner, behind, tip = (add(along, hand * off) for along, off in (
+            turned(p, -wing_fold) for p in (inner, corner, (square, square * math.tan(fold)))))
+        mesh.faces += [(nose, tail, inner), (nose, inner, tip), (inner, behind, tip)]
+    mesh.faces.append((nose, add(dart_root - dart_lean * dart_keel, 0.0, dart_keel), tail))
+    return mesh
+
+
+def split(polygon, angle):
+    """Parts of a convex polygon below and above the line through the origin at this angle."""
+    def side(p):
+        return p[1] * math.cos(angle) - p[0] * math.sin(angle)
+    below, above = [], []
+    for p, q in zip(polygon, polygon[1:] + polygon[:1]):
+        sp, sq = side(p), side(q)
+        if sp <= 1e-12:
+            below.append(p)
+        if sp >= -1e-12:
+            above.append(p)
+        if min(sp, sq) < -1e-12 and max(sp, sq) > 1e-12:
+            cut = tuple(a + (b - a) * sp / (sp - sq) for a, b in zip(p, q))
+            below.append(cut)
+            above.append(cut)
+    return tuple(part if len(part) > 2 and abs(area_of(part)) > 1e-10 else None for part in (below, above))
+
+
+def area_of(polygon):
+    return 0.5 * sum(p[0] * q[1] - q[0] * p[1] for p, q in zip(polygon, polygon[1:] + polygon[:1]))
+
+
+def turned(p, angle):
+    c, s = math.cos(angle), math.sin(angle)
+    return (c * p[0] - s * p[1], s * p[0] + c * p[1])
+
+
+def paper_plane_layers(uneven=0.0):
+    """Every layer of the paper where the folds put it: the half of the square on one side of the middle line, and the other."""
+    mesh = dart_mesh("layers", ": all layers of the paper, of which several lie at one place", uneven)
+    known = {}  # corners at one place are one, whichever layer has them
+
+    def corner(place, uv):
+        key = tuple(round(x, 8) for x in place)
+        if key not in known:
+            known[key] = mesh.add(place, uv)
+        return known[key]
+
+    for hand, second in folds(uneven):
+        pieces = [[(0.0, 0.0), (square, 0.0), (square, 0.5 * square), (0.0, 0.5 * square)]]
+        for fold in (math.radians(45.0), second):
+            folded = []
+            for piece in pieces:
+                below, above = split(piece, fold)
+                if below:
+                    folded.append(below)
+                if above:
+                    folded.append([turned((x, -y), 2.0 * fold) for x, y in above][::-1])
+            pieces = folded
+        for piece in pieces:
+            for part, is_wing in zip(split(piece, wing_fold), (False, True)):
+                if not part:
+                    continue
+                line = []
+                for p in part:
+                    along, off = turned(p, -wing_fold)
+                    place = dart_place(along, hand * off, 0.0) if is_wing else dart_place(along, 0.0, -off)
+                    line.append(corner(place, (along / square, 0.5 + (hand * off if is_wing else -off) / square)))
+                mesh.faces += [(line[0], line[i], line[i + 1]) for i in range(1, len(line) - 1)]
+    return mesh
+
+
+def paper_plane():
+    """The dart as a solid to be drawn: three pages that meet along their rims.
+
+    A page is a triangle of rows from the nose to the tail, without the ends of the flaps behind it. All is 0.3 mm thick,
+    about the mean of the layers there are.
     """
     mesh = Mesh("paper_plane", "dart folded from a square sheet of 8.3 cm, as one sheet of 0.3 mm")
-    rows, span, keel, size, half = 22, 0.026, 0.013, 0.083, 0.00015
-    rise = 0.10  # dihedral: m up for each m of span
+    rows, span, keel, half = 22, dart_span, dart_keel, 0.00015
 
     def parts(row, width):
-        return max(1, math.ceil(width / size * row - 1e-9))
+        return max(1, math.ceil(width / square * row - 1e-9))
 
     def inside(row, f):
         """0 on the rim, 1 inside: how much of the thickness there is. f: 0 at the root, 1 at the outer edge."""
@@ -325,8 +444,7 @@ def paper_plane():
         return min(edge, (rows - row) / 1.5, 1.0)
 
     def place(row, sideways, down):
-        t = row / rows
-        return (size * (0.5 - t), sideways, rise * abs(sideways) - down)
+        return dart_place(dart_root * row / rows + dart_lean * (abs(sideways) - down), sideways, down)
 
     cache = {}
 
@@ -349,7 +467,7 @@ def paper_plane():
             offset = {"top": (0.0, 0.0, half), "right": (0.0, half, -half), "left": (0.0, -half, -half)}[page]
         thick = 0.0 if rim else inside(row, f)
         u = t
-        v = 0.5 + (base[1] - base[2] * (kind == "keel")) / size
+        v = 0.5 + (keel * t * f if kind == "keel" else base[1]) / square
         cache[key] = mesh.add(add(base, scaled(offset, thick)), (u, v))
         return cache[key]
 
@@ -386,7 +504,6 @@ def paper_plane():
     page([("keel", keel), ("-y", span)], "left", True)
     if mesh.volume() < 0.0:
         mesh.faces = [(a, c, b) for a, b, c in mesh.faces]
-    mesh.centre()
     return mesh
 
 
@@ -425,7 +542,8 @@ def main(arguments):
     folder = arguments[1] if len(arguments) == 2 else os.path.dirname(os.path.abspath(__file__))
     os.makedirs(folder, exist_ok=True)
     failed = False
-    for make in (leaf, leaf_maple, paper_plane, petal, confetti, lambda: ellipsoid(
+    for make in (leaf, leaf_maple, paper_plane, paper_plane_surface, paper_plane_layers, lambda: paper_plane_surface(1.0),
+                 lambda: paper_plane_layers(1.0), petal, confetti, lambda: ellipsoid(
             "ellipsoid_leaf", "the leaf of the paper: semi-axes 4 cm and 1 cm, 0.01 cm thick", (0.04, 0.01, 5e-5), 3),
             lambda: ellipsoid("ellipsoid_rubber", "the rubber ellipsoid of the paper: semi-axes 4, 2 and 1 cm",
                               (0.04, 0.02, 0.01), 3),
@@ -442,7 +560,8 @@ def main(arguments):
         mesh.write(os.path.join(folder, mesh.name + ".obj"))
         size = [max(p[i] for p in mesh.points) - min(p[i] for p in mesh.points) for i in range(3)]
         print(f"{mesh.name + '.obj':20s} {len(mesh.faces):5d} triangles  " + " x ".join(f"{1e3 * s:.2f}" for s in size)
-              + f" mm  {mesh.volume() * 1e9:9.3f} mm^3  smallest angle {mesh.smallest_angle():.1f} degrees")
+              + (f" mm  {mesh.area() * 1e6:9.3f} mm^2  smallest" if mesh.open else f" mm  {mesh.volume() * 1e9:9.3f} mm^3  smallest")
+              + f" angle {mesh.smallest_angle():.1f} degrees")
     return 1 if failed else 0
 
 

@@ -191,8 +191,8 @@ LR_API lr_status lr_asset_retain(lr_asset* asset);
 /* Gives a reference back; the last one frees the asset. Batches hold their own. Null is fine. Any thread. */
 LR_API void lr_asset_release(lr_asset* asset);
 
-/* Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC. Everything acts at the centre of
- * buoyancy along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
+/* Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC. Everything acts at
+ * `center` along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
  * spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
  * the fluid. */
 typedef struct lr_aerodynamics {
@@ -225,6 +225,7 @@ typedef struct lr_aerodynamics {
     /* Couple -rho g_k (g . w)/s, g_k = sqrt(roll_damping_k) v_k, on the part of the spin about the stream: a wing's roll. All
      * >= 0. In a plane that spin is nought. */
     double roll_damping[3]; /* m^4 */
+    double center[3]; /* m, where all of it acts, from the centre of buoyancy, body frame; initially 0; within 2 d */
 } lr_aerodynamics;
 
 /* Initially the axes are those of the body, `length` is 1 and all else 0: no loads. */

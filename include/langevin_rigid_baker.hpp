@@ -50,6 +50,15 @@ struct BakeCard {
     double speck = 1e-3;            // regions and holes below this part of the largest region are left out
 };
 
+// A second mesh that has the mass, as the first has the surface; unit and frame are the same. Of a sheet it is the layers,
+// each face as thick and heavy as the sheet is said to be, however many lie in one place; else the solid parts, of
+// `density`.
+struct BakeMass {
+    std::string path;                   // UTF-8, a mesh file: for bake_file
+    std::vector<double> positions;      // for all, without a path: as those of bake_triangles
+    std::vector<std::uint32_t> indices; // three for each triangle
+};
+
 // As the options of the same names of lr_bake. New ones are only ever appended.
 struct BakeOptions {
     Unit unit = Unit::file; // of the mesh
@@ -66,6 +75,7 @@ struct BakeOptions {
     std::optional<BakeSheet> sheet; // instead of the boundary of a solid
     std::optional<BakeCard> card;   // file or bytes are an image; not for triangles and ellipsoids
     bool wake = false;              // put the body into the stream of the turbulence table
+    std::optional<BakeMass> mass;   // of meshes; not with center_of_mass
 };
 
 struct BakeFault {
@@ -110,7 +120,7 @@ BakeResult bake_triangles(const double* positions, std::size_t vertices, const s
                           std::size_t triangles, const BakeOptions& options,
                           const BakeProgress& progress = {}) noexcept;
 
-// A solid ellipsoid, from closed forms. semi_axes: in `unit`. `up`, `mesh`, `sheet` and `card` are not used.
+// A solid ellipsoid, from closed forms. semi_axes: in `unit`. `up`, `mesh`, `sheet`, `card` and `mass` are not used.
 BakeResult bake_ellipsoid(const std::array<double, 3>& semi_axes, const BakeOptions& options,
                           const BakeProgress& progress = {}) noexcept;
 

@@ -14,7 +14,11 @@ bake() { # NAME MESH OPTIONS...
 }
 
 bake leaf ellipsoid_leaf.obj --density 800
-bake plane paper_plane.obj --density 920
+# Paper of 80 g/m^2: a surface to the air, and the layers of the folded square as its mass.
+for folded in paper_plane paper_plane_uneven; do
+    bake "${folded#paper_}" "${folded}_surface.obj" --sheet --thickness 0.0001 --areal-density 0.08 \
+        --mass-from "$assets/${folded}_layers.obj"
+done
 # Rubber just heavier than water: the paper gives no density.
 bake rubber ellipsoid_rubber.obj --density 1100 --fluid water
 bake rubber_coarse ellipsoid_rubber_coarse.obj --density 1100 --fluid water

@@ -31,6 +31,7 @@ template <class Data, class Struct, class Each> void pair_up(Data& data, Struct&
     each(data.lift_stall, at.lift_stall);
     each(data.lift_moment_stalled, at.lift_moment_stalled);
     each(data.roll_damping, at.roll_damping);
+    each(data.center, at.center);
 }
 
 template <class From, class To> void copy_numbers(const From& from, To& to) {

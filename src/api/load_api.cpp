@@ -38,6 +38,9 @@ lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_ae
         return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
                       "axes other than the body's need a batch made with LR_TENSOR_FULL");
     const lr::AerodynamicData loads = lr::api::from_struct(a);
+    if (b->step.body.diagonal && loads.center != std::array<double, 3>{})
+        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
+                      "a center other than that of buoyancy needs a batch made with LR_TENSOR_FULL");
     if (!lr::is_usable(loads) || !b->set_aerodynamics(loads, b->gains()))
         return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
                       "a value is out of its range, or the axes are no rotation");

@@ -69,6 +69,13 @@ bool check_options(const BakeOptions& o, Faults& faults) {
                  "Give at most 4194304 cells in all, for instance 160,160,160.");
     if (o.center_of_mass)
         for (const double x : *o.center_of_mass) good = in_range(x, -1e9, 1e9, "center of mass", "", faults) && good;
+    if (o.mass && (o.semi_axes || o.card))
+        good = fail(faults, FaultId::parameter_out_of_range, "mass", "Only a mesh can have its mass from another.",
+                    "Bake the body as a mesh.");
+    if (o.mass && o.center_of_mass)
+        good =
+            fail(faults, FaultId::parameter_out_of_range, "mass",
+                 "The mesh of the mass says where its centre is, and so does the centre of mass.", "Give one of them.");
     if (o.semi_axes)
         for (const double x : *o.semi_axes)
             good = in_range(x / units_per_metre(o.unit), 1e-6, 1e3, "semi-axes", " m", faults) && good;
@@ -148,8 +155,34 @@ private:
         return true;
     }
 
+    MassProperties properties_of(const Mesh& mesh) const {
+        return is_sheet() ? compute_sheet_mass_properties(mesh, thickness_) : compute_mass_properties(mesh);
+    }
+
+    // Of the mesh of the mass, or of the only one there is.
+    bool read_mass(MassProperties& weighed) {
+        weighed = solid_;
+        if (!options_.mass) return true;
+        Mesh mesh;
+        const std::size_t before = faults_.size();
+        const bool good = read_mass_input(options_, mesh, input_, faults_) &&
+                          (is_sheet() ? check_layers(mesh, faults_) : check_and_repair(mesh, faults_));
+        for (std::size_t i = before; i < faults_.size(); ++i)
+            if (static_cast<uint32_t>(faults_[i].id) >= 200) faults_[i].where = "mass, " + faults_[i].where;
+        if (good) weighed = properties_of(mesh);
+        return good;
+    }
+
     bool make_mass() {
-        solid_ = is_sheet() ? compute_sheet_mass_properties(mesh_, thickness_) : compute_mass_properties(mesh_);
+        solid_ = properties_of(mesh_);
+        MassProperties weighed;
+        if (!read_mass(weighed)) return false;
+        // Layers displace what they are. They lie upon each other: on the mean the sheet is as thick as all of them.
+        if (is_sheet() && options_.mass) {
+            thickness_ *= weighed.area / solid_.area;
+            solid_.volume = weighed.volume;
+            solid_.centroid = weighed.centroid;
+        }
         const double size = solid_.extents.maxCoeff();
         if (!(size >= 1e-6 && size <= 1e3))
             return fail(faults_, FaultId::parameter_out_of_range, "unit",
@@ -159,20 +192,20 @@ private:
             return fail(faults_, FaultId::parameter_out_of_range, "thickness",
                         "A sheet " + shortest(thickness_) + " m thick and " + shortest(size) + " m long is no sheet.",
                         "Model it as a solid, or check --thickness and --unit.");
-        center_ = solid_.centroid;
+        center_ = weighed.centroid;
         if (options_.center_of_mass) {
             const std::array<double, 3> given = in_metres(*options_.center_of_mass);
             center_ = {given[0], given[1], given[2]};
         }
         out_.volume = solid_.volume;
-        out_.density = density_;
-        out_.mass = density_ * solid_.volume;
+        out_.mass = density_ * weighed.volume;
+        out_.density = options_.mass ? out_.mass / solid_.volume : density_;
         out_.center_of_mass = to_array(center_);
         out_.center_of_buoyancy = to_array(solid_.centroid - center_);
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j < 3; ++j)
                 out_.inertia[i * 3 + j] =
-                    density_ * solid_.inertia(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+                    density_ * weighed.inertia(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
         out_.provenance.faces = static_cast<uint32_t>(mesh_.faces.size());
         out_.provenance.vertices = static_cast<uint32_t>(mesh_.vertices.size());
         for (Eigen::Vector3d& v : mesh_.vertices) v -= center_; // body frame from here on
@@ -198,7 +231,12 @@ private:
     }
 
     bool make_aerodynamics() {
-        const std::array<double, 9> axes = shape::principal_axes(out_.inertia);
+        // Of the surface, wherever the mass is.
+        std::array<double, 9> inertia = out_.inertia;
+        if (options_.mass)
+            for (std::size_t i = 0; i < 9; ++i)
+                inertia[i] = solid_.inertia(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
+        const std::array<double, 9> axes = shape::principal_axes(inertia);
         const Eigen::Vector3d centre = solid_.centroid - center_;
         shape::AerodynamicGeometry geometry =
             is_sheet() ? sheet_geometry(mesh_, thickness_, axes, centre) : mesh_geometry(mesh_, axes, centre);
@@ -251,7 +289,7 @@ private:
         const double broadside = normal.dot(added.value.topLeftCorner<3, 3>() * normal);
         const shape::BodyScales scales =
             shape::body_scales(solid_.extents.maxCoeff(), is_sheet() ? thickness_ : solid_.extents.minCoeff(),
-                               solid_.volume, out_.projected_area, broadside, density_, options_.fluid_density);
+                               solid_.volume, out_.projected_area, broadside, out_.density, options_.fluid_density);
         out_.length_d = scales.d;
         out_.length_b = scales.b;
         out_.length_l = scales.l;
@@ -412,6 +450,7 @@ std::string canonical_options(const BakeOptions& o) {
     add_one(" --intensity", o.intensity);
     if (o.wake) text += " --wake";
     if (o.center_of_mass) add(" --center-of-mass", *o.center_of_mass);
+    if (o.mass) text += " --mass-from " + mass_name(o);
     if (o.name) {
         text += " --name ";
         text += valid_utf8(*o.name);

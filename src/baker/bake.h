@@ -35,6 +35,13 @@ struct SheetOptions {
     std::optional<double> areal_density; // kg/m^2; without it, `density` times the thickness
 };
 
+// A second mesh that has the mass, as the first has the surface: of a sheet its layers, each face as thick and heavy as the
+// sheet is said to be, however many lie in one place; else the solid parts, of `density`.
+struct MassOptions {
+    std::string path;                 // UTF-8
+    std::optional<MeshArrays> arrays; // instead
+};
+
 struct BakeOptions {
     // Either a mesh file, or an ellipsoid when there are semi-axes.
     std::string mesh_path;                          // UTF-8
@@ -53,6 +60,7 @@ struct BakeOptions {
     // In `unit`, frame of the mesh (turned by `up`). A ballasted body: the inertia stays that of the uniform solid about its own
     // centroid, everything else is about this point. Without it the centre is that of the uniform solid.
     std::optional<std::array<double, 3>> center_of_mass;
+    std::optional<MassOptions> mass; // of meshes; unit and frame are those of the mesh. Not with center_of_mass
     std::optional<std::string> name; // instead of the file name without its extension
     // Instead of the mesh file, whose name then only says what the source is called and, for bytes, what format they have.
     std::optional<std::span<const uint8_t>> mesh_bytes;

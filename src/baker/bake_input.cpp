@@ -17,23 +17,38 @@ std::string utf8(const std::filesystem::path& path) {
     return valid_utf8(std::string(text.begin(), text.end()));
 }
 
+std::filesystem::path to_path(const std::string& utf8) {
+    return std::u8string(utf8.begin(), utf8.end());
+}
+
 std::filesystem::path mesh_path(const BakeOptions& o) {
-    return std::u8string(o.mesh_path.begin(), o.mesh_path.end());
+    return to_path(o.mesh_path);
+}
+
+MeshReadOptions reading_of(const BakeOptions& o) {
+    MeshReadOptions how;
+    if (o.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(o.unit);
+    how.up = o.up;
+    how.max_faces = max_faces;
+    return how;
+}
+
+void add_arrays(const MeshArrays& arrays, InputFiles& input) {
+    input.add(arrays.positions.data(), arrays.positions.size_bytes());
+    input.add(arrays.indices.data(), arrays.indices.size_bytes());
 }
 
 void add_memory(const BakeOptions& o, InputFiles& input) {
     if (o.mesh_arrays) {
-        input.add(o.mesh_arrays->positions.data(), o.mesh_arrays->positions.size_bytes());
-        input.add(o.mesh_arrays->indices.data(), o.mesh_arrays->indices.size_bytes());
+        add_arrays(*o.mesh_arrays, input);
     } else if (o.mesh_bytes) {
         input.add(o.mesh_bytes->data(), o.mesh_bytes->size());
     }
 }
 
 // These formats are read by readers that open no other file; of the rest only reading tells.
-bool stands_alone(const BakeOptions& o) {
-    if (o.card) return true;
-    std::string extension = mesh_path(o).extension().string();
+bool stands_alone(const std::string& path) {
+    std::string extension = to_path(path).extension().string();
     for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     return extension == ".obj" || extension == ".ply" || extension == ".stl";
 }
@@ -53,11 +68,8 @@ bool trace_card(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& fau
 } // namespace
 
 bool read_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
-    MeshReadOptions how;
-    if (o.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(o.unit);
-    how.up = o.up;
+    MeshReadOptions how = reading_of(o);
     how.mesh = o.mesh;
-    how.max_faces = max_faces;
     add_memory(o, input);
     if (o.card) return trace_card(o, mesh, input, faults);
     if (o.mesh_arrays) return read_mesh_arrays(o.mesh_arrays->positions, o.mesh_arrays->indices, how, mesh, faults);
@@ -65,6 +77,17 @@ bool read_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& fau
     std::string extension = mesh_path(o).extension().string();
     if (!extension.empty()) extension.erase(0, 1);
     return read_mesh_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), extension, how, mesh, faults);
+}
+
+bool read_mass_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
+    const MeshReadOptions how = reading_of(o);
+    if (!o.mass->arrays) return read_mesh(o.mass->path, how, mesh, faults, &input);
+    add_arrays(*o.mass->arrays, input);
+    return read_mesh_arrays(o.mass->arrays->positions, o.mass->arrays->indices, how, mesh, faults);
+}
+
+std::string mass_name(const BakeOptions& o) {
+    return o.mass->arrays ? "mesh" : utf8(to_path(o.mass->path).filename());
 }
 
 uint64_t input_hash(const InputFiles& input, const std::string& options) {
@@ -90,8 +113,17 @@ std::optional<uint64_t> find_input_hash(const BakeOptions& options) {
             add_memory(options, input);
         } else if (!options.semi_axes) {
             Mesh mesh;
-            const bool read = stands_alone(options) ? input.read(options.mesh_path, &ignored) != nullptr
-                                                    : read_input(options, mesh, input, ignored);
+            const bool read = options.card || stands_alone(options.mesh_path)
+                                  ? input.read(options.mesh_path, &ignored) != nullptr
+                                  : read_input(options, mesh, input, ignored);
+            if (!read) return {};
+        }
+        if (options.mass && options.mass->arrays) {
+            add_arrays(*options.mass->arrays, input);
+        } else if (options.mass) {
+            Mesh mesh;
+            const bool read = stands_alone(options.mass->path) ? input.read(options.mass->path, &ignored) != nullptr
+                                                               : read_mass_input(options, mesh, input, ignored);
             if (!read) return {};
         }
         return input_hash(input, canonical_options(options));

@@ -12,6 +12,12 @@ namespace lr::baker {
 // Of meshes, not of ellipsoids.
 bool read_input(const BakeOptions& options, Mesh& mesh, InputFiles& input, Faults& faults);
 
+// The mesh of options.mass, after read_input.
+bool read_mass_input(const BakeOptions& options, Mesh& mesh, InputFiles& input, Faults& faults);
+
+// What the mesh of options.mass is called, without folders.
+std::string mass_name(const BakeOptions& options);
+
 // As it stands in the asset. `options`: the canonical ones.
 uint64_t input_hash(const InputFiles& input, const std::string& options);
 

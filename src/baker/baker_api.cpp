@@ -76,6 +76,11 @@ core::BakeOptions to_core(const BakeOptions& o) {
     if (!o.name.empty()) options.name = o.name;
     if (o.sheet) options.sheet = core::SheetOptions{o.sheet->thickness, o.sheet->areal_density};
     options.wake = o.wake;
+    if (o.mass) {
+        core::MassOptions& mass = options.mass.emplace();
+        mass.path = o.mass->path;
+        if (o.mass->path.empty()) mass.arrays = core::MeshArrays{o.mass->positions, o.mass->indices};
+    }
     if (o.card) {
         core::CardOptions& card = options.card.emplace();
         card.width = o.card->width;
@@ -122,7 +127,23 @@ template <class Work> BakeResult guarded(const Work& work) noexcept {
     return result;
 }
 
-void run(const core::BakeOptions& options, const BakeProgress& progress, BakeResult& result) {
+bool possible_mass(const core::BakeOptions& options, bool may_open, BakeResult& result) {
+    if (!options.mass) return true;
+    if (!may_open && !options.mass->arrays) {
+        result.faults.push_back(error(lr::FaultId::parameter_out_of_range, "mass", "Only bake_file opens files.",
+                                      "Give the mesh of the mass as positions and indices."));
+        return false;
+    }
+    if (!options.mass->arrays ||
+        (options.mass->arrays->positions.size() % 3 == 0 && options.mass->arrays->indices.size() % 3 == 0))
+        return true;
+    result.faults.push_back(error(lr::FaultId::mesh_bad_index, "mass", "An array does not hold whole triples.",
+                                  "Give three coordinates a vertex and three indices a triangle."));
+    return false;
+}
+
+void run(const core::BakeOptions& options, bool may_open, const BakeProgress& progress, BakeResult& result) {
+    if (!possible_mass(options, may_open, result)) return;
     lr::AssetData asset;
     lr::Faults faults;
     core::BakeTimings timings;
@@ -152,7 +173,7 @@ BakeResult bake_arrays(const Number* positions, std::size_t vertices, const std:
         options.mesh_path = "mesh";
         options.card.reset();
         options.mesh_arrays = core::MeshArrays{copy, {indices, 3 * triangles}};
-        run(options, progress, result);
+        run(options, false, progress, result);
     });
 }
 
@@ -167,7 +188,7 @@ BakeResult bake_file(const std::string& path, const BakeOptions& o, const BakePr
     return guarded([&](BakeResult& result) {
         core::BakeOptions options = to_core(o);
         options.mesh_path = path;
-        run(options, progress, result);
+        run(options, true, progress, result);
     });
 }
 
@@ -177,7 +198,7 @@ BakeResult bake_memory(const void* bytes, std::size_t size, const std::string& f
         core::BakeOptions options = to_core(o);
         options.mesh_path = file_name;
         options.mesh_bytes = {static_cast<const std::uint8_t*>(bytes), bytes ? size : 0};
-        run(options, progress, result);
+        run(options, false, progress, result);
     });
 }
 
@@ -199,8 +220,9 @@ BakeResult bake_ellipsoid(const std::array<double, 3>& semi_axes, const BakeOpti
         options.mesh.reset();
         options.sheet.reset();
         options.card.reset();
+        options.mass.reset();
         options.semi_axes = semi_axes;
-        run(options, progress, result);
+        run(options, false, progress, result);
     });
 }
 

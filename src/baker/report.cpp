@@ -48,7 +48,8 @@ Json make_json(const AerodynamicData& a) {
             {"broadside", a.broadside},
             {"lift_stall", a.lift_stall},
             {"lift_moment_stalled", a.lift_moment_stalled},
-            {"roll_damping", a.roll_damping}};
+            {"roll_damping", a.roll_damping},
+            {"center", a.center}};
 }
 
 Json make_json(const AssetData& a) {

@@ -185,6 +185,8 @@ void check_aerodynamics(const AssetData& d, Checker& check) {
     check.range(a.lift_stall, "aerodynamics.lift_stall", -10.0, 10.0);
     range(a.lift_moment_stalled, "aerodynamics.lift_moment_stalled", -most, d3);
     for (size_t k = 0; k < 3; ++k)
+        check.range(a.center[k], "aerodynamics.center[" + std::to_string(k) + "]", -2.0 * d1, 2.0 * d1);
+    for (size_t k = 0; k < 3; ++k)
         check.range(a.broadside[k], "aerodynamics.broadside[" + std::to_string(k) + "]", 0.0, 1.0);
 }
 
@@ -250,6 +252,8 @@ uint64_t content_hash(const AssetData& d) {
         number(a.length);
         number(a.wake_reynolds);
         number(a.lift_stall);
+        // Only where there is one: assets from before keep their hash.
+        if (a.center != std::array<double, 3>{}) numbers(a.center);
     }
     return hash.value();
 }

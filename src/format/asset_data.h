@@ -26,8 +26,8 @@ struct TurbulenceData {
     double max_divergence = 0.0;           // largest |div u| d/u0 left in the mean flow
 };
 
-// Quasi-steady loads at scale 1, docs/physics.md section 5. All are about the centre of buoyancy, along `axes`, and turn
-// with the body; s: speed through the fluid, (i, j, k) cyclic.
+// Quasi-steady loads at scale 1, docs/physics.md section 5. All are about `center`, along `axes`, and turn with the
+// body; s: speed through the fluid, (i, j, k) cyclic.
 struct AerodynamicData {
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: unit vectors in the body frame, right-handed
     // Drag opposes v_r: rho sum_i (v_i/s)^2 [1/2 (drag_i + drag_blunt_i Re/(Re + 8710)) s + layer_i sqrt(nu s) +
@@ -56,7 +56,8 @@ struct AerodynamicData {
     // length/s. Below some hundreds wakes are laminar.
     double intensity = 0.0;
     double wake_reynolds = 0.0;
-    double length = 1.0; // m
+    double length = 1.0;            // m
+    std::array<double, 3> center{}; // m, from the centre of buoyancy, body frame
 };
 
 struct HullData {

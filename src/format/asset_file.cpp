@@ -89,6 +89,7 @@ void decode_aerodynamics(const format::Aerodynamics& from, AerodynamicData& out,
     out.lift_stall = from.lift_stall();
     vector(from.lift_moment_stalled(), "aerodynamics.lift_moment_stalled", out.lift_moment_stalled);
     if (from.roll_damping()) vector(from.roll_damping(), "aerodynamics.roll_damping", out.roll_damping);
+    if (from.center()) vector(from.center(), "aerodynamics.center", out.center);
 }
 
 bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
@@ -161,9 +162,10 @@ flatbuffers::Offset<format::Aerodynamics> encode(const AerodynamicData& a, flatb
     const format::Vec3 spin_stream = vector(a.spin_drag_stream), spin_stokes = vector(a.spin_drag_stokes);
     const format::Vec3 broadside = vector(a.broadside), stalled = vector(a.lift_moment_stalled);
     const format::Vec3 roll = vector(a.roll_damping);
+    const format::Vec3 center = vector(a.center);
     return format::CreateAerodynamics(b, axes, &drag, &blunt, &layer, &stokes, &lift, &spin_lift, &moment, &spin_drag,
                                       &spin_stream, &spin_stokes, a.intensity, a.length, a.wake_reynolds, &broadside,
-                                      a.lift_stall, &stalled, &roll);
+                                      a.lift_stall, &stalled, &roll, &center);
 }
 
 } // namespace

@@ -5,8 +5,8 @@
 
 namespace lr {
 
-// The largest entry off the diagonals of inertia and added mass, over the geometric mean of what it couples, or offset
-// of buoyancy over the length d.
+// The largest entry off the diagonals of inertia and added mass, over the geometric mean of what it couples, or the
+// offset of buoyancy or of the quasi-steady loads over the length d.
 double largest_coupling(const AssetData& asset);
 
 // A mesh that is symmetric by design is not so to the last bit: what is below a millionth is taken for zero.

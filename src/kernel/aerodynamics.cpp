@@ -81,7 +81,7 @@ bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6&
     const auto& q = loads.axes;
     double r[3], to[3][6] = {}, spin[3][6] = {};
     for (size_t i = 0; i < 3; ++i) {
-        r[i] = a.center_of_buoyancy[i] / a.length_d;
+        r[i] = (a.center_of_buoyancy[i] + loads.center[i]) / a.length_d;
         out.arm[i] = static_cast<float>(r[i]);
     }
     for (size_t i = 0; i < 9; ++i) out.axes[i] = static_cast<float>(q[i]);
@@ -154,6 +154,7 @@ bool is_usable(const AerodynamicData& a) {
 
 bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const Gains& gains, bool diagonal, double rho,
                        double viscosity, BodyConstants& body) {
+    if (!within(loads.center, -2.0 * a.length_d, 2.0 * a.length_d)) return false; // as check_asset
     AerodynamicConstants& out = body.aerodynamics;
     out = AerodynamicConstants{};
     out.viscosity = static_cast<float>(viscosity);

@@ -27,7 +27,7 @@ struct AerodynamicConstants {
     float spin_weight[3]; // spin_drag over its largest
     float roll[3];        // square root of roll_damping
     // Full path. Q: body axes to those of the loads; P = Q (1, -[r]x): velocity of the centre of the loads.
-    float axes[9], arm[3]; // Q; r = r_b/d
+    float axes[9], arm[3]; // Q; r: from the centre of mass to that of the loads, over d
     float mobility[6];     // P M^-1 P^T, upper triangle
     float mobility_adjugate[6];
     float modes[9];          // columns: its eigenvectors

@@ -102,6 +102,7 @@ void set_lift(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& p
 AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCoefficients& plate) {
     AerodynamicData out;
     out.axes = g.axes;
+    out.center = g.center;
     const double largest = std::max({g.area[0], g.area[1], g.area[2]});
     double sheet = 0.0;
     for (size_t k = 0; k < 3; ++k) {

@@ -7,7 +7,7 @@
 
 namespace lr::shape {
 
-// What the loads need to know of a surface. n: outward unit normal; r: from the centre of buoyancy; e_k: axes. Integrals
+// What the loads need to know of a surface. n: outward unit normal; r: from the centre of the loads; e_k: axes. Integrals
 // run over the surface of a closed body; of a sheet over both sides. Axes without an order: body axes where they are
 // principal, so that nothing has to be turned.
 struct AerodynamicGeometry {
@@ -15,6 +15,7 @@ struct AerodynamicGeometry {
     std::array<double, 3> extent{};                        // m, full, along the axes
     std::array<double, 3> area{};                          // m^2, silhouette along each axis
     std::array<double, 3> bluntness{}; // int |n.e_k|^2 dA / int |n.e_k| dA: 1 for flat faces, 2/3 for a sphere
+    std::array<double, 3> center{};    // m, of the loads, from the centre of buoyancy, body frame
     double surface = 0.0;              // m^2, int dA
     double volume = 0.0;               // m^3, of the body
     // Strokes of a rotation about e_k, c = n.(e_k x r), the speed of the surface along its normal.

@@ -12,7 +12,7 @@ class SurfaceMeasures {
 public:
     using Point = std::array<double, 3>;
 
-    // axes: rows, unit vectors; centre: of buoyancy, in the frame of the points; size: m, about the largest extent.
+    // axes: rows, unit vectors; centre: of the loads, in the frame of the points; size: m, about the largest extent.
     SurfaceMeasures(const std::array<double, 9>& axes, const Point& centre, double size);
 
     // `sides`: 2 for a face of a sheet, which the fluid touches on both. Winding does not matter.

@@ -5,6 +5,7 @@
 #include "baker/mesh/mass_properties.h"
 #include "baker/report.h"
 #include "format/asset_file.h"
+#include "format/coupling.h"
 #include "shape/principal_axes.h"
 #include "sheet_shapes.h"
 #include "support/random.h"
@@ -109,6 +110,7 @@ AssetData bake_mesh(const Mesh& mesh, BakeOptions options) {
 TEST_CASE("aerodynamics: the area of a union is that of what is covered, however often") {
     std::vector<FlatTriangle> t;
     CHECK(union_area(t) == 0.0);
+    CHECK(union_silhouette(t).centroid == Eigen::Vector2d(0.0, 0.0));
     t.push_back(flat(1, 1, 2, 2, 3, 3));
     CHECK(union_area(t) == 0.0);
     t = {flat(0, 0, 4, 0, 0, 3)};
@@ -370,6 +372,7 @@ TEST_CASE("aerodynamics: a bake puts them into the asset, the report and the fil
     CHECK(j["spin_drag_stokes"] == a.spin_drag_stokes);
     CHECK(j["intensity"] == a.intensity);
     CHECK(j["length"] == a.length);
+    CHECK(j["center"] == std::array<double, 3>{});
 
     AssetData older = asset;
     older.has_aerodynamics = false;
@@ -391,4 +394,89 @@ TEST_CASE("aerodynamics: a ballasted body keeps its own, for they are about its 
         CHECK(ballasted.aerodynamics.drag[k] == Approx(plain.aerodynamics.drag[k]).epsilon(1e-9));
         CHECK(ballasted.aerodynamics.spin_drag[k] == Approx(plain.aerodynamics.spin_drag[k]).epsilon(1e-6));
     }
+}
+
+TEST_CASE("aerodynamics: the centroid of a union is that of what is covered, however often and seen from wherever") {
+    std::vector<FlatTriangle> t;
+    add_square(t, 0, 0, 4, 1);
+    add_square(t, 0, 0, 1, 3); // an L, its corner twice
+    const Eigen::Vector2d at((4 * 2.0 + 2 * 0.5) / 6.0, (4 * 0.5 + 2 * 2.0) / 6.0);
+    const Silhouette seen = union_silhouette(t);
+    CHECK(seen.area == Approx(6.0).epsilon(1e-12));
+    CHECK((seen.centroid - at).norm() < 1e-6);
+    Random random(85);
+    for (int round = 0; round < 20; ++round) {
+        const double angle = random.uniform(0.0, 2.0 * pi);
+        const Eigen::Rotation2Dd turn(angle);
+        const Eigen::Vector2d shift(random.uniform(-5, 5), random.uniform(-5, 5));
+        std::vector<FlatTriangle> moved = t;
+        for (FlatTriangle& one : moved)
+            for (Eigen::Vector2d& p : one) p = turn * p + shift;
+        const Silhouette again = union_silhouette(moved);
+        CHECK(again.area == Approx(6.0).epsilon(1e-5));
+        CHECK((again.centroid - (turn * at + shift)).norm() < 1e-5);
+    }
+}
+
+TEST_CASE("aerodynamics: even bodies have their loads at the centre of buoyancy, to the bit") {
+    const auto center = [](const shape::AerodynamicGeometry& g) { return g.center; };
+    constexpr std::array<double, 3> none{};
+    CHECK(center(geometry_of(shapes::ellipsoid(4, 2, 1, 4))) == none);
+    CHECK(center(geometry_of(shapes::box({0.3, 0.2, 0.1}, {7, 5, 3}, 0.8))) == none);
+    CHECK(center(geometry_of(shapes::disc(12), 1e-3)) == none);
+    CHECK(center(geometry_of(shapes::rectangle(0.1, 0.03, 3, 2), 1e-4)) == none);
+    // A triangle has no symmetry, but all of it is as thick.
+    Mesh triangle;
+    triangle.vertices = {{0.0, 0.0, 0.2}, {0.3, 0.0, 0.2}, {0.05, 0.2, 0.2}};
+    triangle.faces = {{0, 1, 2}};
+    CHECK(center(geometry_of(triangle, 1e-4)) == none);
+    // Noise of vertices shall not make a body uneven, which takes the kernel's longer path.
+    Random random(86);
+    Mesh noisy = shapes::disc(8);
+    for (Eigen::Vector3d& v : noisy.vertices)
+        v += 1e-4 * Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    CHECK(center(geometry_of(noisy, 1e-3)) == none);
+    CHECK(shape::ellipsoid_geometry({3, 2, 1}).center == none);
+}
+
+TEST_CASE("aerodynamics: the loads of an uneven body act at the middle of what a stream sees") {
+    // A wedge: thick at x = 0, an edge at x = 1. Its volume is at 1/3, what is seen of it along z at 1/2.
+    const double thick = 0.1;
+    Mesh wedge = shapes::box({1.0, 0.6, thick}, {1, 1, 1});
+    for (Eigen::Vector3d& v : wedge.vertices) {
+        v.x() += 0.5;
+        if (v.x() > 0.5) v.z() *= 0.001;
+    }
+    const MassProperties solid = compute_mass_properties(wedge);
+    const shape::AerodynamicGeometry g = mesh_geometry(wedge, identity, solid.centroid);
+    CHECK(g.center[0] == Approx(0.5 - solid.centroid.x()).epsilon(1e-9));
+    CHECK(g.center[0] == Approx(1.0 / 6.0).epsilon(0.01));
+    CHECK((g.center[1] == 0.0 && g.center[2] == 0.0));
+    // Strokes are about it: about y they are those of the plate seen.
+    CHECK(g.stroke2[1] == Approx(0.6 / 12.0).epsilon(0.01));
+    // The coefficients carry it, and turn with the mesh.
+    CHECK(shape::default_aerodynamics(g).center == g.center);
+    Mesh turned = wedge;
+    const Eigen::Matrix3d tilt =
+        Eigen::AngleAxisd(0.3, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+    shapes::apply(turned, tilt, {3.0, 1.0, -2.0});
+    const shape::AerodynamicGeometry h = geometry_of(turned), upright = geometry_of(wedge);
+    const Eigen::Vector3d expected = tilt * Eigen::Vector3d(upright.center[0], upright.center[1], upright.center[2]);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(h.center[i] - expected[static_cast<Eigen::Index>(i)]) < 1e-7);
+    // The third coordinate is that of the next largest silhouette: a keel pulls it down. Wings 0.4 by 0.3, keel 0.4 by 0.1.
+    const Mesh winged = shapes::joined(
+        shapes::patch(4, 6, [](double u, double v) { return Eigen::Vector3d(0.4 * (u - 0.5), 0.3 * (v - 0.5), 0.0); }),
+        shapes::patch(4, 2, [](double u, double v) { return Eigen::Vector3d(0.4 * (u - 0.5), 0.0, -0.1 * v); }));
+    const shape::AerodynamicGeometry plane = geometry_of(winged, 1e-5);
+    CHECK(plane.axes == identity);
+    // Volume: the keel has a quarter, at -0.05. Seen from the side there is only the keel.
+    CHECK(plane.center[2] == Approx(-0.05 + 0.25 * 0.05).epsilon(1e-3));
+    CHECK((plane.center[0] == 0.0 && plane.center[1] == 0.0));
+}
+
+TEST_CASE("aerodynamics: a body whose loads act elsewhere is not a diagonal one") {
+    AssetData even = bake_mesh(shapes::box({0.3, 0.2, 0.1}, {3, 2, 1}), {});
+    REQUIRE(is_diagonal(even));
+    even.aerodynamics.center[0] = 1e-3;
+    CHECK_FALSE(is_diagonal(even));
 }

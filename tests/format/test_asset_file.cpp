@@ -63,6 +63,7 @@ TEST_CASE("what is written is read back, the same bytes for the same data") {
     d.aerodynamics.lift_moment = {1e-9, -2e-9, 3e-9};
     d.aerodynamics.spin_drag_stream = {1e-12, 2e-12, 3e-12};
     d.aerodynamics.roll_damping = {4e-12, 5e-12, 6e-12};
+    d.aerodynamics.center = {1e-3, -2e-3, 3e-3};
     const std::vector<uint8_t> bytes = write_asset(d);
     CHECK(write_asset(d) == bytes);
     CHECK(std::memcmp(bytes.data() + 4, "LRBA", 4) == 0);
@@ -110,6 +111,7 @@ TEST_CASE("the content hash sees everything that moves a body, and no names") {
         [](AssetData& a) { a.aerodynamics.spin_drag_stokes[0] *= 1.1; },
         [](AssetData& a) { a.aerodynamics.intensity = 0.1; },
         [](AssetData& a) { a.aerodynamics.length *= 2.0; },
+        [](AssetData& a) { a.aerodynamics.center[1] = 1e-9; },
         [](AssetData& a) { a.hull.vertices[0] += 0.1f; },
         [](AssetData& a) { std::swap(a.hull.triangles[0], a.hull.triangles[1]); }};
     for (const auto& change : matter) {
@@ -206,6 +208,10 @@ TEST_CASE("each impossible number has its fault, at its field") {
          [](AssetData& a) { a.aerodynamics.spin_drag_stokes[2] = 1e9; }},
         {FaultId::asset_out_of_range, "aerodynamics.intensity", [](AssetData& a) { a.aerodynamics.intensity = -0.1; }},
         {FaultId::asset_out_of_range, "aerodynamics.length", [](AssetData& a) { a.aerodynamics.length = 0.0; }},
+        {FaultId::asset_out_of_range, "aerodynamics.center[2]",
+         [](AssetData& a) { a.aerodynamics.center[2] = -2.1 * a.length_d; }},
+        {FaultId::asset_not_finite, "aerodynamics.center[0]",
+         [](AssetData& a) { a.aerodynamics.center[0] = not_a_number; }},
         {FaultId::asset_out_of_range, "name", [](AssetData& a) { a.name.assign(5000, 'x'); }}};
     for (const Case& c : cases) {
         CAPTURE(std::string(c.where));

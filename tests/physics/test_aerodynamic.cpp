@@ -171,3 +171,52 @@ TEST_CASE("without its wake a fall is the same for any seed, with it it is not")
     CHECK(length(end(1.0f, 0.0f, 1) - end(1.0f, 0.0f, 2)) == 0.0);
     CHECK(length(end(1.0f, 1.0f, 1) - end(1.0f, 1.0f, 2)) > 1e-3);
 }
+
+TEST_CASE("loads act at their centre: a vane turns as force times arm says") {
+    lr_aerodynamics loads = initialised(lr_aerodynamics_init);
+    loads.drag[2] = drag_area;
+    const lr_rigid_desc even = braked(loads);
+    CHECK((info_of(rigid(even)).flags & LR_ASSET_DIAGONAL) != 0);
+    for (const double arm : {-0.02, 0.0, 0.03})
+        for (const int32_t integrator : {LR_INTEGRATOR_DEFAULT, LR_INTEGRATOR_RK4}) {
+            loads.center[0] = arm;
+            const Asset asset = rigid(even);
+            CHECK(((info_of(asset).flags & LR_ASSET_DIAGONAL) != 0) == (arm == 0.0)); // takes the full path by itself
+            const World world = weightless(1);
+            set_wind(world, 0.0f, 0.0f, 2.0f);
+            const lr_batch batch = add_batch(world, aerodynamic(integrator), asset, 1);
+            const lr_body body = add_body(world, batch, body_desc());
+            constexpr double dt = 1e-4;
+            steps(world, 1, narrow(dt));
+            const double force = 0.5 * even.fluid_density * drag_area * 4.0;
+            const lr_body_state s = state_of(world, body);
+            CHECK(wide(s.linear_velocity[2]) ==
+                  doctest::Approx(force * dt / (even.mass + even.added_mass[14])).epsilon(1e-2));
+            const double spin = -arm * force * dt / (even.inertia[4] + even.added_mass[28]);
+            CHECK(std::abs(wide(s.angular_velocity[1]) - spin) <= 1e-2 * std::abs(spin));
+            CHECK((s.angular_velocity[0] == 0.0f && s.angular_velocity[2] == 0.0f));
+        }
+}
+
+TEST_CASE("a batch takes a centre of the loads on the full path, as far as two lengths away") {
+    const Asset asset = rigid(rigid_plate());
+    const double length = info_of(asset).length_d;
+    lr_batch_desc bd = aerodynamic();
+    bd.tensor = LR_TENSOR_FULL;
+    const World world = weightless(1);
+    const lr_batch full = add_batch(world, bd, asset, 1), diagonal = add_batch(world, aerodynamic(), asset, 1);
+    lr_aerodynamics loads = initialised(lr_aerodynamics_init);
+    REQUIRE(lr_batch_get_aerodynamics(world.get(), full, &loads) == LR_OK);
+    for (const double part : {-2.0, 0.1, 2.0}) {
+        loads.center[1] = part * length;
+        CHECK(lr_batch_set_aerodynamics(world.get(), full, &loads) == LR_OK);
+        CHECK(lr_batch_set_aerodynamics(world.get(), diagonal, &loads) == LR_ERROR_INVALID_ARGUMENT);
+    }
+    loads.center[1] = 2.1 * length;
+    CHECK(lr_batch_set_aerodynamics(world.get(), full, &loads) == LR_ERROR_INVALID_ARGUMENT);
+    loads.center[1] = std::nan("");
+    CHECK(lr_batch_set_aerodynamics(world.get(), full, &loads) == LR_ERROR_NOT_FINITE);
+    lr_aerodynamics now = initialised(lr_aerodynamics_init);
+    REQUIRE(lr_batch_get_aerodynamics(world.get(), full, &now) == LR_OK);
+    CHECK(now.center[1] == 2.0 * length);
+}

@@ -49,7 +49,8 @@ std::vector<Case> cases() {
         {"speed, sheet in air", paper, 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, LR_TENSOR_AUTO, 0.5, 5.0}};
 }
 
-// Every coefficient of the loads at work, sized by the body's own; without its wake. A ballasted body gets axes of its own.
+// Every coefficient of the loads at work, sized by the body's own; without its wake. A ballasted body gets axes of its own,
+// and where the full path takes it a centre.
 lr_aerodynamics lively(const Case& c, const Asset& asset) {
     lr_aerodynamics a = initialised(lr_aerodynamics_init);
     REQUIRE(lr_asset_get_aerodynamics(asset.get(), &a) == LR_OK);
@@ -71,6 +72,10 @@ lr_aerodynamics lively(const Case& c, const Asset& asset) {
         const double cosine = std::cos(0.1), sine = std::sin(0.1);
         const double axes[9] = {0.0, cosine, sine, 0.0, -sine, cosine, 1.0, 0.0, 0.0};
         std::copy(axes, axes + 9, a.axes);
+    }
+    if (c.shape.center_of_mass[0] != 0.0 || c.tensor == LR_TENSOR_FULL) {
+        const double center[3] = {-0.06 * d, 0.1 * d, 0.04 * d};
+        std::copy(center, center + 3, a.center);
     }
     return a;
 }
@@ -113,6 +118,7 @@ Error compare(const Case& c, int32_t integrator, double time, int count, uint32_
         reference.aerodynamic = true;
         reference.loads = {lively(c, asset),     c.scale,       info.fluid_density,
                            info.fluid_viscosity, info.length_d, reference.buoyancy_arm};
+        for (size_t i = 0; i < 3; ++i) reference.loads.arm[i] += c.scale * reference.loads.at.center[i];
         REQUIRE(lr_batch_set_aerodynamics(world.get(), batch, &reference.loads.at) == LR_OK);
     }
 

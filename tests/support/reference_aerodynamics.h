@@ -14,7 +14,7 @@ struct ReferenceLoads {
     double scale = 1.0;
     double density = 0.0, viscosity = 0.0; // of the fluid
     double length = 0.0;                   // d, scale 1
-    Vec arm{};                             // centre of mass to centre of buoyancy, at this scale
+    Vec arm{};                             // centre of mass to that of the loads, at this scale
 
     struct Wrench {
         Vec force, torque;

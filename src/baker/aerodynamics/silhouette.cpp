@@ -46,21 +46,33 @@ std::pair<double, double> cut(const FlatTriangle& t, double x) {
     return std::minmax(through, bent);
 }
 
-double union_length(std::vector<std::pair<double, double>>& intervals) {
+struct Covered {
+    double length = 0.0, moment = 0.0; // of first order, about 0
+};
+
+Covered union_of(std::vector<std::pair<double, double>>& intervals) {
     std::sort(intervals.begin(), intervals.end());
-    double length = 0.0, reached = intervals.empty() ? 0.0 : intervals.front().first;
+    Covered covered;
+    double reached = intervals.empty() ? 0.0 : intervals.front().first;
     for (const auto& [begin, end] : intervals) {
         if (end <= reached) continue;
-        length += end - std::max(begin, reached);
+        const double from = std::max(begin, reached);
+        covered.length += end - from;
+        covered.moment += 0.5 * (end - from) * (end + from);
         reached = end;
     }
-    return length;
+    return covered;
 }
 
 } // namespace
 
 double union_area(std::vector<FlatTriangle> triangles) {
-    if (triangles.empty()) return 0.0;
+    return union_silhouette(std::move(triangles)).area;
+}
+
+Silhouette union_silhouette(std::vector<FlatTriangle> triangles) {
+    Silhouette seen;
+    if (triangles.empty()) return seen;
     Eigen::Vector2d low = triangles[0][0], high = low;
     for (const FlatTriangle& t : triangles)
         for (const Eigen::Vector2d& p : t) {
@@ -70,7 +82,7 @@ double union_area(std::vector<FlatTriangle> triangles) {
     const Eigen::Vector2d size = high - low;
     const bool turn = size.y() > size.x();
     const double length = size.maxCoeff();
-    if (!(length > 0.0)) return 0.0;
+    if (!(length > 0.0)) return seen;
 
     std::vector<double> corners;
     corners.reserve(3 * triangles.size());
@@ -92,7 +104,7 @@ double union_area(std::vector<FlatTriangle> triangles) {
     const std::vector<Slab> slabs = make_slabs(
         know_corners ? std::move(corners) : std::vector<double>{corners.front(), corners.back()}, length / lines);
 
-    double area = 0.0;
+    Eigen::Vector2d moment = Eigen::Vector2d::Zero();
     std::size_t next = 0;
     std::vector<std::size_t> active;
     std::vector<std::pair<double, double>> intervals;
@@ -101,9 +113,14 @@ double union_area(std::vector<FlatTriangle> triangles) {
         std::erase_if(active, [&](std::size_t t) { return triangles[t][2].x() < slab.at; });
         intervals.clear();
         for (const std::size_t t : active) intervals.push_back(cut(triangles[t], slab.at));
-        area += union_length(intervals) * slab.width;
+        const Covered covered_here = union_of(intervals);
+        seen.area += covered_here.length * slab.width;
+        moment += slab.width * Eigen::Vector2d(slab.at * covered_here.length, covered_here.moment);
     }
-    return area;
+    if (!(seen.area > 0.0)) return seen;
+    seen.centroid = moment / seen.area;
+    if (turn) std::swap(seen.centroid.x(), seen.centroid.y());
+    return seen;
 }
 
 } // namespace lr::baker

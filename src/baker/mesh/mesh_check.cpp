@@ -48,6 +48,8 @@ public:
                check_volumes() && name_crossings();
     }
 
+    bool run_layers() { return check_values() && check_shapes(); }
+
     bool run_sheet() {
         sheet_ = true;
         return check_values() && remove_collapsed_and_duplicate_faces() && remove_isolated_vertices() &&
@@ -477,6 +479,10 @@ bool check_and_repair(Mesh& mesh, Faults& faults) {
 
 bool check_sheet(Mesh& mesh, Faults& faults) {
     return Checker(mesh, faults).run_sheet();
+}
+
+bool check_layers(Mesh& mesh, Faults& faults) {
+    return Checker(mesh, faults).run_layers();
 }
 
 } // namespace lr::baker

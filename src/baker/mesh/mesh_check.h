@@ -14,4 +14,7 @@ bool check_and_repair(Mesh& mesh, Faults& faults);
 // be open or have any number of faces, wound in any way.
 bool check_sheet(Mesh& mesh, Faults& faults);
 
+// On success the mesh is finite and without degenerate faces. Faces may lie on each other, each a layer of its own.
+bool check_layers(Mesh& mesh, Faults& faults);
+
 } // namespace lr::baker

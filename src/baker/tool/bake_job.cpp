@@ -48,6 +48,9 @@ bool check_outputs(const BakeJob& job, Faults& faults) {
     for (std::size_t i = 0; good && i < outputs.size(); ++i) {
         if (!job.bake.semi_axes)
             good = differ(outputs[i], job.bake.mesh_path, kind(outputs[i]) + " would overwrite its input.");
+        if (job.bake.mass)
+            good = good &&
+                   differ(outputs[i], job.bake.mass->path, kind(outputs[i]) + " would overwrite the mesh of the mass.");
         for (std::size_t j = 0; good && j < i; ++j)
             good = differ(outputs[i], outputs[j],
                           kind(outputs[i]) + " would overwrite " + (j == 0 ? "the asset." : "another output."));

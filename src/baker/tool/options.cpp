@@ -44,7 +44,7 @@ template <class Number, std::size_t N> std::array<Number, N> parse_list(std::str
 
 struct Texts {
     std::string unit, up = "z", mesh, density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
-    std::string center_of_mass, name;
+    std::string center_of_mass, mass_from, name;
     std::string semi_axis[3];
     std::string output, output_folder, jobs;
     bool force = false;
@@ -64,6 +64,12 @@ void add_mesh_options(CLI::App& command, Texts& texts) {
         ->type_name("AXIS");
     command.add_option("--mesh", texts.mesh, "only the mesh, node or object of this name, instead of all as one body")
         ->type_name("NAME");
+    command
+        .add_option(
+            "--mass-from", texts.mass_from,
+            "a second mesh, in the same unit and frame, that has the mass: the layers of a folded sheet, or the "
+            "solid parts of a body that is hollow or ballasted")
+        ->type_name("MESH");
 }
 
 void add_sheet_options(CLI::App& command, Texts& texts) {
@@ -171,7 +177,9 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
         throw CLI::ValidationError("--jobs", "'" + texts.jobs + "' is not from 1 to 1024");
     if (line.folders) {
         if (texts.force && line.if_changed) throw CLI::ValidationError("--force", "not together with --if-changed");
-        if (several && command.count("--name") > 0) throw CLI::ValidationError("--name", "only for one input");
+        for (const char* const one : {"--name", "--mass-from"})
+            if (several && command.get_option_no_throw(one) && command.count(one) > 0)
+                throw CLI::ValidationError(one, "only for one input");
         line.if_changed = !texts.force;
     } else {
         line.bake.mesh_path = line.inputs.front();
@@ -186,6 +194,12 @@ void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions&
             known = true;
         }
     if (!known) throw CLI::ValidationError("--up", "'" + texts.up + "' is not x, y, z, -x, -y or -z");
+    if (command.count("--mass-from") > 0) {
+        if (texts.mass_from.empty()) throw CLI::ValidationError("--mass-from", "the file name is empty");
+        if (command.count("--center-of-mass") > 0)
+            throw CLI::ValidationError("--mass-from", "not together with --center-of-mass, which it says");
+        o.mass.emplace().path = texts.mass_from;
+    }
     if (command.count("--mesh") == 0) return;
     if (texts.mesh.empty()) throw CLI::ValidationError("--mesh", "the name is empty");
     o.mesh = texts.mesh;
