@@ -29,10 +29,9 @@ HWY_INLINE Vec3 each(VF (*f)(VF, VF, VF), Vec3 y, Vec3 x, Vec3 tau_f) {
 
 // Drag opposes the velocity with one factor in all directions, so that the modes of the mobility P M^-1 P^T decay on
 // their own, each towards its terminal velocity.
-template <bool kFull>
-HWY_INLINE void drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Twist applied,
-                          Body& b) {
-    const AerodynamicConstants& a = c.aerodynamics;
+template <bool kFull, class C>
+HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Twist applied, Body& b) {
+    const auto& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h);
     if constexpr (!kFull) {
         const Vec3 rate = broadcast(c.inverse_mass);
@@ -54,7 +53,7 @@ HWY_INLINE void drag_half(const StepInput& in, const BodyConstants& c, const Hel
 }
 
 // (1 + X)^-1 r with X = tau N D, D diagonal: the columns of N scaled.
-HWY_INLINE Vec3 solve_damped(const float n[6], Vec3 x, VF quadratic, Vec3 r) {
+template <class T> HWY_INLINE Vec3 solve_damped(const T* n, Vec3 x, VF quadratic, Vec3 r) {
     // Columns of N, scaled by tau times the rate of each axis.
     const Columns m{scale(x.x, Vec3{constant(n[0]), constant(n[1]), constant(n[2])}),
                     scale(x.y, Vec3{constant(n[1]), constant(n[3]), constant(n[4])}),
@@ -79,10 +78,9 @@ HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
     return {one(push.x), one(push.y), one(push.z)};
 }
 
-template <bool kFull>
-HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Twist applied,
-                               Body& b) {
-    const AerodynamicConstants& a = c.aerodynamics;
+template <bool kFull, class C>
+HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Twist applied, Body& b) {
+    const auto& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h);
     const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
     const VF s = hn::Sqrt(speed_squared(v));
@@ -115,9 +113,9 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, cons
 
 // Lift does no work, whatever the circulation: with f = g x (v + N f/2), the implicit midpoint keeps the energy at any
 // step. The circulation is that of an explicit estimate of the middle.
-template <bool kFull>
-HWY_INLINE void lift_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Body& b) {
-    const AerodynamicConstants& a = c.aerodynamics;
+template <bool kFull, class C>
+HWY_INLINE void lift_half(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+    const auto& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);
     const auto moved = [&](Vec3 f) HWY_ATTR {
         if constexpr (kFull) return symmetric3(a.mobility, f);
@@ -151,7 +149,7 @@ HWY_INLINE void lift_half(const StepInput& in, const BodyConstants& c, const Hel
                         {hn::Neg(hn::Mul(k.y, nz)), hn::Mul(k.x, nz), one}};
         b.t.v = add(v, moved(solve(m, r)));
     } else {
-        const float* const n = a.mobility;
+        const auto* const n = a.mobility;
         const auto column = [&](Vec3 e, Vec3 ne) HWY_ATTR { return sub(e, cross(k, ne)); };
         const Columns m{column({one, zero, zero}, {constant(n[0]), constant(n[1]), constant(n[2])}),
                         column({zero, one, zero}, {constant(n[1]), constant(n[3]), constant(n[4])}),
@@ -162,7 +160,7 @@ HWY_INLINE void lift_half(const StepInput& in, const BodyConstants& c, const Hel
 
 // Weight, buoyancy and what acts from outside, in the body frame. A torque acts with the drag on the full path, where it
 // moves the centre of the loads, and with the spin drag on the diagonal one.
-template <bool kFull> HWY_INLINE Twist applied_loads(const BodyConstants& c, const Held& held, Quaternion q) {
+template <bool kFull, class C> HWY_INLINE Twist applied_loads(const C& c, const Held& held, Quaternion q) {
     const VF zero = hn::Zero(DF());
     Twist f{to_body(q, held.weight), {zero, zero, zero}};
     if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(q, held.gravity));
@@ -170,8 +168,8 @@ template <bool kFull> HWY_INLINE Twist applied_loads(const BodyConstants& c, con
     return f;
 }
 
-template <bool kFull>
-HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const BodyConstants& c, const Held& held, Body& b) {
+template <bool kFull, class C>
+HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, const Held& held, Body& b) {
     const VF nu = hn::Mul(constant(c.aerodynamics.viscosity), held.inverse_length);
     const Twist before = applied_loads<kFull>(c, held, b.q);
     // Loads are those of the spin through the fluid.

@@ -1,0 +1,345 @@
+// Two fluids with a surface between them, against closed forms: docs/water.md.
+#include "support/random.h"
+#include "support/water.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi, g = 9.81;
+
+lr_batch_desc loads(int32_t model, int32_t tensor = LR_TENSOR_AUTO, int32_t integrator = LR_INTEGRATOR_DEFAULT) {
+    lr_batch_desc d = batch_desc();
+    d.load_model = model;
+    d.tensor = tensor;
+    d.integrator = integrator;
+    return d;
+}
+lr_body_desc at_height(double y) {
+    lr_body_desc d = body_desc();
+    d.position[1] = narrow(y);
+    return d;
+}
+void no_turbulence(const World& w, lr_batch batch) {
+    lr_load_gains gains = initialised(lr_load_gains_init);
+    gains.turbulence = 0.0f;
+    REQUIRE(lr_batch_set_load_gains(w.get(), batch, &gains) == LR_OK);
+}
+
+// Height of a floating ellipsoid's centre over the water, in half heights: density = f water + (1 - f) air.
+double draught(double density) {
+    const double f = (density - air_density) / (water_density - air_density);
+    double low = -1.0, high = 1.0;
+    for (int i = 0; i < 60; ++i) {
+        const double s = 0.5 * (low + high);
+        ((2.0 + 3.0 * s - s * s * s) / 4.0 < f ? low : high) = s;
+    }
+    return low;
+}
+
+} // namespace
+
+TEST_CASE("a floating body comes to rest at Archimedes' draught") {
+    for (double density : {50.0, 250.0, 500.0, 900.0})
+        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+            CAPTURE(density);
+            CAPTURE(tensor);
+            const Asset ball = make(ellipsoid(0.05, 0.05, 0.05, density));
+            const World world = make(world_desc());
+            set_water(world, water_desc());
+            const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC, tensor), ball, 1);
+            const lr_body body = add_body(world, batch, at_height(0.08));
+            no_turbulence(world, batch);
+            steps(world, 14400, 1.0f / 60.0f, 2);
+            const lr_body_state s = state_of(world, body);
+            // Drag with the square of the speed takes long over the last of it.
+            CHECK(std::abs(wide(s.position[1]) + 0.05 * draught(density)) < 5e-4);
+            CHECK(std::abs(s.linear_velocity[1]) < 0.006f);
+        }
+}
+
+TEST_CASE("a floating body bobs with its closed form's frequency") {
+    struct Shape {
+        double a, c;
+    };
+    for (const Shape shape : {Shape{0.05, 0.05}, Shape{0.02, 0.1}}) // a sphere and an upright spar
+        for (double density : {300.0, 500.0, 800.0})
+            for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+                CAPTURE(shape.c);
+                CAPTURE(density);
+                const Asset asset = make(ellipsoid(shape.a, shape.c, shape.a, density));
+                const lr_asset_info info = info_of(asset);
+                const World world = make(world_desc());
+                set_water(world, water_desc());
+                const lr_batch batch = add_batch(world, loads(LR_LOADS_NONE, tensor), asset, 1);
+                const double s0 = draught(density), rest = -shape.c * s0;
+                const lr_body body = add_body(world, batch, at_height(rest + 0.002 * shape.c));
+                const double waterplane = pi * shape.a * shape.a * (1.0 - s0 * s0);
+                const double added = info.added_mass[7] / air_density * density; // rho(f) is the body's
+                const double omega = std::sqrt((water_density - air_density) * g * waterplane / (info.mass + added));
+                const float dt = 1e-3f;
+                double last = 1.0, first = 0.0, latest = 0.0;
+                int crossings = 0;
+                for (int i = 0; i < 6000 && crossings < 7; ++i) {
+                    steps(world, 1, dt);
+                    const double y = wide(state_of(world, body).position[1]) - rest;
+                    if (last > 0.0 && y <= 0.0) {
+                        latest = (i + last / (last - y)) * wide(dt);
+                        if (crossings++ == 0) first = latest;
+                    }
+                    last = y;
+                }
+                REQUIRE(crossings == 7);
+                CHECK(2.0 * pi * 6.0 / (latest - first) == doctest::Approx(omega).epsilon(0.01));
+            }
+}
+
+TEST_CASE("on entry momentum is kept, whatever the step; on the way out velocity") {
+    for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL})
+        for (float dt : {0.001f, 0.01f, 0.05f}) {
+            CAPTURE(tensor);
+            CAPTURE(dt);
+            const Asset plate = make(ellipsoid(0.05, 0.01, 0.03, 700.0));
+            const lr_asset_info info = info_of(plate);
+            const World world = weightless();
+            set_water(world, water_desc());
+            const lr_batch batch = add_batch(world, loads(LR_LOADS_NONE, tensor), plate, 1);
+            lr_body_desc d = at_height(0.5);
+            d.linear_velocity[1] = -2.0f;
+            const lr_body body = add_body(world, batch, d);
+            steps(world, static_cast<int>(2.0f / dt), dt);
+            lr_body_state s = state_of(world, body);
+            REQUIRE(s.position[1] < -0.1f);
+            const double added = info.added_mass[7] / air_density;
+            const double expected = -2.0 * (info.mass + air_density * added) / (info.mass + water_density * added);
+            CHECK(wide(s.linear_velocity[1]) == doctest::Approx(expected).epsilon(1e-4));
+            const float under = s.linear_velocity[1];
+            s.linear_velocity[1] = 1.0f;
+            REQUIRE(lr_body_set_state(world.get(), body, &s) == LR_OK);
+            steps(world, static_cast<int>(2.0f / dt), dt);
+            s = state_of(world, body);
+            CHECK(under < 0.0f);
+            REQUIRE(s.position[1] > 0.1f);
+            CHECK(wide(s.linear_velocity[1]) == doctest::Approx(1.0).epsilon(1e-4));
+        }
+}
+
+TEST_CASE("deep under the surface everything is as in a world of water; above it as in one of air") {
+    for (bool wet : {true, false})
+        for (int32_t model : {LR_LOADS_NONE, LR_LOADS_LANGEVIN, LR_LOADS_AERODYNAMIC})
+            for (int32_t integrator : {LR_INTEGRATOR_DEFAULT, LR_INTEGRATOR_RK4})
+                for (bool curled : {false, true}) {
+                    CAPTURE(wet);
+                    CAPTURE(model);
+                    CAPTURE(integrator);
+                    CAPTURE(curled);
+                    // Explicit schemes cannot follow a leaf's drag in water.
+                    lr_ellipsoid_desc shape = ellipsoid(0.03, 0.02, 0.006, 900.0);
+                    if (curled) shape.center_of_mass[0] = 0.004, shape.center_of_mass[1] = -0.002;
+                    const Asset asset = make(shape);
+                    lr_body_state state[2];
+                    for (int with_surface = 0; with_surface < 2; ++with_surface) {
+                        lr_world_desc wd = world_desc();
+                        if (wet && with_surface == 0)
+                            wd.fluid_density = narrow(water_density), wd.fluid_viscosity = 1e-6f;
+                        const World world = make(wd);
+                        if (with_surface) {
+                            lr_surface_desc surface = water_desc();
+                            // A dry body that is near is stepped by the same code as a wet one: a callback's reach
+                            // brings all near.
+                            surface.position[1] = wet ? 100.0f : -5.0f;
+                            surface.reach = 1000.0f;
+                            set_water(world, surface);
+                            REQUIRE(lr_world_set_surface_callback(
+                                        world.get(), [](void*, const lr_surface_query*) {}, nullptr) == LR_OK);
+                        }
+                        const lr_batch batch = add_batch(world, loads(model, LR_TENSOR_AUTO, integrator), asset, 1);
+                        lr_body_desc d = body_desc();
+                        d.key = 5;
+                        d.orientation[0] = 0.3f, d.orientation[2] = -0.2f;
+                        d.linear_velocity[0] = 0.3f, d.linear_velocity[1] = -0.5f;
+                        d.angular_velocity[2] = 3.0f;
+                        const lr_body body = add_body(world, batch, d);
+                        steps(world, 40, 1.0f / 500.0f);
+                        state[with_surface] = state_of(world, body);
+                    }
+                    for (size_t k = 0; k < 3; ++k) {
+                        CHECK(std::abs(state[0].position[k] - state[1].position[k]) < 2e-5f);
+                        CHECK(std::abs(state[0].linear_velocity[k] - state[1].linear_velocity[k]) < 2e-3f);
+                        CHECK(std::abs(state[0].angular_velocity[k] - state[1].angular_velocity[k]) < 0.05f);
+                    }
+                }
+}
+
+TEST_CASE("a light ball released deep rises, leaves the water, and settles on it") {
+    const Asset ball = make(ellipsoid(0.1, 0.1, 0.1, 60.0));
+    const World world = make(world_desc());
+    set_water(world, water_desc());
+    const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), ball, 1);
+    no_turbulence(world, batch);
+    const lr_body body = add_body(world, batch, at_height(-3.0));
+    double highest = -10.0;
+    for (int i = 0; i < 1200; ++i) {
+        steps(world, 1, 1.0f / 60.0f, 2);
+        highest = std::max(highest, wide(state_of(world, body).position[1]));
+    }
+    CHECK(highest > 0.1);
+    CHECK(highest < 3.0); // no more than it had in the water
+    const lr_body_state s = state_of(world, body);
+    CHECK(std::abs(wide(s.position[1]) + 0.1 * draught(60.0)) < 0.002);
+}
+
+TEST_CASE("a leaf comes to lie flat on the water") {
+    const Asset asset = leaf();
+    const World world = make(world_desc());
+    set_water(world, water_desc());
+    const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), asset, 1);
+    no_turbulence(world, batch);
+    lr_body_desc d = at_height(0.05);
+    d.orientation[0] = narrow(std::sin(-pi / 4.0 + 0.2)); // the leaf's normal is its own z
+    d.orientation[3] = narrow(std::cos(-pi / 4.0 + 0.2));
+    const lr_body body = add_body(world, batch, d);
+    steps(world, 1200, 1.0f / 60.0f, 4);
+    const lr_body_state s = state_of(world, body);
+    const float* const q = s.orientation;
+    const double up = 2.0 * (wide(q[1]) * wide(q[2]) - wide(q[0]) * wide(q[3])); // of its normal
+    CHECK(std::abs(up) > 0.99);
+    CHECK(std::abs(s.position[1]) < 0.002f);
+}
+
+TEST_CASE("a heavy disc enters the water and sinks through it slower than it fell") {
+    const Asset disc = make(ellipsoid(0.02, 0.02, 0.0005, 2700.0));
+    const World world = make(world_desc());
+    set_water(world, water_desc());
+    const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), disc, 1);
+    lr_body_desc d = at_height(1.0);
+    d.orientation[0] = 0.5f;
+    const lr_body body = add_body(world, batch, d);
+    steps(world, 60, 1.0f / 60.0f, 4);
+    steps(world, 120, 1.0f / 60.0f, 4);
+    const double y = wide(state_of(world, body).position[1]);
+    steps(world, 240, 1.0f / 60.0f, 4);
+    const double sank = (y - wide(state_of(world, body).position[1])) / 4.0;
+    CHECK(y < 0.0);
+    CHECK(sank > 0.03);
+    CHECK(sank < 0.6);
+}
+
+TEST_CASE("a current carries what floats") {
+    const Asset ball = make(ellipsoid(0.05, 0.05, 0.05, 600.0));
+    const World world = make(world_desc());
+    lr_surface_desc d = water_desc();
+    d.current[0] = 1.0f;
+    set_water(world, d);
+    const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), ball, 1);
+    no_turbulence(world, batch);
+    const lr_body body = add_body(world, batch, at_height(0.0));
+    steps(world, 1800, 1.0f / 60.0f);
+    const float speed = state_of(world, body).linear_velocity[0];
+    CHECK(speed > 0.9f);
+    CHECK(speed < 1.01f);
+}
+
+TEST_CASE("what is small rides on long waves") {
+    const Asset ball = make(ellipsoid(0.02, 0.02, 0.02, 500.0));
+    const World world = make(world_desc());
+    lr_surface_desc d = water_desc();
+    d.wave_count = 1;
+    d.waves[0] = {{0.0f, 3.0f, 2.0f}, 10.0f, 0.3f, 0.5f};
+    set_water(world, d);
+    const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), ball, 1);
+    no_turbulence(world, batch);
+    const lr_body body = add_body(world, batch, at_height(0.3 * std::cos(0.5)));
+    const double k = 2.0 * pi / 10.0, omega = std::sqrt(g * k);
+    double worst = 0.0, most = -1.0, least = 1.0, travelled = 0.0;
+    for (int i = 0; i < 1200; ++i) {
+        steps(world, 1, 1.0f / 60.0f, 2);
+        const lr_body_state s = state_of(world, body);
+        const double t = info_of(world).time, y = wide(s.position[1]), z = wide(s.position[2]);
+        const double height = 0.3 * std::cos(k * z - omega * t + 0.5);
+        if (t > 4.0)
+            worst = std::max(worst, std::abs(y - height)), most = std::max(most, y), least = std::min(least, y);
+        travelled = z;
+    }
+    CHECK(worst < 0.05);
+    CHECK(most > 0.2);
+    CHECK(least < -0.2);
+    CHECK(std::abs(travelled) < 10.0); // Stokes drift, not the wave's own speed of 4 m/s
+}
+
+TEST_CASE("a callback's surface is as good as a plane there, and one that is none is refused") {
+    const Asset ball = make(ellipsoid(0.05, 0.05, 0.05, 500.0));
+    const auto run = [&](float plane, float raised, bool callback) {
+        const World world = make(world_desc());
+        lr_surface_desc d = water_desc();
+        d.position[1] = plane;
+        d.reach = 1.0f;
+        set_water(world, d);
+        if (callback)
+            REQUIRE(lr_world_set_surface_callback(
+                        world.get(),
+                        [](void* user, const lr_surface_query* q) {
+                            for (uint32_t i = 0; i < q->count; ++i) q->height[i] = *static_cast<float*>(user);
+                        },
+                        &raised) == LR_OK);
+        const lr_batch batch = add_batch(world, ball, 1);
+        lr_body_desc b = at_height(0.3);
+        b.key = 1;
+        const lr_body body = add_body(world, batch, b);
+        steps(world, 120, 1.0f / 60.0f, 2);
+        return state_of(world, body);
+    };
+    const lr_body_state plane = run(0.25f, 0.0f, false), raised = run(-0.25f, 0.5f, true);
+    CHECK(std::abs(plane.position[1] - raised.position[1]) < 1e-3f);
+    CHECK(same_bits(run(0.25f, std::nanf(""), true), run(0.25f, 0.0f, true)));
+    CHECK(same_bits(run(0.25f, 2.0f, true), run(0.25f, 0.0f, true))); // beyond its reach
+}
+
+TEST_CASE("whatever crosses the surface stays finite, and with drag gains no energy from nowhere") {
+    for (uint32_t i = 0; i < 600; ++i) {
+        CAPTURE(i);
+        Random random(i);
+        const auto spread = [&](double low, double high) {
+            return low * std::pow(high / low, wide(random.real(0.0, 1.0)));
+        };
+        lr_ellipsoid_desc e = ellipsoid(spread(0.001, 1.0), spread(0.001, 1.0), spread(0.0001, 1.0), spread(2.0, 2e4));
+        if (i % 3 == 0) e.center_of_mass[0] = 0.3 * e.semi_axes[0];
+        const Asset asset = make(e);
+        const World world = make(world_desc());
+        lr_surface_desc d = water_desc();
+        d.wave_count = i % 2;
+        d.waves[0] = {{1.0f, 0.0f, 0.0f}, 2.0f, 0.1f, 0.0f};
+        set_water(world, d);
+        const uint32_t model = i / 3 % 3;
+        const int32_t models[] = {LR_LOADS_NONE, LR_LOADS_LANGEVIN, LR_LOADS_AERODYNAMIC};
+        const lr_batch batch = add_batch(world, loads(models[model]), asset, 1);
+        lr_body_desc b = at_height(wide(random.real(-0.5, 0.5)));
+        for (float& q : b.orientation) q = random.real(-1.0, 1.0);
+        for (float& v : b.linear_velocity) v = random.real(-5.0, 5.0);
+        for (float& w : b.angular_velocity) w = random.real(-50.0, 50.0);
+        const lr_body body = add_body(world, batch, b);
+        const float dt = narrow(spread(1.0 / 240.0, 0.1));
+        double fastest = 0.0, deepest = 0.0;
+        for (int frame = 0; frame < 120; ++frame) {
+            steps(world, 1, dt);
+            const lr_body_state s = state_of(world, body);
+            for (float w : s.angular_velocity) REQUIRE(std::isfinite(w));
+            double square = 0.0;
+            for (float v : s.linear_velocity) square += wide(v) * wide(v);
+            REQUIRE(std::isfinite(square));
+            fastest = std::max(fastest, square);
+            deepest = std::max(deepest, -wide(s.position[1]));
+        }
+        // Light bodies come up fast: displaced water's energy drives what may be a thousandth of its mass. Besides it
+        // there is what the body has brought along, a fall, and waves.
+        const double size = std::max({e.semi_axes[0], e.semi_axes[1], e.semi_axes[2]});
+        const double lift = 2.0 * g * (1.0 + water_density / e.density) * (deepest + size + 0.2);
+        const double brought = 3.0 * (25.0 + 2500.0 * size * size), fall = wide(dt) * 120.0 * g;
+        // Without loads, what is much lighter than water and does not resolve its own turning gains some (docs/water.md).
+        CHECK(fastest < (model == 2 ? brought + fall * fall + lift : 1e8));
+    }
+}
