@@ -98,6 +98,53 @@ TEST_CASE("a floating body bobs with its closed form's frequency") {
             }
 }
 
+namespace {
+
+// A ball that moves up and down, without drag, by its own small steps in double precision: (M v)' = F on the way in,
+// M v' = F on the way out.
+struct BallInDouble {
+    double radius, density, y, v;
+
+    double fraction() const {
+        const double s = std::clamp(-y / radius, -1.0, 1.0);
+        return (2.0 + 3.0 * s - s * s * s) / 4.0;
+    }
+    // Over the volume.
+    double mass() const { return density + 0.5 * (air_density + fraction() * (water_density - air_density)); }
+    void step(double h) {
+        const double before = mass();
+        y += 0.5 * h * v;
+        v *= std::min(1.0, before / mass());
+        const double f = fraction(), middle = mass();
+        v += h * g * (f * water_density + (1.0 - f) * air_density - density) / middle;
+        y += 0.5 * h * v;
+        v *= std::min(1.0, middle / mass());
+    }
+};
+
+} // namespace
+
+TEST_CASE("a ball dropped into the water converges to a reference in double precision") {
+    const Asset asset = make(ellipsoid(0.1, 0.1, 0.1, 400.0));
+    BallInDouble reference{0.1, 400.0, 0.3, 0.0};
+    for (int i = 0; i < 1000000; ++i) reference.step(1e-6);
+    double last = 1.0;
+    for (int n : {60, 120, 240, 480, 960}) {
+        CAPTURE(n);
+        const World world = make(world_desc());
+        set_water(world, water_desc());
+        const lr_batch batch = add_batch(world, loads(LR_LOADS_NONE), asset, 1);
+        const lr_body body = add_body(world, batch, at_height(0.3));
+        steps(world, n, 1.0f / static_cast<float>(n));
+        const lr_body_state s = state_of(world, body);
+        const double error =
+            std::abs(wide(s.position[1]) - reference.y) + 0.1 * std::abs(wide(s.linear_velocity[1]) - reference.v);
+        CHECK(error < 0.4 * last); // second order: a quarter
+        last = error;
+    }
+    CHECK(last < 1e-5);
+}
+
 TEST_CASE("on entry momentum is kept, whatever the step; on the way out velocity") {
     for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL})
         for (float dt : {0.001f, 0.01f, 0.05f}) {
@@ -173,6 +220,37 @@ TEST_CASE("deep under the surface everything is as in a world of water; above it
                         CHECK(std::abs(state[0].angular_velocity[k] - state[1].angular_velocity[k]) < 0.05f);
                     }
                 }
+}
+
+TEST_CASE("between the fluids the full path agrees with the diagonal one") {
+    // The bodies are the same; the full path finds its inverses and modes for each lane by itself.
+    for (int32_t model : {LR_LOADS_NONE, LR_LOADS_LANGEVIN, LR_LOADS_AERODYNAMIC})
+        for (int32_t integrator : {LR_INTEGRATOR_DEFAULT, LR_INTEGRATOR_RK4})
+            for (double height : {-0.005, 0.0, 0.008}) {
+                CAPTURE(model);
+                CAPTURE(integrator);
+                CAPTURE(height);
+                const Asset asset = make(ellipsoid(0.03, 0.02, 0.008, 600.0));
+                lr_body_state state[2];
+                for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+                    const World world = make(world_desc());
+                    set_water(world, water_desc());
+                    const lr_batch batch = add_batch(world, loads(model, tensor, integrator), asset, 1);
+                    lr_body_desc d = at_height(height);
+                    d.key = 3;
+                    d.orientation[0] = -0.5f, d.orientation[2] = 0.1f;
+                    d.linear_velocity[0] = 0.3f, d.linear_velocity[1] = -0.2f;
+                    d.angular_velocity[1] = 4.0f;
+                    const lr_body body = add_body(world, batch, d);
+                    steps(world, 30, 1.0f / 500.0f);
+                    state[tensor == LR_TENSOR_FULL] = state_of(world, body);
+                }
+                for (size_t k = 0; k < 3; ++k) {
+                    CHECK(std::abs(state[0].position[k] - state[1].position[k]) < 2e-5f);
+                    CHECK(std::abs(state[0].linear_velocity[k] - state[1].linear_velocity[k]) < 2e-3f);
+                    CHECK(std::abs(state[0].angular_velocity[k] - state[1].angular_velocity[k]) < 0.1f);
+                }
+            }
 }
 
 TEST_CASE("a light ball released deep rises, leaves the water, and settles on it") {
