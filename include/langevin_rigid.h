@@ -484,7 +484,7 @@ LR_API lr_status lr_surface_desc_init(lr_surface_desc* desc, uint32_t struct_siz
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_set_surface(lr_world* world, const lr_surface_desc* desc);
 
-/* What a surface callback is asked. Arrays have one value a body, and hold what the plane and the waves give at first. */
+/* What a surface callback is asked. Arrays have one value a body, and hold what plane and waves give at first. */
 typedef struct lr_surface_query {
     uint32_t struct_size;
     uint32_t count;           /* bodies, 1 to 256 */
@@ -498,10 +498,10 @@ typedef struct lr_surface_query {
     float* rate[3]; /* m/s^2, its acceleration. Where the surface is steep it is what lets bodies slide down */
 } lr_surface_query;
 
-/* Called for bodies near the surface, up to three times a step and twice more for each further substep; when, whence and
- * under which conditions: as lr_wind_fn. A body whose values are not finite, too large (heights over `reach`, velocities
- * over 1000 m/s, accelerations over 1e6 m/s^2), or whose normal is none gets those of the plane, and a warning is logged
- * once. */
+/* Called for bodies near the surface: once, and twice more for each substep; on what terms: as lr_wind_fn.
+ * A body whose values are not finite, too large (heights over `reach`, velocities over 1000 m/s, accelerations over
+ * 1e6 m/s^2), or whose normal is none gets those of the plane, and a warning is logged once
+ * after the step. */
 typedef void (*lr_surface_fn)(void* user, const lr_surface_query* query);
 
 /* An engine's own water, while there is a surface. Null removes it. Not part of snapshots.
@@ -524,9 +524,9 @@ LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
-/* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules and emitters) into
- * `size` bytes at `memory`, any alignment. Assets, batches' settings, threads and callbacks are not part of it, nor the
- * samples of wind grids, which are named by their hash. written: bytes used; may be null.
+/* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter)
+ * into `size` bytes at `memory`, any alignment. Assets, batches' settings, threads, callbacks are not part of it, nor
+ * the samples of wind grids, which are named by their hash. written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
 

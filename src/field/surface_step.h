@@ -16,7 +16,7 @@ struct SurfaceStep {
 
 class NearBodies {
 public:
-    // Those of [begin, end), field_block at most, that may touch the lower fluid within `dt`. live: bodies of the batch.
+    // Those of [begin, end), field_block at most, that may touch the lower fluid within `dt`. live: the batch's bodies.
     // forget: their forces are for what follows alone.
     NearBodies(const SurfaceStep& step, const StepInput& in, const BatchArrays& from, uint32_t live, uint32_t begin,
                uint32_t end, double dt, bool forget);
@@ -38,7 +38,7 @@ private:
     uint32_t begin_, end_, live_;
     uint32_t count_ = 0, padded_ = 0;
     bool windy_ = false;
-    uint32_t near_[field_block];
+    alignas(64) uint32_t near_[field_block];
     uint32_t index_[field_block];
     alignas(64) float field_[field_count][field_block];
     alignas(64) uint32_t key_[field_block];

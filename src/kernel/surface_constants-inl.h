@@ -1,4 +1,4 @@
-// Constants of bodies of which a fraction f is in the lower fluid: rho(f) = rho_a + f (rho_w - rho_a) in everything that
+// Constants of bodies of which a part f is in the lower fluid: rho(f) = rho_a + f (rho_w - rho_a) in everything that
 // goes with the fluid's density (docs/water.md).
 #if defined(LR_KERNEL_SURFACE_CONSTANTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_SURFACE_CONSTANTS_INL_H_

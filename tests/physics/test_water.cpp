@@ -417,7 +417,7 @@ TEST_CASE("whatever crosses the surface stays finite, and with drag gains no ene
         const double size = std::max({e.semi_axes[0], e.semi_axes[1], e.semi_axes[2]});
         const double lift = 2.0 * g * (1.0 + water_density / e.density) * (deepest + size + 0.2);
         const double brought = 3.0 * (25.0 + 2500.0 * size * size), fall = wide(dt) * 120.0 * g;
-        // Without loads, what is much lighter than water and does not resolve its own turning gains some (docs/water.md).
+        // Without loads, what is light and does not resolve its own turning gains some (docs/water.md).
         CHECK(fastest < (model == 2 ? brought + fall * fall + lift : 1e8));
     }
 }
