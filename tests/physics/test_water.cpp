@@ -289,6 +289,32 @@ TEST_CASE("a leaf comes to lie flat on the water") {
     CHECK(std::abs(s.position[1]) < 0.002f);
 }
 
+TEST_CASE("floats of every kind come to rest at the step of a game") {
+    const double shapes[][4] = {{0.005, 0.0025, 0.00005, 700.0}, {0.02, 0.01, 0.0001, 400.0},
+                                {0.001, 0.001, 0.001, 500.0},    {0.01, 0.01, 0.01, 30.0},
+                                {0.5, 0.2, 0.0005, 300.0},       {0.002, 0.05, 0.002, 600.0}};
+    for (const auto& shape : shapes) {
+        CAPTURE(shape[0]);
+        CAPTURE(shape[3]);
+        const Asset asset = make(ellipsoid(shape[0], shape[1], shape[2], shape[3]));
+        const World world = make(world_desc());
+        set_water(world, water_desc());
+        const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), asset, 30);
+        std::vector<lr_body> bodies;
+        for (int i = 0; i < 30; ++i) {
+            lr_body_desc d = at_height(0.05 + 0.02 * i);
+            d.orientation[0] = narrow(std::sin(i));
+            d.orientation[1] = narrow(std::cos(2.3 * i));
+            bodies.push_back(add_body(world, batch, d));
+        }
+        steps(world, 1200, 1.0f / 60.0f);
+        float fastest = 0.0f;
+        for (lr_body body : bodies)
+            for (float v : state_of(world, body).linear_velocity) fastest = std::max(fastest, std::abs(v));
+        CHECK(fastest < 0.1f);
+    }
+}
+
 TEST_CASE("a heavy disc enters the water and sinks through it slower than it fell") {
     const Asset disc = make(ellipsoid(0.02, 0.02, 0.0005, 2700.0));
     const World world = make(world_desc());
