@@ -426,7 +426,11 @@ def main(arguments):
     os.makedirs(folder, exist_ok=True)
     failed = False
     for make in (leaf, leaf_maple, paper_plane, petal, confetti, lambda: ellipsoid(
-            "ellipsoid_leaf", "the leaf of the paper: semi-axes 4 cm and 1 cm, 0.01 cm thick", (0.04, 0.01, 5e-5), 3)):
+            "ellipsoid_leaf", "the leaf of the paper: semi-axes 4 cm and 1 cm, 0.01 cm thick", (0.04, 0.01, 5e-5), 3),
+            lambda: ellipsoid("ellipsoid_rubber", "the rubber ellipsoid of the paper: semi-axes 4, 2 and 1 cm",
+                              (0.04, 0.02, 0.01), 3),
+            lambda: ellipsoid("ellipsoid_rubber_coarse", "the same with a quarter of the triangles",
+                              (0.04, 0.02, 0.01), 2)):
         mesh = make()
         mesh.points = [tuple(round(x, 8) + 0.0 for x in p) for p in mesh.points]
         faults = mesh.faults()

@@ -191,6 +191,67 @@ LR_API lr_status lr_asset_retain(lr_asset* asset);
 /* Gives a reference back; the last one frees the asset. Batches hold their own. Null is fine. Any thread. */
 LR_API void lr_asset_release(lr_asset* asset);
 
+/* Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC. Everything acts at the centre of
+ * buoyancy along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
+ * spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
+ * the fluid. */
+typedef struct lr_aerodynamics {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    double axes[9];    /* rows: unit vectors in the body frame, right-handed */
+    /* Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v, Re = s d/nu, and along each axis
+     * -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. */
+    double drag[3];        /* m^2, drag coefficient times area */
+    double drag_blunt[3];  /* m^2, the part that grows with the Reynolds number: of rounded bodies */
+    double drag_layer[3];  /* m^(3/2), of the boundary layer */
+    double drag_stokes[3]; /* m, of creeping flow */
+    /* Lift rho G x v, G_k = spin_lift_k w_k - lift_k v_i v_j/s. */
+    double lift[3];        /* m^2, positive where the body is thinner along j than along i */
+    double spin_lift[3];   /* m^3 */
+    double lift_moment[3]; /* m^3, moment rho lift_moment_k v_i v_j of that lift about k */
+    /* Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. */
+    double spin_drag[3];        /* m^5 */
+    double spin_drag_stream[3]; /* m^4 */
+    double spin_drag_stokes[3]; /* m^3 */
+    double intensity;     /* of the velocity of the fluid in the body's own wake: per axis `intensity` times s. More
+                                   than 0.4, gains included, acts as 0.4: such a wake would feed itself */
+    double length;        /* m, correlated over length/s */
+    double wake_reynolds; /* that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar */
+    /* Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k
+     * sigma to lift_moment_k. */
+    double broadside[3]; /* 0 to 1 */
+    double lift_stall;
+    double lift_moment_stalled[3]; /* m^3 */
+} lr_aerodynamics;
+
+/* Initially the axes are those of the body, `length` is 1 and all else 0: no loads. */
+LR_API lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size);
+
+/* A body whose numbers are known, without mesh or file: from another solver, from measurements, or a section of a card in
+ * two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes. */
+typedef struct lr_rigid_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double mass;                  /* kg, > 0 */
+    double volume;                /* m^3, > 0 */
+    double inertia[9];            /* kg m^2, positive definite */
+    double added_mass[36];        /* order vx vy vz wx wy wz, fluid density included as in lr_asset_info: kg, kg m,
+                                         kg m^2; positive semi-definite; initially 0 */
+    double center_of_buoyancy[3]; /* m, from the centre of mass; initially 0 */
+    double fluid_density;         /* kg/m^3, > 0; initially 1.2, air */
+    double fluid_viscosity;       /* m^2/s, kinematic, > 0; initially 1.5e-5, air */
+    double extents[3];            /* m, full size along the body axes, > 0 */
+    double intensity;             /* of the turbulence table, as in lr_ellipsoid_desc; initially 1 */
+    const lr_aerodynamics* aerodynamics; /* copied; null, as initially: those of an ellipsoid with these extents */
+} lr_rigid_desc;
+
+LR_API lr_status lr_rigid_desc_init(lr_rigid_desc* desc, uint32_t struct_size);
+
+/* out: as for lr_asset_load_file.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also matrices that no
+ * body has), LR_ERROR_OUT_OF_MEMORY. Any thread. */
+LR_API lr_status lr_asset_create_rigid(const lr_rigid_desc* desc, lr_asset** out);
+
 /* What an asset is. Matrices are row-major and symmetric. */
 typedef struct lr_asset_info {
     uint32_t struct_size;
@@ -227,41 +288,6 @@ LR_API lr_status lr_asset_info_init(lr_asset_info* info, uint32_t struct_size);
 /* info: initialised by lr_asset_info_init, or with struct_size set.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
 LR_API lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info);
-
-/* Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC. Everything acts at the centre of
- * buoyancy along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
- * spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
- * the fluid. */
-typedef struct lr_aerodynamics {
-    uint32_t struct_size;
-    uint32_t reserved; /* 0 */
-    double axes[9];    /* rows: unit vectors in the body frame, right-handed */
-    /* Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v, Re = s d/nu, and along each axis
-     * -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. */
-    double drag[3];        /* m^2, drag coefficient times area */
-    double drag_blunt[3];  /* m^2, the part that grows with the Reynolds number: of rounded bodies */
-    double drag_layer[3];  /* m^(3/2), of the boundary layer */
-    double drag_stokes[3]; /* m, of creeping flow */
-    /* Lift rho G x v, G_k = spin_lift_k w_k - lift_k v_i v_j/s. */
-    double lift[3];        /* m^2, positive where the body is thinner along j than along i */
-    double spin_lift[3];   /* m^3 */
-    double lift_moment[3]; /* m^3, moment rho lift_moment_k v_i v_j of that lift about k */
-    /* Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. */
-    double spin_drag[3];        /* m^5 */
-    double spin_drag_stream[3]; /* m^4 */
-    double spin_drag_stokes[3]; /* m^3 */
-    double intensity;           /* of the velocity of the fluid in the body's own wake: per axis `intensity` times s */
-    double length;              /* m, correlated over length/s */
-    double wake_reynolds;       /* that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar */
-    /* Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k
-     * sigma to lift_moment_k. */
-    double broadside[3]; /* 0 to 1 */
-    double lift_stall;
-    double lift_moment_stalled[3]; /* m^3 */
-} lr_aerodynamics;
-
-/* Initially the axes are those of the body, `length` is 1 and all else 0: no loads. */
-LR_API lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size);
 
 /* The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/format.md.
  * aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
@@ -340,25 +366,23 @@ LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
 /* Wind sources: up to LR_MAX_WIND_SOURCES at a time, whose velocities add to the uniform wind. Formulas: docs/wind.md.
  * Time is that of the world (lr_world_info.time). A source's position is where it is when it is added or updated; from
- * then on it moves with its own `velocity`. */
-#define LR_WIND_SOURCE_GUSTS                                                                                           \
-    1 /* fluctuations of the uniform wind in time; fields speed, direction, spread, period,
-                                         seed */
-#define LR_WIND_SOURCE_RANKINE                                                                                         \
-    2 /* a straight vortex with a core that turns as a solid: position, direction, velocity,
-                                         circulation, size, radius, half_length */
-#define LR_WIND_SOURCE_LAMB_OSEEN 3   /* a straight vortex with a smooth core: the same fields */
-#define LR_WIND_SOURCE_POINT_BLOWER 4 /* a round jet: position, direction, velocity, speed, size, spread, range */
-#define LR_WIND_SOURCE_LINE_BLOWER 5  /* a plane jet from a slot: the same, and side, half_length */
-#define LR_WIND_SOURCE_TURBULENCE                                                                                      \
-    6 /* random, without divergence, everywhere; carried along by the uniform wind: speed,
-                                         size, period, octaves, seed, velocity */
-#define LR_WIND_SOURCE_GRID                                                                                            \
-    7 /* samples on a lattice: position, velocity, spacing, counts, frames, period, outside,
-                                         samples */
-#define LR_WIND_SOURCE_GROUND                                                                                          \
-    8 /* multiplies the uniform wind and the gusts by a logarithmic profile over a plane:
-                                         position, direction, size, reference_height */
+ * then on it moves with its own `velocity`. Fields that each kind has:
+ *   GUSTS         speed direction spread period seed
+ *   RANKINE       position direction velocity circulation size radius half_length
+ *   LAMB_OSEEN    the same
+ *   POINT_BLOWER  position direction velocity speed size spread range
+ *   LINE_BLOWER   the same, and side half_length
+ *   TURBULENCE    speed size period octaves seed velocity
+ *   GRID          position velocity spacing counts frames period outside samples
+ *   GROUND        position direction velocity size reference_height */
+#define LR_WIND_SOURCE_GUSTS 1        /* fluctuations of the uniform wind in time */
+#define LR_WIND_SOURCE_RANKINE 2      /* a straight vortex with a core that turns as a solid */
+#define LR_WIND_SOURCE_LAMB_OSEEN 3   /* a straight vortex with a smooth core */
+#define LR_WIND_SOURCE_POINT_BLOWER 4 /* a round jet */
+#define LR_WIND_SOURCE_LINE_BLOWER 5  /* a plane jet from a slot */
+#define LR_WIND_SOURCE_TURBULENCE 6   /* random, without divergence, everywhere; carried along by the uniform wind */
+#define LR_WIND_SOURCE_GRID 7         /* samples on a lattice, in one or more frames */
+#define LR_WIND_SOURCE_GROUND 8       /* a factor of the uniform wind and the gusts: logarithmic over a plane */
 
 #define LR_WIND_OUTSIDE_ZERO 0   /* a grid adds nothing outside its samples */
 #define LR_WIND_OUTSIDE_CLAMP 1  /* it goes on as at its border */
@@ -369,7 +393,7 @@ LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
 typedef uint32_t lr_wind_source; /* handle; 0 is never one */
 
-/* Fields that a kind does not name above are not used, but must be finite. Lengths up to 1e6 m, speeds up to 1000 m/s. */
+/* Fields that a kind does not have are not used, but must be in range. Lengths up to 1e6 m, speeds up to 1000 m/s. */
 typedef struct lr_wind_source_desc {
     uint32_t struct_size;
     int32_t kind;       /* LR_WIND_SOURCE_*; initially 0, which is none of them */

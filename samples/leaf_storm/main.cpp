@@ -81,8 +81,7 @@ int main(int argc, char** argv) {
         run(*options);
         return 0;
     } catch (const Failure& failure) {
-        std::fprintf(stderr, "leaf_storm: %s\n", failure.what());
-        if (!failure.remedy.empty()) std::fprintf(stderr, "leaf_storm: what to do: %s\n", failure.remedy.c_str());
+        tell("leaf_storm", failure);
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "leaf_storm: out of memory\nleaf_storm: what to do: try a smaller --count or picture\n");
     } catch (const std::exception& error) {

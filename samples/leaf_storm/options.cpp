@@ -100,6 +100,12 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
     app.add_option("--seed", options.seed, "of the births and of the turbulence");
     app.add_option("--noise", options.noise, "multiplies the turbulent noise")->check(within(0, 100, "from 0 to 100"));
     app.add_flag("--same-size", options.same_size, "all at the size of their asset, instead of 0.7 to 1.3 times it");
+    app.add_option("--loads", options.loads,
+                   "aerodynamic: quasi-steady drag and lift; langevin: the paper's turbulent loads; none")
+        ->type_name("NAME")
+        ->default_str("aerodynamic")
+        ->transform(
+            one_of({{"aerodynamic", LR_LOADS_AERODYNAMIC}, {"langevin", LR_LOADS_LANGEVIN}, {"none", LR_LOADS_NONE}}));
     app.add_option("--clock", options.clock, "speed: turbulence by present speed; age: by the baked table in time")
         ->type_name("NAME")
         ->default_str("speed")

@@ -22,6 +22,7 @@ struct Options {
     std::int32_t simd = LR_SIMD_AUTO;
     bool same_size = false;
     std::int32_t clock = LR_CLOCK_SPEED;
+    std::int32_t loads = LR_LOADS_AERODYNAMIC;
     std::int32_t integrator = LR_INTEGRATOR_SPLITTING;
     std::string png, csv, json, tracks;
     std::uint32_t track_count = 40;

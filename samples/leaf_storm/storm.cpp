@@ -4,27 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 
 #include "failure.h"
-
-AssetPointer load_asset(const std::string& path) {
-    lr_asset* asset = nullptr;
-    const lr_status status = lr_asset_load_file(path.c_str(), &asset);
-    if (status == LR_OK) return AssetPointer(asset);
-    if (status <= LR_ERROR_ASSET_FORMAT && status >= LR_ERROR_ASSET_INVALID) {
-        std::ifstream file(path, std::ios::binary);
-        const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-        const auto tell = [](void*, std::uint32_t number, const char* where, const char* what, const char* remedy) {
-            std::fprintf(stderr, "leaf_storm: fault %u: %s: %s (%s)\n", number, where, what, remedy);
-        };
-        lr_asset_check_memory(bytes.data(), bytes.size(), tell, nullptr);
-    }
-    check(status, "asset " + path,
-          status == LR_ERROR_ASSET_VERSION ? "update langevin_rigid, or bake it again" : "bake it again with lr_bake");
-    return {};
-}
 
 WorldPointer create_world(const Options& options, const float* wind) {
     lr_world_desc desc;
@@ -54,11 +35,16 @@ lr_batch create_batch(lr_world* world, const lr_asset* asset, std::uint32_t capa
     desc.asset = asset;
     desc.capacity = capacity;
     desc.noise_gain = options.noise;
+    desc.load_model = options.loads;
     desc.clock = options.clock;
     desc.integrator = options.integrator;
     lr_batch batch = 0;
     check(lr_batch_create(world, &desc, &batch), "cannot create a batch of " + std::to_string(capacity) + " bodies",
           "try a smaller --count");
+    lr_load_gains gains; // AERODYNAMIC loads have their noise here
+    check(lr_load_gains_init(&gains, sizeof gains), "lr_load_gains_init");
+    gains.turbulence = options.noise;
+    check(lr_batch_set_load_gains(world, batch, &gains), "gains");
     return batch;
 }
 

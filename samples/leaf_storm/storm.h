@@ -3,26 +3,15 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "asset_file.h"
 #include "langevin_rigid.h"
 #include "options.h"
 #include "statistics.h"
 #include "storm_scene.h"
 
-struct AssetRelease {
-    void operator()(lr_asset* asset) const { lr_asset_release(asset); }
-};
-struct WorldDestroy {
-    void operator()(lr_world* world) const { lr_world_destroy(world); }
-};
-using AssetPointer = std::unique_ptr<lr_asset, AssetRelease>;
-using WorldPointer = std::unique_ptr<lr_world, WorldDestroy>;
-
-// Loads an asset; says every fault of a bad one on stderr before it throws.
-AssetPointer load_asset(const std::string& path);
 WorldPointer create_world(const Options& options, const float* wind);
 lr_batch create_batch(lr_world* world, const lr_asset* asset, std::uint32_t capacity, const Options& options);
 

@@ -52,8 +52,11 @@ public:
     explicit ArrayOf(const T* first) : first_(first), stride_(first->struct_size) {}
     lr_status read(uint32_t i, T& out) const {
         const auto* const bytes = reinterpret_cast<const unsigned char*>(first_) + uint64_t{stride_} * i;
-        const lr_status status = read_struct(reinterpret_cast<const T*>(bytes), out);
-        return status == LR_OK && out.struct_size != stride_ ? LR_ERROR_STRUCT_SIZE : status;
+        // Before anything else is read: an element that says it is longer than the stride would be read past its end.
+        uint32_t size = 0;
+        std::memcpy(&size, bytes, sizeof size);
+        if (size != stride_) return LR_ERROR_STRUCT_SIZE;
+        return read_struct(reinterpret_cast<const T*>(bytes), out);
     }
 
 private:

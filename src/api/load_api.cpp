@@ -11,15 +11,6 @@ using lr::api::refuse;
 
 namespace {
 
-bool finite(const lr_aerodynamics& a) {
-    const double scalars[] = {a.intensity, a.length, a.wake_reynolds, a.lift_stall};
-    return lr::api::finite(a.axes) && lr::api::finite(a.drag) && lr::api::finite(a.drag_blunt) &&
-           lr::api::finite(a.drag_layer) && lr::api::finite(a.drag_stokes) && lr::api::finite(a.lift) &&
-           lr::api::finite(a.spin_lift) && lr::api::finite(a.lift_moment) && lr::api::finite(a.spin_drag) &&
-           lr::api::finite(a.spin_drag_stream) && lr::api::finite(a.spin_drag_stokes) && lr::api::finite(a.broadside) &&
-           lr::api::finite(a.lift_moment_stalled) && lr::api::finite(scalars);
-}
-
 bool is_identity(const double axes[9]) {
     for (size_t i = 0; i < 9; ++i)
         if (axes[i] != (i % 4 == 0 ? 1.0 : 0.0)) return false;
@@ -41,10 +32,8 @@ lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_ae
         return LR_OK;
     }
     lr_aerodynamics a;
-    const lr_status status = read_struct(aerodynamics, a);
+    const lr_status status = lr::api::read_loads(aerodynamics, a);
     if (status != LR_OK) return refuse(world, name, status);
-    if (!finite(a)) return refuse(world, name, LR_ERROR_NOT_FINITE);
-    if (a.reserved != 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "reserved is not 0");
     if (b->step.body.diagonal && !is_identity(a.axes))
         return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
                       "axes other than the body's need a batch made with LR_TENSOR_FULL");

@@ -28,7 +28,8 @@ lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
     lr_world_desc d;
     lr_status status = read_struct(desc, d);
     if (status != LR_OK) return status;
-    if (!finite(d.gravity) || !std::isfinite(d.fluid_density) || !std::isfinite(d.fluid_viscosity)) return LR_ERROR_NOT_FINITE;
+    if (!finite(d.gravity) || !std::isfinite(d.fluid_density) || !std::isfinite(d.fluid_viscosity))
+        return LR_ERROR_NOT_FINITE;
     if (d.worker_count > lr::WorkerPool::max_workers || !in_range(d.fluid_density, 0.0, 1e6) ||
         !known_simd(d.simd_target) || !in_range(d.fluid_viscosity, 0.0, 1e3) ||
         !d.allocator.allocate != !d.allocator.release)

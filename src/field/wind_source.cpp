@@ -23,6 +23,11 @@ constexpr double turbulence_peak = 4.0;
 // Largest azimuthal speed of a Lamb-Oseen vortex, times 2 pi core / circulation.
 constexpr double lamb_oseen_peak = 0.6382;
 constexpr double slow_beats = 64.0; // kernel/turbulence_field-inl.h
+// Each octave's lattice is turned against the one before, and the first against the world, by 1.1 rad about (2, 3, 6)/7:
+// neither a level plane nor another octave meets it in a pattern.
+constexpr double lattice_turn[9] = {0.49820051967655058,  -0.69698542553354191, 0.51575920620782070,
+                                    0.83079862028626160,  0.55395601749026718,  -0.053910882173887482,
+                                    -0.24813281670198104, 0.45535046643264703,  0.85503570568433681};
 
 double narrow_to_unit(double x) {
     return x - std::floor(x);
@@ -166,6 +171,52 @@ float WindSource::fastest() const {
     }
 }
 
+namespace {
+
+// One instant for each octave.
+void turbulence_at(const lr_wind_source_desc& desc, double time, double age, uint64_t world_seed, const double drift[3],
+                   const double drift_velocity[3], SourceInstant* out) {
+    double energy = 0.0, length = 0.0, part = 1.0, cell = 1.0;
+    for (uint32_t o = 0; o < desc.octaves; ++o, part *= octave_energy, cell *= 0.5)
+        energy += part, length += part * cell;
+    cell = static_cast<double>(desc.size) / (eddy_length * length / energy);
+    double strength = static_cast<double>(desc.speed) / (eddy_rms * std::sqrt(energy));
+    double life = duration(desc);
+    double axes[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+    for (uint32_t o = 0; o < desc.octaves; ++o, cell *= 0.5, strength *= octave_amplitude, life *= octave_energy) {
+        double turned[9] = {};
+        for (size_t i = 0; i < 9; ++i)
+            for (size_t k = 0; k < 3; ++k) turned[i] += lattice_turn[i / 3 * 3 + k] * axes[3 * k + i % 3];
+        std::copy(turned, turned + 9, axes);
+        SourceInstant s{};
+        s.kind = SourceKind::turbulence;
+        s.strength = to_float(strength);
+        s.seed = static_cast<uint32_t>(random_bits(world_seed ^ 0x7475726275ull, desc.seed + (uint64_t{o} << 32)));
+        s.inverse_spacing[0] = to_float(1.0 / cell);
+        double way[3];
+        for (size_t k = 0; k < 3; ++k) {
+            way[k] = drift[k] + age * static_cast<double>(desc.velocity[k]);
+            s.motion[k] = to_float(drift_velocity[k] + static_cast<double>(desc.velocity[k]));
+        }
+        for (size_t i = 0; i < 3; ++i) {
+            double moved = 0.0;
+            for (size_t k = 0; k < 3; ++k) moved += axes[3 * i + k] * way[k] / cell;
+            moved += random_unit(s.seed, i); // no lattice point at the world's origin
+            const double whole = std::floor(moved);
+            s.offset[i] = to_float(moved - whole);
+            // Cells are counted modulo 2^32: the hash does not mind.
+            const auto cells = static_cast<int64_t>(std::fmod(whole, 4294967296.0));
+            s.cell[i] = static_cast<int32_t>(static_cast<uint32_t>(cells));
+        }
+        for (size_t i = 0; i < 9; ++i) s.lattice[i] = to_float(axes[i]);
+        s.turn = to_float(narrow_to_unit(time / (slow_beats * life)));
+        s.turn_rate = to_float(1.0 / (slow_beats * life));
+        out[o] = s;
+    }
+}
+
+} // namespace
+
 void WindSource::at(double time, uint64_t world_seed, const double drift[3], const double drift_velocity[3],
                     SourceInstant* out) const {
     SourceInstant s{};
@@ -236,36 +287,9 @@ void WindSource::at(double time, uint64_t world_seed, const double drift[3], con
         s.inverse_roughness = 1.0f / desc.size;
         s.inverse_log = to_float(1.0 / shape::portable_log(1.0 + static_cast<double>(desc.reference_height) / size));
         break;
-    default: { // turbulence
-        s.kind = SourceKind::turbulence;
-        double energy = 0.0, length = 0.0, part = 1.0, cell = 1.0;
-        for (uint32_t o = 0; o < desc.octaves; ++o, part *= octave_energy, cell *= 0.5)
-            energy += part, length += part * cell;
-        cell = size / (eddy_length * length / energy);
-        double strength = static_cast<double>(desc.speed) / (eddy_rms * std::sqrt(energy));
-        double life = duration(desc);
-        for (uint32_t o = 0; o < desc.octaves; ++o) {
-            s.strength = to_float(strength);
-            s.seed = static_cast<uint32_t>(random_bits(world_seed ^ 0x7475726275ull, desc.seed + (uint64_t{o} << 32)));
-            s.inverse_spacing[0] = to_float(1.0 / cell);
-            for (size_t i = 0; i < 3; ++i) {
-                const double moved = (drift[i] + age * static_cast<double>(desc.velocity[i])) / cell;
-                const double whole = std::floor(moved);
-                s.offset[i] = to_float(moved - whole);
-                // Cells are counted modulo 2^32: the hash does not mind.
-                s.cell[i] =
-                    static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(std::fmod(whole, 4294967296.0))));
-                s.motion[i] = to_float(drift_velocity[i] + static_cast<double>(desc.velocity[i]));
-            }
-            s.turn = to_float(narrow_to_unit(time / (slow_beats * life)));
-            s.turn_rate = to_float(1.0 / (slow_beats * life));
-            out[o] = s;
-            cell *= 0.5;
-            strength *= octave_amplitude;
-            life *= octave_energy;
-        }
+    default:
+        turbulence_at(desc, time, age, world_seed, drift, drift_velocity, out);
         return;
-    }
     }
     *out = s;
 }

@@ -1,4 +1,4 @@
-// The splitting scheme's substep with quasi-steady loads: drag and weight, spin drag, lift, free motion, and back
+// The splitting scheme's substep with quasi-steady loads: free motion, drag and weight, spin drag, lift, and back
 // (docs/numerics.md, "AERODYNAMIC loads").
 #if defined(LR_KERNEL_AERODYNAMIC_SPLITTING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_AERODYNAMIC_SPLITTING_INL_H_
@@ -19,9 +19,13 @@ HWY_INLINE VF relax_second(VF y, VF x, VF tau_f) {
     const VF c = mul_add(x, constant(0.5f), constant(1.0f));
     return hn::Div(mul_add(tau_f, c, y), mul_add(x, c, constant(1.0f)));
 }
-// The same by backward Euler over half of it: an estimate of the middle.
-HWY_INLINE VF relax_half(VF y, VF x, VF tau_f) {
-    return hn::Div(mul_add(constant(0.5f), tau_f, y), mul_add(x, constant(0.5f), constant(1.0f)));
+// The same in its middle, as if the rate grew with y: m (1 + x m/(2 r)) = r, where r is y and half of tau f, and x/tau the
+// rate at r. An x taken at y instead would leave y as it is where x is large, and a body at rest there for long.
+HWY_INLINE VF relax_middle(VF r, VF x) {
+    return hn::Div(hn::Add(r, r), hn::Add(constant(1.0f), hn::Sqrt(mul_add(constant(2.0f), x, constant(1.0f)))));
+}
+HWY_INLINE Vec3 relax_middle(Vec3 r, Vec3 x) {
+    return {relax_middle(r.x, x.x), relax_middle(r.y, x.y), relax_middle(r.z, x.z)};
 }
 HWY_INLINE Vec3 each(VF (*f)(VF, VF, VF), Vec3 y, Vec3 x, Vec3 tau_f) {
     return {f(y.x, x.x, tau_f.x), f(y.y, x.y, tau_f.y), f(y.z, x.z, tau_f.z)};
@@ -32,20 +36,21 @@ HWY_INLINE Vec3 each(VF (*f)(VF, VF, VF), Vec3 y, Vec3 x, Vec3 tau_f) {
 template <bool kFull, class C>
 HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Twist applied, Body& b) {
     const auto& a = c.aerodynamics;
-    const VF tau = constant(0.5f * in.h);
+    const VF tau = constant(0.5f * in.h), half = constant(0.5f);
     if constexpr (!kFull) {
         const Vec3 rate = broadcast(c.inverse_mass);
         const Vec3 pull = scale(tau, times(rate, applied.v));
-        const Vec3 x = scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, b.t.v)), rate);
-        const Vec3 middle = each(relax_half, b.t.v, x, pull);
+        const Vec3 r = add_scaled(b.t.v, half, pull);
+        const Vec3 middle = relax_middle(r, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, r)), rate));
         b.t.v =
             each(relax_second, b.t.v, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, middle)), rate), pull);
     } else {
         const Twist pull = scale(tau, acceleration<true>(c, applied));
         const Vec3 v = centre_velocity<true>(a, b.t), rate = broadcast(a.rate);
         const Vec3 y = columns(a.modes, v), push = columns(a.modes, centre_velocity<true>(a, pull));
-        const Vec3 x = scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, v)), rate);
-        const Vec3 middle = rows(a.modes, each(relax_half, y, x, push));
+        const Vec3 r = add_scaled(y, half, push);
+        const Vec3 x = scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, rows(a.modes, r))), rate);
+        const Vec3 middle = rows(a.modes, relax_middle(r, x));
         const Vec3 after =
             each(relax_second, y, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, middle)), rate), push);
         b.t = add(b.t, add(pull, rows6(a.from_modes, sub(sub(after, y), push))));
@@ -81,23 +86,27 @@ HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
 template <bool kFull, class C>
 HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Twist applied, Body& b) {
     const auto& a = c.aerodynamics;
-    const VF tau = constant(0.5f * in.h);
+    const VF tau = constant(0.5f * in.h), half = constant(0.5f);
     const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
     const VF s = hn::Sqrt(speed_squared(v));
     const Vec3 couple = scale(tau, lift_moment(a, held.inverse_length, v));
-    const Vec3 first = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, u));
     if constexpr (!kFull) {
         const Vec3 rate = broadcast(c.inverse_spin_mass),
                    push = add_scaled(bounded_push(times(rate, couple), s), tau, times(rate, applied.u));
-        const Vec3 middle = each(relax_half, u, times(rate, first), push);
+        const Vec3 r = add_scaled(u, half, push);
+        const Vec3 first = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, r));
+        const Vec3 middle = relax_middle(r, times(rate, first));
         const Vec3 x = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, middle));
         b.t.u = each(relax_second, u, times(rate, x), push);
     } else {
         // The square of what is solved must stay finite.
         const auto bounded = [&](Vec3 x) HWY_ATTR { return smaller(x, broadcast(a.spin_limit)); };
-        const VF half = constant(0.5f);
-        const Vec3 middle = solve_damped(a.spin_mobility, scale(half, bounded(first)), hn::Zero(DF()),
-                                         add_scaled(u, half, bounded_push(symmetric3(a.spin_mobility, couple), s)));
+        const Vec3 r = add_scaled(u, half, bounded_push(symmetric3(a.spin_mobility, couple), s));
+        const Vec3 first = bounded(scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, r)));
+        // Half the rate in the middle, as in relax_middle; a rate on each axis as if that were a mode.
+        const auto* const n = a.spin_mobility;
+        const Vec3 eased = relax_middle(first, times(Vec3{constant(n[0]), constant(n[3]), constant(n[5])}, first));
+        const Vec3 middle = solve_damped(n, scale(half, eased), hn::Zero(DF()), r);
         // A couple moves a centre that lies off the centre of mass.
         const Vec3 v_middle = centre_velocity<true>(a, add(b.t, rows6(a.spin_response, sub(middle, u))));
         const VF s_middle = hn::Sqrt(speed_squared(v_middle));
@@ -111,51 +120,49 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held
     }
 }
 
-// Lift does no work, whatever the circulation: with f = g x (v + N f/2), the implicit midpoint keeps the energy at any
-// step. The circulation is that of an explicit estimate of the middle.
-template <bool kFull, class C>
-HWY_INLINE void lift_half(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+// The middle of the implicit midpoint for v' = N (2 k) x v: (1 - N [k]x)^-1 v = (v + N (k x v) + (k.a v) k)/(1 + k.a k),
+// a the adjugate of N; a rotation where N is the unit matrix.
+template <bool kFull, class C> HWY_INLINE Vec3 lifted_middle(const C& c, Vec3 k, Vec3 v) {
     const auto& a = c.aerodynamics;
-    const VF tau = constant(0.5f * in.h), half = constant(0.5f);
-    const auto moved = [&](Vec3 f) HWY_ATTR {
-        if constexpr (kFull) return symmetric3(a.mobility, f);
-        return scaled_by(c.inverse_mass, f);
-    };
+    const Vec3 kv = cross(k, v);
+    Vec3 ak, moved;
+    if constexpr (kFull) {
+        ak = symmetric3(a.mobility_adjugate, k);
+        moved = symmetric3(a.mobility, kv);
+    } else {
+        ak = {hn::Mul(hn::Mul(constant(c.inverse_mass[1]), constant(c.inverse_mass[2])), k.x),
+              hn::Mul(hn::Mul(constant(c.inverse_mass[2]), constant(c.inverse_mass[0])), k.y),
+              hn::Mul(hn::Mul(constant(c.inverse_mass[0]), constant(c.inverse_mass[1])), k.z)};
+        moved = scaled_by(c.inverse_mass, kv);
+    }
+    const VF inverse = hn::Div(constant(1.0f), hn::Add(constant(1.0f), dot(ak, k)));
+    return scale(inverse, add_scaled(add(v, moved), dot(ak, v), k));
+}
+
+// Lift does no work, whatever the circulation: force g x v_middle of the implicit midpoint keeps the energy at any step.
+// The circulation is that of the middle to which the one at the start leads.
+template <bool kFull, class C>
+HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+    const auto& a = c.aerodynamics;
+    const VF half = constant(0.5f * in.h);
     const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
     // Beyond this the velocity turns through more than can be resolved.
     const auto bounded = [&](Vec3 g) HWY_ATTR {
-        const VF most = constant(1e4f), least = constant(-1e4f);
+        const VF most = constant(5e3f), least = constant(-5e3f);
         return Vec3{hn::Max(hn::Min(g.x, most), least), hn::Max(hn::Min(g.y, most), least),
                     hn::Max(hn::Min(g.z, most), least)};
     };
-    const Vec3 start = bounded(scale(tau, circulation(a, held.inverse_length, nu, v, u)));
-    Vec3 v_middle, u_middle = u;
-    if constexpr (kFull) {
-        const Twist middle = add(b.t, rows6(a.response, scale(half, cross(start, v))));
-        v_middle = centre_velocity<true>(a, middle);
-        u_middle = load_spin<true>(a, middle);
-    } else {
-        v_middle = add_scaled(v, half, moved(cross(start, v)));
-    }
-    const Vec3 g = bounded(scale(tau, circulation(a, held.inverse_length, nu, v_middle, u_middle)));
-    const Vec3 k = scale(half, g);
-    const Vec3 r = cross(g, v);
-    const VF one = constant(1.0f), zero = hn::Zero(DF());
-    if constexpr (!kFull) {
-        // 1 - [k]x N with N diagonal.
-        const VF nx = constant(c.inverse_mass[0]), ny = constant(c.inverse_mass[1]), nz = constant(c.inverse_mass[2]);
-        const Columns m{{one, hn::Neg(hn::Mul(k.z, nx)), hn::Mul(k.y, nx)},
-                        {hn::Mul(k.z, ny), one, hn::Neg(hn::Mul(k.x, ny))},
-                        {hn::Neg(hn::Mul(k.y, nz)), hn::Mul(k.x, nz), one}};
-        b.t.v = add(v, moved(solve(m, r)));
-    } else {
-        const auto* const n = a.mobility;
-        const auto column = [&](Vec3 e, Vec3 ne) HWY_ATTR { return sub(e, cross(k, ne)); };
-        const Columns m{column({one, zero, zero}, {constant(n[0]), constant(n[1]), constant(n[2])}),
-                        column({zero, one, zero}, {constant(n[1]), constant(n[3]), constant(n[4])}),
-                        column({zero, zero, one}, {constant(n[2]), constant(n[4]), constant(n[5])})};
-        b.t = add(b.t, rows6(a.response, solve(m, r)));
-    }
+    const Vec3 start = bounded(scale(half, circulation(a, held.inverse_length, nu, v, u)));
+    const Vec3 v_start = lifted_middle<kFull>(c, start, v);
+    Vec3 u_middle = u;
+    if constexpr (kFull) u_middle = add(u, rows(a.axes, rows(a.response + 9, cross(start, v_start))));
+    const Vec3 k = bounded(scale(half, circulation(a, held.inverse_length, nu, v_start, u_middle)));
+    const Vec3 half_impulse = cross(k, lifted_middle<kFull>(c, k, v));
+    const Vec3 impulse = add(half_impulse, half_impulse);
+    if constexpr (kFull)
+        b.t = add(b.t, rows6(a.response, impulse));
+    else
+        b.t.v = add(b.t.v, scaled_by(c.inverse_mass, impulse));
 }
 
 // Weight, buoyancy and what acts from outside, in the body frame. A torque acts with the drag on the full path, where it
@@ -168,23 +175,22 @@ template <bool kFull, class C> HWY_INLINE Twist applied_loads(const C& c, const 
     return f;
 }
 
+// Free motion errs most, and its error grows with the square of its step: it takes the two outer places, the loads the
+// middle one.
 template <bool kFull, class C>
 HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, const Held& held, Body& b) {
     const VF nu = hn::Mul(constant(c.aerodynamics.viscosity), held.inverse_length);
-    const Twist before = applied_loads<kFull>(c, held, b.q);
+    free_step<kFull>(0.5f * in.h, c, held, b);
+    const Twist applied = applied_loads<kFull>(c, held, b.q);
     // Loads are those of the spin through the fluid.
     if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
-    drag_half<kFull>(in, c, held, nu, before, b);
-    spin_drag_half<kFull>(in, c, held, nu, before, b);
-    lift_half<kFull>(in, c, held, nu, b);
+    drag_half<kFull>(in, c, held, nu, applied, b);
+    spin_drag_half<kFull>(in, c, held, nu, applied, b);
+    lift_step<kFull>(in, c, held, nu, b);
+    spin_drag_half<kFull>(in, c, held, nu, applied, b);
+    drag_half<kFull>(in, c, held, nu, applied, b);
     if (held.sheared) b.t.u = add(b.t.u, to_body(b.q, held.fluid_spin));
-    free_step<kFull>(in, c, held, b);
-    const Twist after = applied_loads<kFull>(c, held, b.q);
-    if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
-    lift_half<kFull>(in, c, held, nu, b);
-    spin_drag_half<kFull>(in, c, held, nu, after, b);
-    drag_half<kFull>(in, c, held, nu, after, b);
-    if (held.sheared) b.t.u = add(b.t.u, to_body(b.q, held.fluid_spin));
+    free_step<kFull>(0.5f * in.h, c, held, b);
 }
 
 } // namespace lr::HWY_NAMESPACE

@@ -99,6 +99,13 @@ bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6&
     mobility_of(spin, spin_response, n_spin);
     if (!invert3(n, n_inverse) || !invert3(n_spin, spin_inverse) || !eigen3(n, values, vectors)) return false;
     upper_triangle3(n, out.mobility);
+    double adjugate[3][3];
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) {
+            const size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            adjugate[i][j] = n[i1][j1] * n[i2][j2] - n[i1][j2] * n[i2][j1]; // of a symmetric matrix: its cofactors
+        }
+    upper_triangle3(adjugate, out.mobility_adjugate);
     upper_triangle3(n_spin, out.spin_mobility);
     for (size_t i = 0; i < 3; ++i) {
         out.spin_limit[i] = static_cast<float>(1e4 / n_spin[i][i]);
@@ -117,6 +124,10 @@ bool within(const std::array<double, 3>& values, double low, double high) {
 
 // Bodies are up to 1000 m: nothing has a larger length to the fifth power.
 constexpr double most = 1e16;
+
+// A wake's velocity counts in the speed that it goes with. On a body that is not carried along, E s^2 = v^2 + 3 I^2 E s^2:
+// from I^2 = 1/3 on it would feed itself.
+constexpr double most_variance = 0.16;
 
 } // namespace
 
@@ -161,16 +172,16 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     narrow(loads.spin_drag, gains.spin_drag * per_unit / (d * d), out.spin_drag);
     narrow(loads.spin_drag_stream, gains.spin_drag * per_unit / d, out.spin_drag_stream);
     narrow(loads.spin_drag_stokes, gains.spin_drag * per_unit, out.spin_drag_stokes);
-    const double most = std::max({loads.spin_drag[0], loads.spin_drag[1], loads.spin_drag[2]});
+    const double strongest = std::max({loads.spin_drag[0], loads.spin_drag[1], loads.spin_drag[2]});
     for (size_t k = 0; k < 3; ++k) {
         const size_t i = (k + 1) % 3, j = (k + 2) % 3;
         out.lift_layer[k] = static_cast<float>(layer * (loads.drag_layer[j] - loads.drag_layer[i]));
         out.lift_stokes[k] = static_cast<float>(stokes * (loads.drag_stokes[j] - loads.drag_stokes[i]));
-        out.spin_weight[k] = static_cast<float>(most > 0.0 ? loads.spin_drag[k] / most : 0.0);
+        out.spin_weight[k] = static_cast<float>(strongest > 0.0 ? loads.spin_drag[k] / strongest : 0.0);
     }
     out.rate_of_gusts = static_cast<float>(d / loads.length);
-    const double intensity = loads.intensity * gains.turbulence;
-    out.variance_of_gusts = static_cast<float>(intensity * intensity);
+    const double intensity = loads.intensity * gains.turbulence * gains.noise;
+    out.variance_of_gusts = static_cast<float>(std::min(intensity * intensity, most_variance));
     out.wake_reynolds = static_cast<float>(loads.wake_reynolds);
     out.gust_gain = static_cast<float>(gains.turbulence * gains.turbulence);
     return make_frame(a, loads, kernel_mass(a, diagonal, rho), out);
@@ -182,8 +193,9 @@ void set_gust_turbulence(const TurbulenceSample& s, const Gains& gains, BodyCons
                  beta_squared = langevin_beta_squared(epsilon_star, s.c0, {});
     out.aerodynamics.rate_of_gusts = static_cast<float>(alpha * static_cast<double>(out.length) / s.l);
     out.aerodynamics.wake_reynolds = 0.0f;
+    const double gain = gains.noise * gains.turbulence;
     out.aerodynamics.variance_of_gusts =
-        static_cast<float>(alpha > 0.0 ? gains.turbulence * gains.turbulence * beta_squared / (2.0 * alpha) : 0.0);
+        static_cast<float>(alpha > 0.0 ? std::min(gain * gain * beta_squared / (2.0 * alpha), most_variance) : 0.0);
 }
 
 } // namespace lr

@@ -27,8 +27,9 @@ template <class T> struct AerodynamicConstantsOf {
     T spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
     T spin_weight[3]; // spin_drag over its largest
     // Full path. Q: body axes to those of the loads; P = Q (1, -[r]x): velocity of the centre of the loads.
-    T axes[9], arm[3];   // Q; r = r_b/d
-    T mobility[6];       // P M^-1 P^T, upper triangle
+    T axes[9], arm[3]; // Q; r = r_b/d
+    T mobility[6];     // P M^-1 P^T, upper triangle
+    T mobility_adjugate[6];
     T modes[9];          // columns: its eigenvectors
     T rate[3];           // and eigenvalues
     T response[18];      // M^-1 P^T, 6x3: twist for an impulse at the centre

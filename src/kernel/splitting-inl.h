@@ -263,9 +263,9 @@ HWY_INLINE Twist choose(hn::Mask<DF> m, Twist a, Twist b) {
 inline constexpr float most_lengths = 8.0f;
 
 // A step of Kirchhoff's equations without loads.
-template <bool kFull, class C> HWY_INLINE void free_step(const StepInput& in, const C& c, const Held& held, Body& b) {
+template <bool kFull, class C> HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     const Twist start = momentum<kFull>(c, b.t);
-    const VF full_g = hn::Mul(constant(0.5f * in.h), held.inverse_length);
+    const VF full_g = hn::Mul(constant(0.5f * h), held.inverse_length);
     const VF energy = hn::Add(dot(b.t.v, start.v), dot(b.t.u, start.u)); // twice it, over the mass unit
     const VF lengths = hn::Mul(full_g, hn::Sqrt(energy));
     const VF g = hn::Div(full_g, hn::Max(hn::Mul(lengths, constant(1.0f / most_lengths)), constant(1.0f)));
@@ -284,7 +284,7 @@ template <bool kFull, class C> HWY_INLINE void free_step(const StepInput& in, co
     const Quaternion q1 = normalised(turn(b.q, b.q, constant(1.0f), half_turn));
     const Quaternion middle =
         normalised({hn::Add(b.q.x, q1.x), hn::Add(b.q.y, q1.y), hn::Add(b.q.z, q1.z), hn::Add(b.q.w, q1.w)});
-    b.x = add_scaled(b.x, constant(in.h), to_world(middle, t.v));
+    b.x = add_scaled(b.x, constant(h), to_world(middle, t.v));
     b.q = q1;
     b.t = add(b.t, add(dz, dz));
 }
@@ -299,7 +299,7 @@ HWY_INLINE void splitting_substep(const StepInput& in, const C& c, Held& held, V
         held.beta = hn::Sqrt(beta_squared);
     }
     load_half<kFull, kLoads, false>(in, c, held, beta_unit, gauss, b);
-    free_step<kFull>(in, c, held, b);
+    free_step<kFull>(in.h, c, held, b);
     load_half<kFull, kLoads, kLoads != Loads::none>(in, c, held, beta_unit, gauss, b);
     b.x = add(b.x, scale(constant(in.h), held.wind));
     grow_older(b, constant(in.h));

@@ -128,6 +128,11 @@ HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
             a.mobility[k] = n[i][j];
             a.spin_mobility[k] = spin[k];
         }
+    for (int i = 0, k = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j, ++k) {
+            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            a.mobility_adjugate[k] = mul_sub(n[i1][j1], n[i2][j2], hn::Mul(n[i1][j2], n[i2][j1]));
+        }
     for (int i = 0; i < 3; ++i) a.spin_limit[i] = hn::Div(constant(1e4f), spin[i == 0 ? 0 : i == 1 ? 3 : 5]);
     invert3(spin, inverse_spin);
     eigen(n, vectors);

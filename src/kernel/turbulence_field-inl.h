@@ -87,7 +87,8 @@ HWY_INLINE void turbulence(const SourceInstant& s, Vec3 x, Flow& out) {
     const DI di;
     const DU du;
     const VF inverse_cell = constant(s.inverse_spacing[0]);
-    VF at[3] = {x.x, x.y, x.z};
+    const Vec3 ax = broadcast(s.lattice), ay = broadcast(s.lattice + 3), az = broadcast(s.lattice + 6);
+    const VF at[3] = {dot(ax, x), dot(ay, x), dot(az, x)};
     VU index[3];
     Step step[3];
     for (int i = 0; i < 3; ++i) {
@@ -141,10 +142,19 @@ HWY_INLINE void turbulence(const SourceInstant& s, Vec3 x, Flow& out) {
                 gradient[3 * m + n] = hn::Add(gradient[3 * m + n], sum);
             }
     }
-    out.wind = scale(strength, wind);
-    out.rate = scale(strength, rate);
+    // Back to the world's axes.
+    const auto turned = [&](VF along_x, VF along_y, VF along_z)
+                            HWY_ATTR { return add(scale(along_x, ax), add(scale(along_y, ay), scale(along_z, az))); };
+    out.wind = turned(hn::Mul(strength, wind.x), hn::Mul(strength, wind.y), hn::Mul(strength, wind.z));
+    out.rate = turned(hn::Mul(strength, rate.x), hn::Mul(strength, rate.y), hn::Mul(strength, rate.z));
     const VF per_cell = hn::Mul(strength, inverse_cell);
-    for (int i = 0; i < 9; ++i) out.gradient[i] = hn::Mul(per_cell, gradient[i]);
+    Vec3 row[3]; // of each component along the lattice
+    for (int i = 0; i < 3; ++i)
+        row[i] = scale(per_cell, turned(gradient[3 * i], gradient[3 * i + 1], gradient[3 * i + 2]));
+    const Vec3 to_x = turned(row[0].x, row[1].x, row[2].x), to_y = turned(row[0].y, row[1].y, row[2].y),
+               to_z = turned(row[0].z, row[1].z, row[2].z);
+    const VF g[9] = {to_x.x, to_y.x, to_z.x, to_x.y, to_y.y, to_z.y, to_x.z, to_y.z, to_z.z};
+    for (int i = 0; i < 9; ++i) out.gradient[i] = g[i];
 }
 
 } // namespace lr::HWY_NAMESPACE

@@ -56,6 +56,12 @@ HWY_INLINE void begin_block(const FieldInstant& instant, size_t count, FieldBloc
     }
 }
 
+// The pattern moves as a whole: du/dt at a point is - motion . grad u.
+HWY_INLINE Vec3 carried_past(Vec3 motion, const VF g[9]) {
+    return {dot(Vec3{g[0], g[1], g[2]}, motion), dot(Vec3{g[3], g[4], g[5]}, motion),
+            dot(Vec3{g[6], g[7], g[8]}, motion)};
+}
+
 HWY_INLINE void add_ground(const SourceInstant& s, size_t count, FieldBlock& b) {
     const DF d;
     const Vec3 none{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
@@ -71,6 +77,8 @@ HWY_INLINE void add_ground(const SourceInstant& s, size_t count, FieldBlock& b) 
         // Plus zero: no zero is negative, or a source that adds nothing could change a sign.
         store3(b.wind, at, add(scale(factor, load3(b.wind, at)), none));
         store3(b.change, at, add(scale(factor, load3(b.change, at)), none));
+        const Vec3 rate = sub(scale(factor, load3(b.rate, at)), carried_past(broadcast(s.motion), lifted));
+        store3(b.rate, at, add(rate, none));
     }
 }
 
@@ -103,11 +111,8 @@ HWY_INLINE void add_source(const SourceInstant& s, size_t count, FieldBlock& b) 
         if (!flow_of(s, load3(b.position, at), flow)) continue;
         const VF* const g = flow.gradient;
         for (int i = 0; i < 9; ++i) hn::Store(hn::Add(hn::Load(d, b.gradient[i] + at), g[i]), d, b.gradient[i] + at);
-        // The pattern moves as a whole: du/dt at a point is - motion . grad u besides its own.
-        const Vec3 carried{dot(Vec3{g[0], g[1], g[2]}, motion), dot(Vec3{g[3], g[4], g[5]}, motion),
-                           dot(Vec3{g[6], g[7], g[8]}, motion)};
         store3(b.wind, at, add(load3(b.wind, at), flow.wind));
-        store3(b.rate, at, add(load3(b.rate, at), sub(flow.rate, carried)));
+        store3(b.rate, at, add(load3(b.rate, at), sub(flow.rate, carried_past(motion, g))));
     }
 }
 

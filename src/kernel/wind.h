@@ -53,6 +53,7 @@ struct SourceInstant {
     float inverse_log;       // ground: 1/ln(1 + reference height / roughness)
     float inverse_spacing[3]; // grid; turbulence: 1/cell in the first
     float offset[3];          // turbulence: of the lattice, in cells, 0 to 1
+    float lattice[9];         // turbulence: its axes, row by row
     int32_t cell[3];          // turbulence: whole cells of it
     uint32_t seed;
     float turn, turn_rate; // turbulence: phase of the slowest beat in turns, 0 to 1; 1/s

@@ -17,9 +17,9 @@ constexpr double drag_blunt_share = 0.445;                        // of a sphere
 constexpr double layer_friction = 0.558;                          // Blasius, 0.664 a side, over chord/sqrt(2)
 constexpr double layer_pressure = 0.42, layer_separation = 0.414; // of faces across the stream, of rounded ones
 constexpr double turbulent_friction = 0.004;                      // of the surface along the stream
-constexpr double translation_lift = 1.2, rotation_lift = std::numbers::pi; // C_T, C_R of a plate in two dimensions
-constexpr double magnus = 0.5;                                             // of the volume, about an axis of revolution
-constexpr double spin_half = 10.0;                                         // span over chord, half-way to a strip
+constexpr double translation_lift = 1.2;                          // C_T of a plate in two dimensions
+constexpr double magnus = 0.5;                                    // of the volume, about an axis of revolution
+constexpr double strip_half = 4.0;                                // span over chord, less 1, half-way to a strip
 constexpr double spin_friction = 0.008;
 
 // 0 for a flat face, 1 where it is as round as a sphere or rounder.
@@ -46,7 +46,7 @@ double slenderness(double a, double b) {
 
 // From a disc's coefficient to that of a long strip.
 double by_slenderness(double disc, double strip, double slenderness) {
-    return disc + (strip - disc) * share(slenderness, spin_half);
+    return disc + (strip - disc) * share(slenderness, strip_half);
 }
 
 void set_drag(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& plate, AerodynamicData& out) {
@@ -64,7 +64,8 @@ void set_drag(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& p
     out.drag[k] += (1.0 - blunt) * coefficient * area + turbulent_friction * along;
     out.drag_blunt[k] = blunt * coefficient * area;
     // Edge on, a sheet's own layers of vorticity hold it back more than friction does.
-    for (const size_t edge : {i, j}) out.drag[edge] += plate.edge_drag * sheet * (area - g.area[edge]);
+    const double edge_drag = by_slenderness(plate.edge_drag, plate.edge_strip, slenderness(wide, narrow));
+    for (const size_t edge : {i, j}) out.drag[edge] += edge_drag * sheet * (area - g.area[edge]);
     // The layer grows along the body, and from the middle of its front to the rim.
     const double width2 = 4.0 / std::numbers::pi * area;
     const double run = std::sqrt(0.5 * (g.extent[k] * g.extent[k] + width2));
@@ -80,8 +81,8 @@ void set_lift(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& p
     const double flatness = total > 0.0 ? std::abs(difference) / total : 0.0;
     // The extent along the flat side; of a body that is as thick as wide, the mean of both.
     const double chord = total > 0.0 ? (g.area[j] * g.extent[i] + g.area[i] * g.extent[j]) / total : 0.0;
-    out.lift[k] = translation_lift * difference * share(span * span, plate.lift_span * plan);
-    out.spin_lift[k] = 0.5 * rotation_lift * plan * chord * flatness * share(span * span, plate.rotation_span * plan) +
+    out.lift[k] = translation_lift * difference * share(span, plate.lift_span * chord);
+    out.spin_lift[k] = 0.5 * plate.rotation * plan * chord * flatness * share(span, plate.rotation_span * chord) +
                        magnus * g.volume * (1.0 - flatness);
     const double sheet = std::max(sheetness(g, i), sheetness(g, j));
     out.lift_moment[k] = plate.moment * sheet * difference * chord;
@@ -108,7 +109,7 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     const StokesResistance stokes = stokes_resistance({0.5 * g.extent[0], 0.5 * g.extent[1], 0.5 * g.extent[2]});
     out.drag_stokes = stokes.translation;
     out.spin_drag_stokes = stokes.rotation;
-    for (double& couple : out.spin_drag_stokes) couple *= 1.0 + plate.spin_viscous * sheet;
+    for (double& couple : out.spin_drag_stokes) couple *= 1.0 - (1.0 - plate.spin_creeping) * sheet;
     out.lift_stall = plate.stall * sheet;
     out.intensity = plate.intensity;
     out.length = plate.correlation * std::max({g.extent[0], g.extent[1], g.extent[2]});

@@ -103,19 +103,24 @@ bool ellipsoid_body(const EllipsoidSpec& spec, AssetData& out, Faults& faults) {
     out.fluid_density = spec.fluid_density;
     out.fluid_viscosity = spec.fluid_viscosity;
 
-    const size_t thin = static_cast<size_t>(std::min_element(a.begin(), a.end()) - a.begin());
-    out.projected_area = std::numbers::pi * a[(thin + 1) % 3] * a[(thin + 2) % 3];
-    const BodyScales scales = body_scales(2.0 * largest, 2.0 * smallest, out.volume, out.projected_area,
-                                          added.translation[thin], spec.density, spec.fluid_density);
-    out.length_d = scales.d;
-    out.length_b = scales.b;
-    out.length_l = scales.l;
-    out.u0 = scales.u0;
+    set_scales(a, added.translation, out);
     out.aerodynamics = default_aerodynamics(ellipsoid_geometry(a));
     out.has_aerodynamics = true;
     out.hull = ellipsoid_hull(a, spec.center_of_mass);
     out.provenance.source = "ellipsoid";
     return true;
+}
+
+void set_scales(const std::array<double, 3>& a, const std::array<double, 3>& added_mass, AssetData& out) {
+    const size_t thin = static_cast<size_t>(std::min_element(a.begin(), a.end()) - a.begin());
+    const auto [smallest, largest] = std::minmax({a[0], a[1], a[2]});
+    out.projected_area = std::numbers::pi * a[(thin + 1) % 3] * a[(thin + 2) % 3];
+    const BodyScales scales = body_scales(2.0 * largest, 2.0 * smallest, out.volume, out.projected_area,
+                                          added_mass[thin], out.density, out.fluid_density);
+    out.length_d = scales.d;
+    out.length_b = scales.b;
+    out.length_l = scales.l;
+    out.u0 = scales.u0;
 }
 
 TurbulenceData decay_table(const AssetData& asset, double intensity) {

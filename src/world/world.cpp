@@ -178,6 +178,7 @@ void lr_world::step_through_field(const lr::StepTime& t, lr::StepChunks& chunks)
         wind.prepare(t, slice.first, slice.count, seed);
         pool.run(chunks.count, &lr::StepChunks::run, &chunks);
     }
+    chunks.slice = nullptr;
     if (wind.take_blame())
         log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
 }

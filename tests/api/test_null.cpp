@@ -35,6 +35,11 @@ TEST_CASE("every pointer that must be given is asked for") {
     CHECK(out == nullptr);
     const lr_ellipsoid_desc shape = ellipsoid(1.0, 1.0, 1.0, 1.0);
     CHECK(lr_asset_create_ellipsoid(&shape, nullptr) == null);
+    out = old_asset;
+    CHECK(lr_asset_create_rigid(nullptr, &out) == null);
+    CHECK(out == nullptr);
+    const lr_rigid_desc plate = rigid_plate();
+    CHECK(lr_asset_create_rigid(&plate, nullptr) == null);
     CHECK(lr_asset_retain(nullptr) == null);
     lr_asset_release(nullptr);
     lr_asset_info info = initialised(lr_asset_info_init);

@@ -66,6 +66,7 @@ template <class T> void check_use(const T& good, const std::function<lr_status(T
 
 TEST_CASE("every init function takes exact and larger sizes, refuses others, and writes no further") {
     check_init<lr_ellipsoid_desc>(lr_ellipsoid_desc_init);
+    check_init<lr_rigid_desc>(lr_rigid_desc_init);
     check_init<lr_asset_info>(lr_asset_info_init);
     check_init<lr_aerodynamics>(lr_aerodynamics_init);
     check_init<lr_world_desc>(lr_world_desc_init);
@@ -131,6 +132,21 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
         lr_asset* out = nullptr;
         const lr_status status = lr_asset_create_ellipsoid(d, &out);
         CHECK((out != nullptr) == (status == LR_OK));
+        lr_asset_release(out);
+        return status;
+    });
+    check_use<lr_rigid_desc>(rigid_plate(), [](lr_rigid_desc* d) {
+        lr_asset* out = nullptr;
+        const lr_status status = lr_asset_create_rigid(d, &out);
+        CHECK((out != nullptr) == (status == LR_OK));
+        lr_asset_release(out);
+        return status;
+    });
+    check_use<lr_aerodynamics>(initialised(lr_aerodynamics_init), [](lr_aerodynamics* a) {
+        lr_rigid_desc d = rigid_plate();
+        d.aerodynamics = a;
+        lr_asset* out = nullptr;
+        const lr_status status = lr_asset_create_rigid(&d, &out);
         lr_asset_release(out);
         return status;
     });

@@ -166,6 +166,48 @@ TEST_CASE("an ellipsoid must be one") {
         [] { return uint64_t{0}; });
 }
 
+TEST_CASE("a rigid body is not made from impossible numbers") {
+    std::vector<Field> fields;
+    for (size_t i = 0; i < 3; ++i) {
+        fields.push_back({"center_of_buoyancy",
+                          offsetof(lr_rigid_desc, center_of_buoyancy) + 8 * i,
+                          Field::f64,
+                          {1.0, -1.0},
+                          {0.001, -0.001}});
+        fields.push_back({"extents", offsetof(lr_rigid_desc, extents) + 8 * i, Field::f64, {0.0, -1.0, 1e300}, {0.1}});
+        fields.push_back({"inertia", offsetof(lr_rigid_desc, inertia) + 32 * i, Field::f64, {0.0, -1e-5, 1e3}, {2e-5}});
+    }
+    fields.push_back({"inertia, one side", offsetof(lr_rigid_desc, inertia) + 8, Field::f64, {1e-6}, {0.0}});
+    for (size_t i = 0; i < 6; ++i)
+        fields.push_back(
+            {"added mass", offsetof(lr_rigid_desc, added_mass) + 56 * i, Field::f64, {-1.0, 1e6}, {0.0, 1e-7}});
+    fields.push_back({"added mass, one side", offsetof(lr_rigid_desc, added_mass) + 8, Field::f64, {1e-4}, {0.0}});
+    fields.push_back({"mass", offsetof(lr_rigid_desc, mass), Field::f64, {0.0, -1.0, 1e300}, {0.02}});
+    fields.push_back({"volume", offsetof(lr_rigid_desc, volume), Field::f64, {0.0, -1.0, 1e300}, {1e-5}});
+    fields.push_back({"fluid_density", offsetof(lr_rigid_desc, fluid_density), Field::f64, {0.0, -1.0, 1e300}, {1.0}});
+    fields.push_back(
+        {"fluid_viscosity", offsetof(lr_rigid_desc, fluid_viscosity), Field::f64, {0.0, -1.0, 1e300}, {1e-6}});
+    fields.push_back({"intensity", offsetof(lr_rigid_desc, intensity), Field::f64, {-0.1, 10.1}, {0.0, 10.0}});
+    fields.push_back({"reserved", offsetof(lr_rigid_desc, reserved), Field::u32, {1.0}, {0.0}});
+    const auto create = [](const lr_rigid_desc* d) {
+        lr_asset* asset = nullptr;
+        const lr_status status = lr_asset_create_rigid(d, &asset);
+        CHECK((asset != nullptr) == (status == LR_OK));
+        lr_asset_release(asset);
+        return status;
+    };
+    check_fields<lr_rigid_desc>(rigid_plate(), fields, create, [] { return uint64_t{0}; });
+    // Its loads are checked as those of a batch are.
+    lr_aerodynamics a = initialised(lr_aerodynamics_init);
+    lr_rigid_desc d = rigid_plate();
+    d.aerodynamics = &a;
+    CHECK(create(&d) == LR_OK);
+    a.drag[0] = -1.0;
+    CHECK(create(&d) == LR_ERROR_INVALID_ARGUMENT);
+    a.drag[0] = std::numeric_limits<double>::quiet_NaN();
+    CHECK(create(&d) == LR_ERROR_NOT_FINITE);
+}
+
 TEST_CASE("a world is not created from impossible values") {
     std::vector<Field> fields = array("gravity", offsetof(lr_world_desc, gravity), 3, {1e5, -1e30}, {0.0, 1e4, -1e4});
     fields.push_back(

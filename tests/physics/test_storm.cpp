@@ -20,7 +20,7 @@ struct Storm {
         wd.seed = 99;
         wd.worker_count = workers;
         world = make(wd);
-        batch = add_batch(world, asset, count + 500);
+        batch = add_batch(world, langevin(), asset, count + 500);
         if (!govern) return;
         lr_emitter_desc e = emitter_desc();
         e.shape = LR_EMIT_BOX;

@@ -71,6 +71,15 @@ inline lr_ellipsoid_desc in_water(lr_ellipsoid_desc d) {
     d.fluid_viscosity = 1e-6;
     return d;
 }
+// A plate of 20 x 10 cm with round numbers.
+inline lr_rigid_desc rigid_plate() {
+    lr_rigid_desc d = initialised(lr_rigid_desc_init);
+    d.mass = 0.01, d.volume = 2e-5;
+    d.inertia[0] = 1e-5, d.inertia[4] = 4e-5, d.inertia[8] = 5e-5;
+    d.added_mass[14] = 1e-3, d.added_mass[21] = 1e-7, d.added_mass[28] = 3e-7;
+    d.extents[0] = 0.2, d.extents[1] = 0.1, d.extents[2] = 0.001;
+    return d;
+}
 inline Asset make(const lr_ellipsoid_desc& d) {
     lr_asset* asset = nullptr;
     REQUIRE(lr_asset_create_ellipsoid(&d, &asset) == LR_OK);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "langevin_rigid.h"
+#include "mesh.h"
 #include "renderer/egl_context.h"
-#include "renderer/mesh.h"
 #include "storm_scene.h"
 
 enum class Look { leaf, petal, paper };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/mesh.h"
+#include "mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -12,24 +12,9 @@
 #include <tuple>
 
 #include "failure.h"
+#include "vectors.h"
 
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector minus(const Vector& a, const Vector& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector unit(const Vector& a) {
-    const double length = std::sqrt(dot(a, a));
-    return length > 0.0 ? Vector{a[0] / length, a[1] / length, a[2] / length} : Vector{0.0, 0.0, 1.0};
-}
 
 struct Corner {
     std::size_t position;

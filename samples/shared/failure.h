@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -17,4 +18,9 @@ inline void check(lr_status status, const std::string& what, const std::string& 
     if (status != LR_OK) {
         throw Failure(what + ": " + lr_status_string(status) + " (status " + std::to_string(status) + ")", remedy);
     }
+}
+
+inline void tell(const char* program, const Failure& failure) {
+    std::fprintf(stderr, "%s: %s\n", program, failure.what());
+    if (!failure.remedy.empty()) std::fprintf(stderr, "%s: what to do: %s\n", program, failure.remedy.c_str());
 }

@@ -1,0 +1,35 @@
+// A card that falls in two dimensions: the model of Andersen, Pesavento and Wang (J. Fluid Mech. 541, 2005), integrated on
+// its own in double precision, as a reference for the library.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace lr::scorecard {
+
+// Lengths by the semi-chord a, velocities by sqrt((rho_s/rho_f - 1) g b), b the semi-thickness.
+struct CardModel {
+    double inertia = 1.1; // I* = rho_s b/(rho_f a)
+    double ct = 1.2, cr = 3.14159265358979323846, a = 1.4, b = 1.0, mu1 = 0.2, mu2 = 0.2;
+};
+
+struct CardState {
+    double vx = 0.0, vy = 0.0, w = 0.0; // along the chord, normal to it, spin
+    double angle = 0.0;                 // of the chord with the horizontal
+    double x = 0.0, y = 0.0;            // in the world, y up
+};
+
+// Every `interval` for `duration`, by RK4 with `step`.
+std::vector<CardState> fall(const CardModel& model, CardState start, double duration, double interval, double step);
+
+// Means over the second half of a fall.
+struct CardMeans {
+    double vx = 0.0, vy = 0.0, w = 0.0; // world frame
+};
+CardMeans means(const std::vector<CardState>& states, double interval);
+
+// The normal of the card, for the classifier; up is +y.
+std::vector<Eigen::Vector3d> normals(const std::vector<CardState>& states);
+
+} // namespace lr::scorecard

@@ -1,0 +1,51 @@
+// The runtime's C handles as owners, and statuses as exceptions.
+#pragma once
+
+#include "langevin_rigid.h"
+#include "langevin_rigid_baker.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace lr::scorecard {
+
+struct ReleaseAsset {
+    void operator()(lr_asset* asset) const { lr_asset_release(asset); }
+};
+struct DestroyWorld {
+    void operator()(lr_world* world) const { lr_world_destroy(world); }
+};
+using Asset = std::unique_ptr<lr_asset, ReleaseAsset>;
+using World = std::unique_ptr<lr_world, DestroyWorld>;
+
+// Throws std::runtime_error that says which call failed.
+void require(lr_status status, const char* call);
+
+template <class T> T initialised(lr_status (*init)(T*, uint32_t)) {
+    T desc;
+    require(init(&desc, sizeof(T)), "an _init function");
+    return desc;
+}
+
+// Throws std::runtime_error with the first error of a bake that failed.
+Asset load(const langevin_rigid::BakeResult& result);
+
+lr_asset_info info_of(const Asset& asset);
+World make_world(const lr_world_desc& desc);
+
+// What moves the bodies of a measurement.
+struct Loads {
+    int32_t load_model = LR_LOADS_DEFAULT;
+    int32_t integrator = LR_INTEGRATOR_DEFAULT;
+    int32_t clock = LR_CLOCK_SPEED;
+    float noise_gain = 1.0f;
+    // Called once the batch exists and before it has bodies; may override coefficients. May be empty. Several
+    // measurements may call it at the same time, each with a world of its own.
+    std::function<void(lr_world*, lr_batch)> configure;
+};
+
+// A batch of `capacity` bodies with these loads.
+lr_batch add_batch(const World& world, const Asset& asset, const Loads& loads, uint32_t capacity);
+
+} // namespace lr::scorecard

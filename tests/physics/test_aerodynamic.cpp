@@ -1,0 +1,173 @@
+// Closed forms of the AERODYNAMIC loads: terminal speeds, a fall with quadratic drag, the fluid's own velocity, gains.
+#include "support/random.h"
+#include "support/scene.h"
+#include "support/vector.h"
+
+#include <cmath>
+#include <numbers>
+
+using namespace test;
+using std::numbers::pi;
+
+namespace {
+
+lr_batch_desc aerodynamic(int32_t integrator = LR_INTEGRATOR_DEFAULT) {
+    lr_batch_desc d = batch_desc();
+    d.load_model = LR_LOADS_AERODYNAMIC;
+    d.integrator = integrator;
+    return d;
+}
+
+Asset rigid(const lr_rigid_desc& d) {
+    lr_asset* raw = nullptr;
+    REQUIRE(lr_asset_create_rigid(&d, &raw) == LR_OK);
+    return Asset(raw);
+}
+
+// Clift and Gauvin 1970.
+double sphere_drag(double re) {
+    return 24.0 / re * (1.0 + 0.15 * std::pow(re, 0.687)) + 0.42 / (1.0 + 42500.0 * std::pow(re, -1.16));
+}
+
+// A plate that only drag along z acts on.
+constexpr double drag_area = 0.04;
+lr_rigid_desc braked(const lr_aerodynamics& loads) {
+    lr_rigid_desc d = rigid_plate();
+    d.aerodynamics = &loads;
+    return d;
+}
+
+} // namespace
+
+TEST_CASE("spheres settle at the speed of the standard drag curve") {
+    struct Ball {
+        double radius, density;
+        bool water;
+    };
+    for (const Ball& b : {Ball{2e-4, 1100.0, true}, Ball{1e-3, 1200.0, true}, Ball{5e-3, 1300.0, true},
+                          Ball{2e-3, 20.0, false}, Ball{0.01, 50.0, false}, Ball{0.04, 100.0, false}}) {
+        lr_ellipsoid_desc shape = ellipsoid(b.radius, b.radius, b.radius, b.density);
+        if (b.water) shape = in_water(shape);
+        const Asset asset = make(shape);
+        const double nu = shape.fluid_viscosity, d = 2.0 * b.radius;
+        // Weight in the fluid against 1/2 rho C_D pi r^2 v^2.
+        const double square = 8.0 / 3.0 * (b.density / shape.fluid_density - 1.0) * 9.81 * b.radius;
+        double speed = std::sqrt(square);
+        for (int i = 0; i < 200; ++i) speed = std::sqrt(0.5 * (speed * speed + square / sphere_drag(speed * d / nu)));
+        const World world = make(world_desc());
+        lr_batch_desc bd = aerodynamic();
+        bd.noise_gain = 0.0f;
+        const lr_batch batch = add_batch(world, bd, asset, 1);
+        const lr_body body = add_body(world, batch, body_desc());
+        steps(world, 1200, 1.0f / 120.0f);
+        CAPTURE(b.radius);
+        MESSAGE("Re ", speed * d / nu, ": ", speed, " m/s, here ", -state_of(world, body).linear_velocity[1]);
+        // The curve itself is followed to 8 %, and a speed goes with its root or less.
+        CHECK(-wide(state_of(world, body).linear_velocity[1]) == doctest::Approx(speed).epsilon(0.08));
+    }
+}
+
+TEST_CASE("a fall against quadratic drag is the hyperbolic tangent, at any step") {
+    lr_aerodynamics loads = initialised(lr_aerodynamics_init);
+    loads.drag[2] = drag_area;
+    const Asset asset = rigid(braked(loads));
+    const lr_asset_info info = info_of(asset);
+    const double weight = (info.mass - info.fluid_density * info.volume) * 9.81;
+    const double mass = info.mass + info.added_mass[14],
+                 terminal = std::sqrt(2.0 * weight / (info.fluid_density * drag_area));
+    for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL})
+        for (float gain : {1.0f, 4.0f})
+            for (int steps_in_all : {12, 60, 600}) {
+                lr_world_desc wd = world_desc();
+                wd.gravity[1] = 0.0f, wd.gravity[2] = -9.81f;
+                const World world = make(wd);
+                lr_batch_desc bd = aerodynamic();
+                bd.tensor = tensor;
+                const lr_batch batch = add_batch(world, bd, asset, 1);
+                lr_load_gains gains = initialised(lr_load_gains_init);
+                gains.drag = gain;
+                REQUIRE(lr_batch_set_load_gains(world.get(), batch, &gains) == LR_OK);
+                const lr_body body = add_body(world, batch, body_desc());
+                const double speed = terminal / std::sqrt(wide(gain)), rate = weight / (mass * speed), time = 0.2;
+                CAPTURE(gain);
+                CAPTURE(steps_in_all);
+                steps(world, steps_in_all, narrow(time / steps_in_all));
+                const lr_body_state s = state_of(world, body);
+                const double tolerance = steps_in_all == 12 ? 1e-2 : steps_in_all == 60 ? 1e-3 : 1e-4;
+                CHECK(-wide(s.linear_velocity[2]) ==
+                      doctest::Approx(speed * std::tanh(rate * time)).epsilon(tolerance));
+                CHECK(-wide(s.position[2]) ==
+                      doctest::Approx(speed / rate * std::log(std::cosh(rate * time))).epsilon(tolerance));
+                // And it ends at its terminal speed however long the step.
+                steps(world, 100, 0.1f);
+                CHECK(-wide(state_of(world, body).linear_velocity[2]) == doctest::Approx(speed).epsilon(1e-3));
+            }
+}
+
+// A body of no weight that creeping flow drags along at once goes with the fluid's own velocity, which is Pope's process.
+TEST_CASE("the fluid's own velocity has Pope's variance and correlation, at any step") {
+    lr_aerodynamics loads = initialised(lr_aerodynamics_init);
+    for (double& k : loads.drag_stokes) k = 1e5;
+    lr_rigid_desc d = rigid_plate();
+    d.volume = d.mass / d.fluid_density;
+    for (double& extent : d.extents) extent = 0.25;
+    for (size_t i = 0; i < 3; ++i) d.inertia[i * 4] = 1e-4, d.added_mass[i * 7] = 1e-3;
+    d.added_mass[21] = d.added_mass[28] = 0.0;
+    d.aerodynamics = &loads;
+    const Asset asset = rigid(d);
+    const double chi = 2.0, c0 = 2.0, epsilon = 0.3;
+    const double alpha = (0.5 + 0.75 * c0) * chi, variance = c0 * epsilon / (2.0 * alpha);
+    constexpr uint32_t count = 4000;
+    for (float h : {0.02f, 0.1f, 0.5f})
+        for (float gain : {1.0f, 2.0f}) {
+            const World world = weightless(6);
+            lr_batch_desc bd = aerodynamic();
+            bd.clock = LR_CLOCK_AGE;
+            const lr_batch batch = add_batch(world, bd, asset, count);
+            set_constant_table(world, batch, chi, epsilon, c0, 1.0, 0.1);
+            lr_load_gains gains = initialised(lr_load_gains_init);
+            gains.turbulence = gain;
+            REQUIRE(lr_batch_set_load_gains(world.get(), batch, &gains) == LR_OK);
+            std::vector<lr_body> ids;
+            for (uint32_t i = 0; i < count; ++i) ids.push_back(add_body(world, batch, body_desc()));
+            steps(world, static_cast<int>(3.0f / h) + 2, h);
+            std::vector<Vec> before;
+            for (lr_body id : ids) before.push_back(vec(state_of(world, id).linear_velocity));
+            steps(world, 1, h);
+            Vec square{}, product{};
+            for (uint32_t i = 0; i < count; ++i) {
+                const Vec now = vec(state_of(world, ids[i]).linear_velocity);
+                for (size_t k = 0; k < 3; ++k)
+                    square[k] += before[i][k] * before[i][k] / count, product[k] += before[i][k] * now[k] / count;
+            }
+            CAPTURE(h);
+            CAPTURE(gain);
+            const double expected = variance * wide(gain) * wide(gain);
+            for (size_t k = 0; k < 3; ++k) {
+                CHECK(square[k] == doctest::Approx(expected).epsilon(4.0 * std::sqrt(2.0 / count)));
+                CHECK(std::abs(product[k] / expected - std::exp(-alpha * wide(h))) < 4.0 * std::sqrt(2.0 / count));
+            }
+        }
+}
+
+TEST_CASE("without its wake a fall is the same for any seed, with it it is not") {
+    const auto end = [](float noise, float turbulence, uint64_t seed) {
+        lr_world_desc wd = world_desc();
+        wd.seed = seed;
+        const World world = make(wd);
+        lr_batch_desc bd = aerodynamic();
+        bd.noise_gain = noise;
+        const lr_batch batch = add_batch(world, bd, leaf(), 1);
+        lr_load_gains gains = initialised(lr_load_gains_init);
+        gains.turbulence = turbulence;
+        REQUIRE(lr_batch_set_load_gains(world.get(), batch, &gains) == LR_OK);
+        lr_body_desc b = body_desc();
+        b.orientation[0] = 0.3f;
+        const lr_body id = add_body(world, batch, b);
+        steps(world, 60, 1.0f / 60.0f);
+        return vec(state_of(world, id).position);
+    };
+    CHECK(length(end(0.0f, 1.0f, 1) - end(0.0f, 1.0f, 2)) == 0.0);
+    CHECK(length(end(1.0f, 0.0f, 1) - end(1.0f, 0.0f, 2)) == 0.0);
+    CHECK(length(end(1.0f, 1.0f, 1) - end(1.0f, 1.0f, 2)) > 1e-3);
+}
