@@ -12,7 +12,7 @@ AerodynamicGeometry hull_geometry(const AssetData& asset, const std::array<doubl
     SurfaceMeasures measures(axes, asset.center_of_buoyancy, asset.length_d);
     const auto point = [&](size_t corner) {
         const float* v = asset.hull.vertices.data() + 3 * size_t{asset.hull.triangles[corner]};
-        return SurfaceMeasures::Point{v[0], v[1], v[2]};
+        return SurfaceMeasures::Point{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
     };
     for (size_t i = 0; i + 2 < asset.hull.triangles.size(); i += 3)
         measures.add(point(i), point(i + 1), point(i + 2), 1.0);
