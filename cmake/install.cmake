@@ -3,7 +3,10 @@ install(TARGETS langevin_rigid EXPORT langevin_rigid_targets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 if(TARGET lr_bake)
-    install(TARGETS lr_bake lr_scorecard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS lr_bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    if(TARGET lr_scorecard)
+        install(TARGETS lr_scorecard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    endif()
     # Apart from the runtime's targets: who uses those alone must not need assimp.
     install(TARGETS langevin_rigid_baker EXPORT langevin_rigid_baker_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(FILES include/langevin_rigid_baker.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
