@@ -186,7 +186,9 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         External external{};
         for (Twist* t : {external.force, external.force + 1, external.rate, external.rate + 1}) *t = {none, none};
         if (in.external.any) external = take_external(in.external, c, body_scale, at);
-        external.force[0].u = add(external.force[0].u, to_world(q, loads.torque));
+        // In the body's frame: held in the world's, a step that turns the body otherwise than foreseen would bring it to bear
+        // on an axis about which there is neither torque nor inertia.
+        external.force[1].u = add(external.force[1].u, loads.torque);
         held.external = &external;
 
         // The fluid's acceleration is the frame's.

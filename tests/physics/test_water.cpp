@@ -403,14 +403,13 @@ TEST_CASE("a callback's surface is as good as a plane there, and one that is non
     CHECK(same_bits(run(0.25f, 2.0f, true), run(0.25f, 0.0f, true))); // beyond its reach
 }
 
-TEST_CASE("whatever crosses the surface stays finite, and with drag gains no energy from nowhere") {
+// What they may gain: test_water_energy.cpp.
+TEST_CASE("whatever crosses the surface stays finite, with noise and among waves") {
     for (uint32_t i = 0; i < 600; ++i) {
         CAPTURE(i);
         Random random(i);
-        const auto spread = [&](double low, double high) {
-            return low * std::pow(high / low, wide(random.real(0.0, 1.0)));
-        };
-        lr_ellipsoid_desc e = ellipsoid(spread(0.001, 1.0), spread(0.001, 1.0), spread(0.0001, 1.0), spread(2.0, 2e4));
+        lr_ellipsoid_desc e = ellipsoid(random.logarithmic(1e-3, 1.0), random.logarithmic(1e-3, 1.0),
+                                        random.logarithmic(1e-4, 1.0), random.logarithmic(2.0, 2e4));
         if (i % 3 == 0) e.center_of_mass[0] = 0.3 * e.semi_axes[0];
         const Asset asset = make(e);
         const World world = make(world_desc());
@@ -418,32 +417,23 @@ TEST_CASE("whatever crosses the surface stays finite, and with drag gains no ene
         d.wave_count = i % 2;
         d.waves[0] = {{1.0f, 0.0f, 0.0f}, 2.0f, 0.1f, 0.0f};
         set_water(world, d);
-        const uint32_t model = i / 3 % 3;
         const int32_t models[] = {LR_LOADS_NONE, LR_LOADS_LANGEVIN, LR_LOADS_AERODYNAMIC};
-        const lr_batch batch = add_batch(world, loads(models[model]), asset, 1);
-        lr_body_desc b = at_height(wide(random.real(-0.5, 0.5)));
+        const lr_batch batch = add_batch(world, loads(models[i / 3 % 3]), asset, 1);
+        lr_body_desc b = at_height(random.uniform(-0.5, 0.5));
         for (float& q : b.orientation) q = random.real(-1.0, 1.0);
         for (float& v : b.linear_velocity) v = random.real(-5.0, 5.0);
         for (float& w : b.angular_velocity) w = random.real(-50.0, 50.0);
         const lr_body body = add_body(world, batch, b);
-        const float dt = narrow(spread(1.0 / 240.0, 0.1));
-        double fastest = 0.0, deepest = 0.0;
+        const float dt = narrow(random.logarithmic(1.0 / 240.0, 0.1));
+        double fastest = 0.0;
         for (int frame = 0; frame < 120; ++frame) {
             steps(world, 1, dt);
             const lr_body_state s = state_of(world, body);
             for (float w : s.angular_velocity) REQUIRE(std::isfinite(w));
             double square = 0.0;
             for (float v : s.linear_velocity) square += wide(v) * wide(v);
-            REQUIRE(std::isfinite(square));
-            fastest = std::max(fastest, square);
-            deepest = std::max(deepest, -wide(s.position[1]));
+            fastest = std::max(fastest, std::isfinite(square) ? square : 1e300);
         }
-        // Light bodies come up fast: displaced water's energy drives what may be a thousandth of its mass. Besides it
-        // there is what the body has brought along, a fall, and waves.
-        const double size = std::max({e.semi_axes[0], e.semi_axes[1], e.semi_axes[2]});
-        const double lift = 2.0 * g * (1.0 + water_density / e.density) * (deepest + size + 0.2);
-        const double brought = 3.0 * (25.0 + 2500.0 * size * size), fall = wide(dt) * 120.0 * g;
-        // Without loads, what is light and does not resolve its own turning gains some (docs/water.md).
-        CHECK(fastest < (model == 2 ? brought + fall * fall + lift : 1e8));
+        CHECK(fastest < 1e8);
     }
 }
