@@ -178,7 +178,7 @@ bool Batch::set_aerodynamics(const AerodynamicData& loads, const Gains& gains) {
     return true;
 }
 
-const WaterBody* Batch::water_body(const lr_surface_desc& surface) {
+const WaterBody* Batch::water_body(const lr_surface_desc& surface, bool& failed) {
     if (!water_made_ || water_density_ != surface.density || water_viscosity_ != surface.viscosity) {
         water_density_ = surface.density;
         water_viscosity_ = surface.viscosity;
@@ -187,6 +187,7 @@ const WaterBody* Batch::water_body(const lr_surface_desc& surface) {
                                         std::max(static_cast<double>(surface.density), settings_.fluid_density),
                                         static_cast<double>(surface.viscosity), step.body, water_);
         water_made_ = true;
+        failed = failed || !water_usable_;
     }
     return water_usable_ ? &water_ : nullptr;
 }

@@ -71,8 +71,9 @@ public:
     uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
     const BatchSettings& settings() const { return settings_; }
 
-    // Its bodies under a surface; made anew when that or the loads have changed. Null when it cannot be.
-    const WaterBody* water_body(const lr_surface_desc& surface);
+    // Its bodies under a surface; made anew when that or the loads have changed. Null when it cannot be, and then `failed`
+    // is set once.
+    const WaterBody* water_body(const lr_surface_desc& surface, bool& failed);
 
     ExternalForces external;
     bool reserve_forces(); // for forces on single bodies; false when out of memory

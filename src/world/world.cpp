@@ -127,6 +127,7 @@ void lr_world::step(float dt, uint32_t substeps) {
     const bool field = wind.active();
     const lr::SurfaceStep at_surface{target, &surface, {time, h, substeps}, gravity};
     lr::StepChunks chunks{};
+    bool unfit = false;
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
         if (!batch) continue;
@@ -141,7 +142,7 @@ void lr_world::step(float dt, uint32_t substeps) {
         in.inverse_sqrt_h = static_cast<float>(1.0 / std::sqrt(h));
         std::copy(gravity, gravity + 3, in.gravity);
         in.external = batch->external.input();
-        in.water = surface.present() ? batch->water_body(surface.desc()) : nullptr;
+        in.water = surface.present() ? batch->water_body(surface.desc(), unfit) : nullptr;
         std::copy(uniform.before, uniform.before + 3, in.wind_begin);
         std::copy(uniform.wind, uniform.wind + 3, in.wind);
         in.wind_changes = !field && !std::equal(uniform.wind, uniform.wind + 3, uniform.before);
@@ -158,6 +159,8 @@ void lr_world::step(float dt, uint32_t substeps) {
     else
         pool.run(chunks.count, &lr::StepChunks::run, &chunks);
     wind.end_step(dt);
+    if (unfit)
+        log(LR_LOG_WARNING, "surface", "a batch's mass matrix is singular in its fluid, which is not there for it");
     if (surface.take_blame())
         log(LR_LOG_WARNING, "surface callback", "a value was no surface's, and the plane was taken instead");
     substep_count += substeps;
