@@ -12,7 +12,7 @@ constexpr auto lanes = static_cast<uint32_t>(lane_block), most = static_cast<uin
 
 NearBodies::NearBodies(const SurfaceStep& step, const StepInput& in, const BatchArrays& from, uint32_t live,
                        uint32_t begin, uint32_t end, double dt, bool forget)
-    : step_(&step), begin_(begin), end_(end), live_(live) {
+    : step_(&step), begin_(begin), live_(live) {
     const float* const g = step.gravity;
     const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     step.target->surface.near(step.surface->at(step.time.begin), step.surface->highest(), *in.water,

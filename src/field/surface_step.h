@@ -35,7 +35,7 @@ private:
     void sample(double time, lr_batch batch, SurfaceInstant& plane, SurfaceBlock& block);
 
     const SurfaceStep* step_;
-    uint32_t begin_, end_, live_;
+    uint32_t begin_, live_;
     uint32_t count_ = 0, padded_ = 0;
     bool windy_ = false;
     alignas(64) uint32_t near_[field_block];
