@@ -333,6 +333,35 @@ TEST_CASE("a heavy disc enters the water and sinks through it slower than it fel
     CHECK(sank < 0.6);
 }
 
+TEST_CASE("a disc that has gone in flutters down") {
+    const Asset disc = make(ellipsoid(0.1, 0.004, 0.1, 2000.0));
+    const World world = make(world_desc());
+    set_water(world, water_desc());
+    const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), disc, 1);
+    no_turbulence(world, batch);
+    lr_body_desc d = at_height(0.25);
+    d.orientation[2] = narrow(std::sin(0.17));
+    d.orientation[3] = narrow(std::cos(0.17));
+    const lr_body body = add_body(world, batch, d);
+    int turns = 0;
+    double last = 0.0, steepest = 0.0, deepest = 0.0;
+    for (int i = 0; i < 600; ++i) {
+        steps(world, 1, 1.0f / 120.0f, 2);
+        const lr_body_state s = state_of(world, body);
+        if (s.position[1] > -0.05f) continue;
+        const double along = wide(s.linear_velocity[0]);
+        turns += along * last < 0.0;
+        last = along;
+        const float* const q = s.orientation;
+        steepest = std::max(steepest, std::abs(2.0 * (wide(q[0]) * wide(q[1]) + wide(q[2]) * wide(q[3]))));
+        deepest = std::min(deepest, wide(s.position[1]));
+        CHECK(1.0 - 2.0 * (wide(q[0]) * wide(q[0]) + wide(q[2]) * wide(q[2])) > 0.0); // it does not tumble
+    }
+    CHECK(turns >= 4);
+    CHECK(steepest > 0.3);
+    CHECK(deepest < -0.4);
+}
+
 TEST_CASE("a current carries what floats") {
     const Asset ball = make(ellipsoid(0.05, 0.05, 0.05, 600.0));
     const World world = make(world_desc());
