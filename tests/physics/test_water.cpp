@@ -1,5 +1,6 @@
 // Two fluids with a surface between them, against closed forms: docs/water.md.
 #include "support/random.h"
+#include "support/vector.h"
 #include "support/water.h"
 
 #include <algorithm>
@@ -143,6 +144,34 @@ TEST_CASE("a ball dropped into the water converges to a reference in double prec
         last = error;
     }
     CHECK(last < 1e-5);
+}
+
+TEST_CASE("a plank that rolls off balance through the surface converges with second order") {
+    lr_ellipsoid_desc shape = ellipsoid(0.1, 0.02, 0.05, 500.0);
+    shape.center_of_mass[0] = 0.01, shape.center_of_mass[1] = -0.004;
+    const Asset plank = make(shape);
+    for (int32_t model : {LR_LOADS_NONE, LR_LOADS_AERODYNAMIC}) {
+        CAPTURE(model);
+        const auto after_a_second = [&](int n) {
+            const World world = make(world_desc());
+            set_water(world, water_desc());
+            const lr_batch batch = add_batch(world, loads(model), plank, 1);
+            no_turbulence(world, batch);
+            lr_body_desc d = at_height(0.02);
+            d.orientation[0] = 0.1f, d.orientation[2] = 0.2f;
+            d.angular_velocity[1] = 2.0f;
+            const lr_body body = add_body(world, batch, d);
+            steps(world, n, 1.0f / static_cast<float>(n));
+            return state_of(world, body);
+        };
+        const lr_body_state reference = after_a_second(3840);
+        const auto error = [&](int n) {
+            const lr_body_state s = after_a_second(n);
+            return length(vec(s.position) - vec(reference.position));
+        };
+        CHECK(error(120) > 10.0 * error(480)); // 16 in the limit
+        CHECK(error(480) < 1e-4);
+    }
 }
 
 TEST_CASE("on entry momentum is kept, whatever the step; on the way out velocity") {
