@@ -504,7 +504,7 @@ typedef struct lr_surface_desc {
 LR_API lr_status lr_surface_desc_init(lr_surface_desc* desc, uint32_t struct_size);
 
 /* From the next step on; copied. Null removes it. Bodies keep their velocities, also those that are now in another
- * fluid. Part of snapshots and of the world's hash.
+ * fluid. A batch whose mass matrix is singular in it stays in its own, with a warning. Part of snapshots and hash.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_set_surface(lr_world* world, const lr_surface_desc* desc);
 
