@@ -478,6 +478,64 @@ LR_API lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities);
 
+/* A second fluid under a surface: water, with air above. docs/water.md */
+
+#define LR_MAX_WAVES 8u
+
+/* A long-crested wave of deep water. Heights add; its frequency sqrt(2 pi g/length) is that of the world's gravity when
+ * the surface is set. */
+typedef struct lr_wave {
+    float direction[3]; /* where it goes: any vector not along the normal; its part in the plane counts */
+    float length;       /* m, crest to crest, 1e-3 to 1e6 */
+    float amplitude;    /* m, half of crest to trough, 0 to length/7: steeper ones break */
+    float phase;        /* rad, up to 1e6 in magnitude: 0 has a crest at `position` at the world's time 0 */
+} lr_wave;
+
+/* The lower fluid fills everything below a plane, or below the waves on it. Above is the fluid of the world or of each
+ * batch's asset. Bodies float, sink, and go through; surface tension is ignored. */
+typedef struct lr_surface_desc {
+    uint32_t struct_size;
+    uint32_t wave_count; /* used part of `waves`; initially 0 */
+    float position[3];   /* m, a point of the plane, each up to 1e9 in magnitude; initially 0 */
+    float normal[3];     /* upward, any length but 0; initially 0, 1, 0 */
+    float density;       /* kg/m^3, 1e-3 to 1e6; initially 998. A batch whose own fluid is denser keeps that one's */
+    float viscosity;     /* m^2/s, kinematic, 1e-12 to 1e3; initially 1e-6 */
+    float current[3];    /* m/s, velocity of the lower fluid, each up to 1000 in magnitude; initially 0 */
+    float reach;         /* m, 0 to 1e6: a callback's surface lies at most so far from the plane; initially 0 */
+    lr_wave waves[LR_MAX_WAVES];
+} lr_surface_desc;
+
+LR_API lr_status lr_surface_desc_init(lr_surface_desc* desc, uint32_t struct_size);
+
+/* From the next step on; copied. Null removes it. Bodies keep their velocities, also those that are now in another
+ * fluid. A batch whose mass matrix is singular in it stays in its own, with a warning. Part of snapshots and hash.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_world_set_surface(lr_world* world, const lr_surface_desc* desc);
+
+/* What a surface callback is asked. Arrays have one value a body, and hold what plane and waves give at first. */
+typedef struct lr_surface_query {
+    uint32_t struct_size;
+    uint32_t count;           /* bodies, 1 to 256 */
+    lr_batch batch;           /* whose bodies they are */
+    uint32_t reserved;        /* 0 */
+    double time;              /* s */
+    const float* position[3]; /* m; finite */
+    float* height;            /* m above the plane of the surface there, along the plane's normal */
+    float* normal[3];         /* unit, of the surface, less than 80 degrees from the plane's */
+    float* velocity[3];       /* m/s, of the lower fluid at the position */
+    float* rate[3]; /* m/s^2, its acceleration. Where the surface is steep it is what lets bodies slide down */
+} lr_surface_query;
+
+/* Called for bodies near the surface: once, and twice more for each substep; on what terms: as lr_wind_fn.
+ * A body whose values are not finite, too large (heights over `reach`, velocities over 1000 m/s, accelerations over
+ * 1e6 m/s^2), or whose normal is none gets those of the plane, and a warning is logged once
+ * after the step. */
+typedef void (*lr_surface_fn)(void* user, const lr_surface_query* query);
+
+/* An engine's own water, while there is a surface. Null removes it. Not part of snapshots.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world). */
+LR_API lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn callback, void* user);
+
 /* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit
  * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as
  * the batches' rules and emitters say. Allocates nothing. The floating-point mode of the calling thread is saved, set
@@ -487,16 +545,16 @@ LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
 /* A hash of the state of all bodies and the time index. Independent of the order of bodies in memory, of the processor
  * and of worker_count; equal hashes mean equal motion from here on, given equal worlds. Wind sources are part of it,
- * grids by the hash of their samples.
+ * grids by the hash of their samples, and the surface.
  * LR_OK, LR_ERROR_NULL_ARGUMENT. */
 LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
-/* Writes the world's state (bodies with their ids, time, wind, gravity, tables, loads, forces, rules and emitters) into
- * `size` bytes at `memory`, any alignment. Assets, batches' settings, threads and callbacks are not part of it, nor the
- * samples of wind grids, which are named by their hash. written: bytes used; may be null.
+/* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter)
+ * into `size` bytes at `memory`, any alignment. Assets, batches' settings, threads, callbacks are not part of it, nor
+ * the samples of wind grids, which are named by their hash. written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
 

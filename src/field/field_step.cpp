@@ -69,8 +69,20 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const BatchArra
             slice.target->evaluate(slice.field->instant(i), last - at, block);
             if (slice.field->callback() && at < live) ask(*slice.field, time, batch, std::min(last, live) - at, block);
             slice.target->combine(h, last - at, block, sample);
-            slice.target->step(substep, bodies, at, last);
-            slice.target->settle(in.body, h, block, sample, arrays, at, last);
+            const auto step_block = [&] {
+                slice.target->step(substep, bodies, at, last);
+                slice.target->settle(in.body, h, block, sample, arrays, at, last);
+            };
+            if (!slice.surface || !in.water) {
+                step_block();
+                continue;
+            }
+            NearBodies near(*slice.surface, in, arrays, live, at, last, slice.time.h, false);
+            step_block();
+            if (!near.any()) continue;
+            near.set_wind(sample.wind);
+            near.run(in, batch, slice.first + i, 1);
+            near.put_back(arrays);
         }
     }
 }

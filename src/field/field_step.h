@@ -1,6 +1,7 @@
 // Bodies through a slice of a step in a wind field: wind at a block of bodies, then that block's substep.
 #pragma once
 
+#include "field/surface_step.h"
 #include "field/wind_field.h"
 
 namespace lr {
@@ -9,7 +10,8 @@ struct FieldSlice {
     const KernelTarget* target;
     WindField* field;
     StepTime time;
-    uint32_t first, count; // substeps of the step
+    uint32_t first, count;      // substeps of the step
+    const SurfaceStep* surface; // null without one
 };
 
 // batch: handle, for the caller's own field. live: bodies of the batch; lanes from it on have none.

@@ -17,18 +17,18 @@ namespace lr::HWY_NAMESPACE {
 HWY_INLINE Vec3 times(Vec3 a, Vec3 b) {
     return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
 }
-HWY_INLINE VF weighted(const float k[3], Vec3 w) {
+template <class T> HWY_INLINE VF weighted(const T* k, Vec3 w) {
     return mul_add(constant(k[0]), w.x, mul_add(constant(k[1]), w.y, hn::Mul(constant(k[2]), w.z)));
 }
 
 // Row-major 3x3 matrix and its transpose.
-HWY_INLINE Vec3 rows(const float m[9], Vec3 a) {
+template <class T> HWY_INLINE Vec3 rows(const T* m, Vec3 a) {
     return {weighted(m, a), weighted(m + 3, a), weighted(m + 6, a)};
 }
-HWY_INLINE Vec3 columns(const float m[9], Vec3 a) {
+template <class T> HWY_INLINE Vec3 columns(const T* m, Vec3 a) {
     return add(scale(a.x, broadcast(m)), add(scale(a.y, broadcast(m + 3)), scale(a.z, broadcast(m + 6))));
 }
-HWY_INLINE Twist rows6(const float m[18], Vec3 a) {
+template <class T> HWY_INLINE Twist rows6(const T* m, Vec3 a) {
     return {rows(m, a), rows(m + 9, a)};
 }
 
@@ -38,7 +38,7 @@ HWY_INLINE VF speed_squared(Vec3 v) {
 }
 
 // Drag is -drag_rate v, per mass unit.
-HWY_INLINE VF drag_rate(const AerodynamicConstants& c, VF b, VF nu, Vec3 v) {
+template <class A> HWY_INLINE VF drag_rate(const A& c, VF b, VF nu, Vec3 v) {
     const VF s2 = speed_squared(v), s = hn::Sqrt(s2);
     const Vec3 part = scale(hn::Div(constant(1.0f), s2), times(v, v));
     const VF separated = hn::Div(s, mul_add(constant(8710.0f), nu, s)); // Re/(Re + 8710)
@@ -48,12 +48,12 @@ HWY_INLINE VF drag_rate(const AerodynamicConstants& c, VF b, VF nu, Vec3 v) {
 }
 
 // How far the flow is from edge-on: sin^2 of the angle of attack for a sheet.
-HWY_INLINE VF stall(const AerodynamicConstants& c, VF s2, Vec3 v) {
+template <class A> HWY_INLINE VF stall(const A& c, VF s2, Vec3 v) {
     return hn::Div(weighted(c.broadside, times(v, v)), s2);
 }
 
 // Lift is circulation x v, per mass unit: of translation, of rotation, and the sideways part of an uneven viscous drag.
-HWY_INLINE Vec3 circulation(const AerodynamicConstants& c, VF b, VF nu, Vec3 v, Vec3 u) {
+template <class A> HWY_INLINE Vec3 circulation(const A& c, VF b, VF nu, Vec3 v, Vec3 u) {
     const VF s2 = speed_squared(v), s = hn::Sqrt(s2);
     const VF inverse = hn::Div(b, s2);
     const VF root = hn::Sqrt(hn::Mul(s, nu));
@@ -68,7 +68,7 @@ HWY_INLINE Vec3 circulation(const AerodynamicConstants& c, VF b, VF nu, Vec3 v, 
 }
 
 // Spin drag is -rate u along each axis.
-HWY_INLINE Vec3 spin_drag_rate(const AerodynamicConstants& c, VF b, VF nu, VF s, Vec3 u) {
+template <class A> HWY_INLINE Vec3 spin_drag_rate(const A& c, VF b, VF nu, VF s, Vec3 u) {
     const VF spin = hn::Sqrt(weighted(c.spin_weight, times(u, u)));
     const auto along = [&](int k) HWY_ATTR {
         return hn::Mul(
@@ -83,11 +83,11 @@ struct Roll {
     Vec3 axis;
     VF rate;
 };
-HWY_INLINE Roll roll_damping(const AerodynamicConstants& c, VF b, VF s, Vec3 v) {
+template <class A> HWY_INLINE Roll roll_damping(const A& c, VF b, VF s, Vec3 v) {
     return {times(broadcast(c.roll), v), hn::Div(b, s)};
 }
 
-HWY_INLINE Vec3 lift_moment(const AerodynamicConstants& c, VF b, Vec3 v) {
+template <class A> HWY_INLINE Vec3 lift_moment(const A& c, VF b, Vec3 v) {
     const VF sigma = stall(c, speed_squared(v), v);
     const auto along = [&](int k, VF vi, VF vj) HWY_ATTR {
         return hn::Mul(hn::Mul(b, hn::Mul(vi, vj)),
@@ -96,17 +96,17 @@ HWY_INLINE Vec3 lift_moment(const AerodynamicConstants& c, VF b, Vec3 v) {
     return {along(0, v.y, v.z), along(1, v.z, v.x), along(2, v.x, v.y)};
 }
 
-template <bool kFull> HWY_INLINE Vec3 centre_velocity(const AerodynamicConstants& c, Twist t) {
+template <bool kFull, class A> HWY_INLINE Vec3 centre_velocity(const A& c, Twist t) {
     if constexpr (!kFull) return t.v;
     return rows(c.axes, add(t.v, cross(t.u, broadcast(c.arm))));
 }
-template <bool kFull> HWY_INLINE Vec3 load_spin(const AerodynamicConstants& c, Twist t) {
+template <bool kFull, class A> HWY_INLINE Vec3 load_spin(const A& c, Twist t) {
     if constexpr (!kFull) return t.u;
     return rows(c.axes, t.u);
 }
 
 // All of them as force and torque about the centre of mass, body axes.
-template <bool kFull> HWY_INLINE Twist aerodynamic_loads(const AerodynamicConstants& c, VF b, Twist t) {
+template <bool kFull, class A> HWY_INLINE Twist aerodynamic_loads(const A& c, VF b, Twist t) {
     const VF nu = hn::Mul(constant(c.viscosity), b);
     const Vec3 v = centre_velocity<kFull>(c, t), u = load_spin<kFull>(c, t);
     const Vec3 force = sub(cross(circulation(c, b, nu, v, u), v), scale(drag_rate(c, b, nu, v), v));

@@ -33,10 +33,9 @@ HWY_INLINE Vec3 each(VF (*f)(VF, VF, VF), Vec3 y, Vec3 x, Vec3 tau_f) {
 
 // Drag opposes the velocity with one factor in all directions, so that the modes of the mobility P M^-1 P^T decay on
 // their own, each towards its terminal velocity.
-template <bool kFull>
-HWY_INLINE void drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Twist applied,
-                          Body& b) {
-    const AerodynamicConstants& a = c.aerodynamics;
+template <bool kFull, class C>
+HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Twist applied, Body& b) {
+    const auto& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);
     if constexpr (!kFull) {
         const Vec3 rate = broadcast(c.inverse_mass);
@@ -69,7 +68,7 @@ HWY_INLINE Vec3 resisted(const Resistance& d, Vec3 u) {
 }
 
 // (1 + X + quadratic X^2)^-1 r with X = N D.
-HWY_INLINE Vec3 solve_damped(const float n[6], const Resistance& d, VF quadratic, Vec3 r) {
+template <class T> HWY_INLINE Vec3 solve_damped(const T* n, const Resistance& d, VF quadratic, Vec3 r) {
     // Columns of N D: those of N scaled, and N axis by the axis' entries.
     const Vec3 rolled = scale(d.share, symmetric3(n, d.axis));
     const Columns m{add_scaled(scale(d.x.x, Vec3{constant(n[0]), constant(n[1]), constant(n[2])}), d.axis.x, rolled),
@@ -84,7 +83,7 @@ HWY_INLINE Vec3 solve_damped(const float n[6], const Resistance& d, VF quadratic
 }
 
 // Roll damping of half a substep where the loads act at the centre of mass: exact but for exp(-x), as relax_second.
-HWY_INLINE Vec3 rolled_half(const BodyConstants& c, const Roll& roll, VF tau, Vec3 u) {
+template <class C> HWY_INLINE Vec3 rolled_half(const C& c, const Roll& roll, VF tau, Vec3 u) {
     const Vec3 response = scaled_by(c.inverse_spin_mass, roll.axis);
     const VF rate = hn::Mul(tau, roll.rate);
     const VF x = hn::Min(hn::Mul(rate, dot(roll.axis, response)), constant(1e15f));
@@ -105,10 +104,9 @@ HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
 }
 
 // On the diagonal path roll damping is a part of its own, next to the lift on both sides; the full path has no use for kBeforeLift.
-template <bool kFull, bool kBeforeLift>
-HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Twist applied,
-                               Body& b) {
-    const AerodynamicConstants& a = c.aerodynamics;
+template <bool kFull, bool kBeforeLift, class C>
+HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Twist applied, Body& b) {
+    const auto& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);
     const Vec3 v = centre_velocity<kFull>(a, b.t);
     const VF s = hn::Sqrt(speed_squared(v));
@@ -126,7 +124,7 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, cons
         if constexpr (kBeforeLift) b.t.u = rolled_half(c, roll, tau, b.t.u);
     } else {
         const Vec3 u = load_spin<true>(a, b.t);
-        const float* const n = a.spin_mobility;
+        const auto* const n = a.spin_mobility;
         // The square of what is solved must stay finite.
         const auto resistance = [&](VF stream, Vec3 v_at, Vec3 u_at) HWY_ATTR {
             const Roll roll = roll_damping(a, held.inverse_length, stream, v_at);
@@ -157,17 +155,17 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const BodyConstants& c, cons
 
 // The middle of the implicit midpoint for v' = N (2 k) x v: (1 - N [k]x)^-1 v = (v + N (k x v) + (k.a v) k)/(1 + k.a k),
 // a the adjugate of N; a rotation where N is the unit matrix.
-template <bool kFull> HWY_INLINE Vec3 lifted_middle(const BodyConstants& c, Vec3 k, Vec3 v) {
-    const AerodynamicConstants& a = c.aerodynamics;
+template <bool kFull, class C> HWY_INLINE Vec3 lifted_middle(const C& c, Vec3 k, Vec3 v) {
+    const auto& a = c.aerodynamics;
     const Vec3 kv = cross(k, v);
     Vec3 ak, moved;
     if constexpr (kFull) {
         ak = symmetric3(a.mobility_adjugate, k);
         moved = symmetric3(a.mobility, kv);
     } else {
-        ak = {hn::Mul(constant(c.inverse_mass[1] * c.inverse_mass[2]), k.x),
-              hn::Mul(constant(c.inverse_mass[2] * c.inverse_mass[0]), k.y),
-              hn::Mul(constant(c.inverse_mass[0] * c.inverse_mass[1]), k.z)};
+        ak = {hn::Mul(hn::Mul(constant(c.inverse_mass[1]), constant(c.inverse_mass[2])), k.x),
+              hn::Mul(hn::Mul(constant(c.inverse_mass[2]), constant(c.inverse_mass[0])), k.y),
+              hn::Mul(hn::Mul(constant(c.inverse_mass[0]), constant(c.inverse_mass[1])), k.z)};
         moved = scaled_by(c.inverse_mass, kv);
     }
     const VF inverse = hn::Div(constant(1.0f), hn::Add(constant(1.0f), dot(ak, k)));
@@ -176,9 +174,9 @@ template <bool kFull> HWY_INLINE Vec3 lifted_middle(const BodyConstants& c, Vec3
 
 // Lift does no work, whatever the circulation: force g x v_middle of the implicit midpoint keeps the energy at any step.
 // The circulation is that of the middle to which the one at the start leads.
-template <bool kFull>
-HWY_INLINE void lift_step(const StepInput& in, const BodyConstants& c, const Held& held, VF nu, Body& b) {
-    const AerodynamicConstants& a = c.aerodynamics;
+template <bool kFull, class C>
+HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+    const auto& a = c.aerodynamics;
     const VF half = constant(0.5f * in.h);
     const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
     // Beyond this the velocity turns through more than can be resolved.
@@ -202,7 +200,7 @@ HWY_INLINE void lift_step(const StepInput& in, const BodyConstants& c, const Hel
 
 // Weight, buoyancy and what acts from outside, in the body frame. A torque acts with the drag on the full path, where it
 // moves the centre of the loads, and with the spin drag on the diagonal one.
-template <bool kFull> HWY_INLINE Twist applied_loads(const BodyConstants& c, const Held& held, Quaternion q) {
+template <bool kFull, class C> HWY_INLINE Twist applied_loads(const C& c, const Held& held, Quaternion q) {
     const VF zero = hn::Zero(DF());
     Twist f{to_body(q, held.weight), {zero, zero, zero}};
     if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(q, held.gravity));
@@ -212,8 +210,8 @@ template <bool kFull> HWY_INLINE Twist applied_loads(const BodyConstants& c, con
 
 // Free motion errs most, and its error grows with the square of its step: it takes the two outer places, the loads the
 // middle one.
-template <bool kFull>
-HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const BodyConstants& c, const Held& held, Body& b) {
+template <bool kFull, class C>
+HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, const Held& held, Body& b) {
     const VF nu = hn::Mul(constant(c.aerodynamics.viscosity), held.inverse_length);
     free_step<kFull>(0.5f * in.h, c, held, b);
     const Twist applied = applied_loads<kFull>(c, held, b.q);

@@ -17,62 +17,65 @@ constexpr bool is_aerodynamic(Loads l) {
 }
 enum class Integrator : int32_t { splitting, rk4 };
 
-// Quasi-steady loads (AerodynamicData) in kernel units. A diagonal body's axes are those of the loads.
-struct AerodynamicConstants {
-    float viscosity; // nu, m^2/s
-    float drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
-    float lift[3], lift_layer[3], lift_stokes[3], spin_lift[3], lift_moment[3];
-    float broadside[3], lift_stall, lift_moment_stalled[3];
-    float spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
-    float spin_weight[3]; // spin_drag over its largest
-    float roll[3];        // square root of roll_damping
+// Quasi-steady loads (AerodynamicData) in kernel units. A diagonal body's axes are those of the loads. T: float for a
+// batch, a vector for bodies that differ (kernel/surface_constants-inl.h).
+template <class T> struct AerodynamicConstantsOf {
+    T viscosity; // nu, m^2/s
+    T drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
+    T lift[3], lift_layer[3], lift_stokes[3], spin_lift[3], lift_moment[3];
+    T broadside[3], lift_stall, lift_moment_stalled[3];
+    T spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
+    T spin_weight[3]; // spin_drag over its largest
+    T roll[3];        // square root of roll_damping
     // Full path. Q: body axes to those of the loads; P = Q (1, -[r]x): velocity of the centre of the loads.
-    float axes[9], arm[3]; // Q; r: from the centre of mass to that of the loads, over d
-    float mobility[6];     // P M^-1 P^T, upper triangle
-    float mobility_adjugate[6];
-    float modes[9];          // columns: its eigenvectors
-    float rate[3];           // and eigenvalues
-    float response[18];      // M^-1 P^T, 6x3: twist for an impulse at the centre
-    float from_modes[18];    // twist for a change of velocity along the modes, 6x3
-    float spin_mobility[6];  // Q (M^-1)_22 Q^T
-    float spin_limit[3];     // 1e4 over its diagonal: rates beyond stop a spin within rounding
-    float spin_response[18]; // twist for a change of spin by a couple, 6x3
+    T axes[9], arm[3]; // Q; r: from the centre of mass to that of the loads, over d
+    T mobility[6];     // P M^-1 P^T, upper triangle
+    T mobility_adjugate[6];
+    T modes[9];          // columns: its eigenvectors
+    T rate[3];           // and eigenvalues
+    T response[18];      // M^-1 P^T, 6x3: twist for an impulse at the centre
+    T from_modes[18];    // twist for a change of velocity along the modes, 6x3
+    T spin_mobility[6];  // Q (M^-1)_22 Q^T
+    T spin_limit[3];     // 1e4 over its diagonal: rates beyond stop a spin within rounding
+    T spin_response[18]; // twist for a change of spin by a couple, 6x3
     // The fluid's own velocity with the SPEED clock: correlation rate and variance, per speed and per square of it.
-    float rate_of_gusts, variance_of_gusts;
-    float wake_reynolds;
-    float gust_gain; // multiplies the variance with the AGE clock
+    T rate_of_gusts, variance_of_gusts;
+    T wake_reynolds;
+    T gust_gain; // multiplies the variance with the AGE clock
 };
 
 // Mass unit U = m + rho V, length unit d times the body's scale s. Spin is carried as u = d s w, a velocity, so that
 // every entry below is of order one for confetti and banners alike, and scale enters only through 1/(d s).
-struct BodyConstants {
-    float length;      // d, m
-    float unit_mass;   // U, kg
-    float weight;      // (m - rho V)/U, multiplies gravity
-    float buoyancy[3]; // -rho V r_b/(U d): torque = this x R^T g
+template <class T> struct BodyConstantsOf {
+    T length;      // d, m
+    T unit_mass;   // U, kg
+    T weight;      // (m - rho V)/U, multiplies gravity
+    T buoyancy[3]; // -rho V r_b/(U d): torque = this x R^T g
 
     // Diagonal path: the diagonals. Full path: upper triangles, row by row.
-    float mass[3], spin_mass[3];
-    float inverse_mass[3], inverse_spin_mass[3];
-    float damping[3], spin_damping[3]; // rho(V + A)/U, rho D/(U d^2)
+    T mass[3], spin_mass[3];
+    T inverse_mass[3], inverse_spin_mass[3];
+    T damping[3], spin_damping[3]; // rho(V + A)/U, rho D/(U d^2)
 
-    float full_mass[21], full_inverse[21];
-    float full_damping[6], full_spin_damping[6];
+    T full_mass[21], full_inverse[21];
+    T full_damping[6], full_spin_damping[6];
     bool diagonal;
 
     // Splitting scheme. Rates of decay for alpha = 1: along the axes, or along modes that make mass 1 and damping
     // diagonal.
-    float rate[6];
-    float to_modes[36], from_modes[36]; // full path
-    float inverse_translation[6];       // full path: inverse of the mass matrix' block of v
-    float slip[9], reduced_rotation[6]; // full path: C = M12^T M11^-1, S = M22 - C M12
+    T rate[6];
+    T to_modes[36], from_modes[36]; // full path
+    T inverse_translation[6];       // full path: inverse of the mass matrix' block of v
+    T slip[9], reduced_rotation[6]; // full path: C = M12^T M11^-1, S = M22 - C M12
 
-    AerodynamicConstants aerodynamics;
+    AerodynamicConstantsOf<T> aerodynamics;
 
     // LANGEVIN with the SPEED clock: alpha = speed_alpha |v_r|/(d s), beta^2 = speed_beta |v_r|^3/(d s).
-    float speed_alpha, speed_beta;
-    float noise_spin; // d/ell = 2: the angular noise is beta/ell
+    T speed_alpha, speed_beta;
+    T noise_spin; // d/ell = 2: the angular noise is beta/ell
 };
+using AerodynamicConstants = AerodynamicConstantsOf<float>;
+using BodyConstants = BodyConstantsOf<float>;
 
 // LANGEVIN with the AGE clock: alpha (1/s) and beta^2 (m^2/s^3) at equally spaced ages.
 struct TableConstants {

@@ -23,6 +23,10 @@ using VI = hn::Vec<DI>;
 HWY_INLINE VF constant(float x) {
     return hn::Set(DF(), x);
 }
+// Constants that differ from body to body are vectors already.
+HWY_INLINE VF constant(VF x) {
+    return x;
+}
 
 // Never fused: a fused product differs in the last bit, and not every target has one.
 HWY_INLINE VF mul_add(VF a, VF b, VF c) {

@@ -39,10 +39,10 @@ HWY_INLINE Vec3 cross(Vec3 a, Vec3 b) {
     return {mul_sub(a.y, b.z, hn::Mul(a.z, b.y)), mul_sub(a.z, b.x, hn::Mul(a.x, b.z)),
             mul_sub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
-HWY_INLINE Vec3 broadcast(const float v[3]) {
+template <class T> HWY_INLINE Vec3 broadcast(const T* v) {
     return {constant(v[0]), constant(v[1]), constant(v[2])};
 }
-HWY_INLINE Vec3 scaled_by(const float d[3], Vec3 a) {
+template <class T> HWY_INLINE Vec3 scaled_by(const T* d, Vec3 a) {
     return {hn::Mul(constant(d[0]), a.x), hn::Mul(constant(d[1]), a.y), hn::Mul(constant(d[2]), a.z)};
 }
 
@@ -91,14 +91,14 @@ HWY_INLINE Twist add(Twist a, Twist b) {
     return {add(a.v, b.v), add(a.u, b.u)};
 }
 
-HWY_INLINE Vec3 symmetric3(const float m[6], Vec3 a) {
+template <class T> HWY_INLINE Vec3 symmetric3(const T* m, Vec3 a) {
     return {mul_add(constant(m[0]), a.x, mul_add(constant(m[1]), a.y, hn::Mul(constant(m[2]), a.z))),
             mul_add(constant(m[1]), a.x, mul_add(constant(m[3]), a.y, hn::Mul(constant(m[4]), a.z))),
             mul_add(constant(m[2]), a.x, mul_add(constant(m[4]), a.y, hn::Mul(constant(m[5]), a.z)))};
 }
 
 // Upper triangle, row by row: 0..5 row vx, 6..10 row vy, 11..14 row vz, 15..17 row wx, 18..19 row wy, 20.
-HWY_INLINE Twist symmetric6(const float m[21], Twist t) {
+template <class T> HWY_INLINE Twist symmetric6(const T* m, Twist t) {
     static constexpr int at[6][6] = {{0, 1, 2, 3, 4, 5},     {1, 6, 7, 8, 9, 10},    {2, 7, 11, 12, 13, 14},
                                      {3, 8, 12, 15, 16, 17}, {4, 9, 13, 16, 18, 19}, {5, 10, 14, 17, 19, 20}};
     const VF in[6] = {t.v.x, t.v.y, t.v.z, t.u.x, t.u.y, t.u.z};
@@ -167,11 +167,11 @@ struct Held {
     const External* external = nullptr; // null without forces from outside
 };
 
-template <bool kFull> HWY_INLINE Twist momentum(const BodyConstants& c, Twist t) {
+template <bool kFull, class C> HWY_INLINE Twist momentum(const C& c, Twist t) {
     if constexpr (kFull) return symmetric6(c.full_mass, t);
     return {scaled_by(c.mass, t.v), scaled_by(c.spin_mass, t.u)};
 }
-template <bool kFull> HWY_INLINE Twist acceleration(const BodyConstants& c, Twist force) {
+template <bool kFull, class C> HWY_INLINE Twist acceleration(const C& c, Twist force) {
     if constexpr (kFull) return symmetric6(c.full_inverse, force);
     return {scaled_by(c.inverse_mass, force.v), scaled_by(c.inverse_spin_mass, force.u)};
 }
@@ -181,13 +181,13 @@ HWY_INLINE Twist to_body(Quaternion q, Twist t) {
 
 // Force and torque of what acts from outside at an orientation. Not inlined: few batches have any, and it would be there
 // four times in each variant of the kernel.
-template <bool kFull> HWY_NOINLINE Twist external_force(const BodyConstants& c, const External& e, Quaternion q) {
+template <bool kFull, class C> HWY_NOINLINE Twist external_force(const C& c, const External& e, Quaternion q) {
     const Twist rate = add(e.rate[1], to_body(q, e.rate[0]));
     return add(add(e.force[1], to_body(q, e.force[0])), momentum<kFull>(c, rate));
 }
 
 // rho (V I + A) on velocity, rho D on spin: the fluid that turbulence acts on (docs/physics.md section 3).
-template <bool kFull> HWY_INLINE Twist dragged(const BodyConstants& c, Twist t) {
+template <bool kFull, class C> HWY_INLINE Twist dragged(const C& c, Twist t) {
     if constexpr (kFull) return {symmetric3(c.full_damping, t.v), symmetric3(c.full_spin_damping, t.u)};
     return {scaled_by(c.damping, t.v), scaled_by(c.spin_damping, t.u)};
 }
@@ -196,8 +196,8 @@ template <bool kFull> HWY_INLINE Twist dragged(const BodyConstants& c, Twist t) 
 //   P' = P x w + weight vector - alpha rho(V + A) v + noise
 //   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D (u - fluid spin) + noise
 // The Munk moment P x v carries the body's own momentum too, which is parallel to v and drops out.
-template <bool kFull, Loads kLoads>
-HWY_INLINE Twist twist_rate(const BodyConstants& c, const Held& held, Quaternion q, Twist t) {
+template <bool kFull, Loads kLoads, class C>
+HWY_INLINE Twist twist_rate(const C& c, const Held& held, Quaternion q, Twist t) {
     const Twist p = momentum<kFull>(c, t);
     Twist f;
     f.v = add_scaled(to_body(q, held.weight), held.inverse_length, cross(p.v, t.u));

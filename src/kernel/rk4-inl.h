@@ -14,9 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
 // One substep of the classical Runge-Kutta scheme, with the noise held over its stages (docs/physics.md section 4).
-template <bool kFull, Loads kLoads>
-HWY_INLINE void rk4_substep(const StepInput& in, const BodyConstants& c, Held& held, VF beta_unit, const VF gauss[6],
-                            Body& b) {
+template <bool kFull, Loads kLoads, class C>
+HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6], Body& b) {
     const VF h = constant(in.h), half = constant(0.5f * in.h), quarter = constant(0.25f * in.h);
     if constexpr (is_langevin(kLoads)) {
         VF beta;

@@ -23,12 +23,12 @@ HWY_INLINE Twist mul(Twist a, Twist b) {
 HWY_INLINE Twist scale(VF s, Twist a) {
     return {scale(s, a.v), scale(s, a.u)};
 }
-HWY_INLINE Twist broadcast6(const float v[6]) {
+template <class T> HWY_INLINE Twist broadcast6(const T* v) {
     return {broadcast(v), broadcast(v + 3)};
 }
 
 // m t or m^T t for a full 6x6 matrix.
-template <bool kTransposed> HWY_INLINE Twist general6(const float m[36], Twist t) {
+template <bool kTransposed, class T> HWY_INLINE Twist general6(const T* m, Twist t) {
     const VF in[6] = {t.v.x, t.v.y, t.v.z, t.u.x, t.u.y, t.u.z};
     VF out[6];
     for (int i = 0; i < 6; ++i) {
@@ -41,15 +41,15 @@ template <bool kTransposed> HWY_INLINE Twist general6(const float m[36], Twist t
 
 // Modes in which mass is the unit matrix and damping diagonal. A diagonal body's modes are its axes, up to their
 // length.
-template <bool kFull> HWY_INLINE Twist to_modes(const BodyConstants& c, Twist t) {
+template <bool kFull, class C> HWY_INLINE Twist to_modes(const C& c, Twist t) {
     if constexpr (kFull) return general6<false>(c.to_modes, t);
     return t;
 }
-template <bool kFull> HWY_INLINE Twist from_modes(const BodyConstants& c, Twist y) {
+template <bool kFull, class C> HWY_INLINE Twist from_modes(const C& c, Twist y) {
     if constexpr (kFull) return general6<false>(c.from_modes, y);
     return y;
 }
-template <bool kFull> HWY_INLINE Twist force_to_modes(const BodyConstants& c, Twist f) {
+template <bool kFull, class C> HWY_INLINE Twist force_to_modes(const C& c, Twist f) {
     if constexpr (kFull) return general6<true>(c.from_modes, f);
     return acceleration<false>(c, f);
 }
@@ -81,9 +81,8 @@ template <bool kNoise> HWY_INLINE VF relax(VF y, VF x, VF tau_f, VF kick) {
 }
 
 // Damping, weight, and at the end of a step noise, for half a substep; orientation held.
-template <bool kFull, Loads kLoads, bool kNoise>
-HWY_INLINE void load_half(const StepInput& in, const BodyConstants& c, const Held& held, VF beta_unit,
-                          const VF gauss[6], Body& b) {
+template <bool kFull, Loads kLoads, bool kNoise, class C>
+HWY_INLINE void load_half(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6], Body& b) {
     const VF tau = constant(0.5f * in.h);
     // Damping is towards the fluid's own rotation: relax the spin through the fluid.
     const bool sheared = kLoads != Loads::none && held.sheared;
@@ -156,15 +155,15 @@ HWY_INLINE Vec3 solve(Columns m, Vec3 r) {
 }
 
 // M11^-1 y.
-template <bool kFull> HWY_INLINE Vec3 mobility(const BodyConstants& c, Vec3 y) {
+template <bool kFull, class C> HWY_INLINE Vec3 mobility(const C& c, Vec3 y) {
     if constexpr (kFull) return symmetric3(c.inverse_translation, y);
     return scaled_by(c.inverse_mass, y);
 }
 // C x and C^T x, C = M12^T M11^-1, full path only.
-HWY_INLINE Vec3 slip(const BodyConstants& c, Vec3 x) {
+template <class C> HWY_INLINE Vec3 slip(const C& c, Vec3 x) {
     return {dot(broadcast(c.slip), x), dot(broadcast(c.slip + 3), x), dot(broadcast(c.slip + 6), x)};
 }
-HWY_INLINE Vec3 slip_transposed(const BodyConstants& c, Vec3 x) {
+template <class C> HWY_INLINE Vec3 slip_transposed(const C& c, Vec3 x) {
     return add(scale(x.x, broadcast(c.slip)),
                add(scale(x.y, broadcast(c.slip + 3)), scale(x.z, broadcast(c.slip + 6))));
 }
@@ -175,13 +174,13 @@ HWY_INLINE Columns cross_columns(Vec3 a) {
     return {{zero, a.z, hn::Neg(a.y)}, {hn::Neg(a.z), zero, a.x}, {a.y, hn::Neg(a.x), zero}};
 }
 // S = M22 - C M12.
-template <bool kFull> HWY_INLINE Columns reduced_rotation(const BodyConstants& c) {
+template <bool kFull, class C> HWY_INLINE Columns reduced_rotation(const C& c) {
     const VF zero = hn::Zero(DF());
     if constexpr (!kFull)
         return {{constant(c.spin_mass[0]), zero, zero},
                 {zero, constant(c.spin_mass[1]), zero},
                 {zero, zero, constant(c.spin_mass[2])}};
-    const float* const m = c.reduced_rotation;
+    const auto* const m = c.reduced_rotation;
     return {{constant(m[0]), constant(m[1]), constant(m[2])},
             {constant(m[1]), constant(m[3]), constant(m[4])},
             {constant(m[2]), constant(m[4]), constant(m[5])}};
@@ -191,7 +190,7 @@ template <bool kFull> HWY_INLINE Columns reduced_rotation(const BodyConstants& c
 // whatever mu is. p, l: the momenta mu. g: h/2 over the length d s. With dv = M11^-1 p x u - C^T du
 //   (S - [l]x - [p]x M11^-1 [p]x + C [p]x + [p]x C^T) du = l x u0 + p x (v0 + M11^-1 p x u0) - C p x u0.
 // An increment, and not the middle itself: over many steps its rounding would show as a drift of energy.
-template <bool kFull> HWY_INLINE Twist middle_increment(const BodyConstants& c, Twist start, Twist mu, VF g) {
+template <bool kFull, class C> HWY_INLINE Twist middle_increment(const C& c, Twist start, Twist mu, VF g) {
     const Vec3 p = scale(g, mu.v), l = scale(g, mu.u);
     const Vec3 pu = cross(p, start.u);
     Vec3 r = add(cross(l, start.u), cross(p, add(start.v, mobility<kFull>(c, pu))));
@@ -209,7 +208,7 @@ template <bool kFull> HWY_INLINE Twist middle_increment(const BodyConstants& c, 
     } else {
         r = sub(r, slip(c, pu));
         const Columns s = reduced_rotation<true>(c), lx = cross_columns(l), px = cross_columns(p);
-        const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const float* ct) HWY_ATTR {
+        const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const auto* ct) HWY_ATTR {
             const Vec3 turned = cross(p, sub(broadcast(ct), mobility<true>(c, pe)));
             return add(add(sub(se, le), slip(c, pe)), turned);
         };
@@ -223,7 +222,7 @@ template <bool kFull> HWY_INLINE Twist middle_increment(const BodyConstants& c, 
 // One Newton step for the implicit midpoint M (z - z0) = g f(z), f = (P x u, L x u + P x v), from the estimate z.
 // With y = dP for unknown and N = (1 + [g u]x)^-1: y = N (r_v + g P x du), dv = M11^-1 y - C^T du, dL = C y + S du,
 // where C = M12^T M11^-1 and S = M22 - C M12; what is left is three equations for du.
-template <bool kFull> HWY_INLINE Twist newton_step(const BodyConstants& c, Twist start_momentum, Twist z, VF g) {
+template <bool kFull, class C> HWY_INLINE Twist newton_step(const C& c, Twist start_momentum, Twist z, VF g) {
     const Twist mu = momentum<kFull>(c, z);
     const Vec3 a = scale(g, z.u), b = scale(g, z.v), p = scale(g, mu.v), l = scale(g, mu.u);
     const Vec3 rv = add(sub(start_momentum.v, mu.v), cross(p, z.u));
@@ -239,7 +238,7 @@ template <bool kFull> HWY_INLINE Twist newton_step(const BodyConstants& c, Twist
         return add(sum, add(cy, cross(a, cy)));
     };
     // A column of the matrix for du: S e + a x S e - l x e + p x C^T e + coupled(N (p x e)).
-    const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const float* ct) HWY_ATTR {
+    const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const auto* ct) HWY_ATTR {
         const Vec3 sum = add(sub(add(se, cross(a, se)), le), coupled(n(pe)));
         if constexpr (kFull) return add(sum, cross(p, broadcast(ct)));
         return sum;
@@ -264,7 +263,7 @@ HWY_INLINE Twist choose(hn::Mask<DF> m, Twist a, Twist b) {
 inline constexpr float most_lengths = 8.0f;
 
 // A step of Kirchhoff's equations without loads.
-template <bool kFull> HWY_INLINE void free_step(float h, const BodyConstants& c, const Held& held, Body& b) {
+template <bool kFull, class C> HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     const Twist start = momentum<kFull>(c, b.t);
     const VF full_g = hn::Mul(constant(0.5f * h), held.inverse_length);
     const VF energy = hn::Add(dot(b.t.v, start.v), dot(b.t.u, start.u)); // twice it, over the mass unit
@@ -290,9 +289,9 @@ template <bool kFull> HWY_INLINE void free_step(float h, const BodyConstants& c,
     b.t = add(b.t, add(dz, dz));
 }
 
-template <bool kFull, Loads kLoads>
-HWY_INLINE void splitting_substep(const StepInput& in, const BodyConstants& c, Held& held, VF beta_unit,
-                                  const VF gauss[6], Body& b) {
+template <bool kFull, Loads kLoads, class C>
+HWY_INLINE void splitting_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6],
+                                  Body& b) {
     const VF half = constant(0.5f * in.h);
     if constexpr (kLoads == Loads::langevin_age) {
         VF beta_squared;

@@ -6,12 +6,9 @@
 #include "kernel/step.h"
 
 #include "hwy/highway.h"
-#include "kernel/aerodynamic_splitting-inl.h"
 #include "kernel/ended-inl.h"
 #include "kernel/external-inl.h"
-#include "kernel/noise-inl.h"
-#include "kernel/rk4-inl.h"
-#include "kernel/splitting-inl.h"
+#include "kernel/substep-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
@@ -22,26 +19,13 @@ void evaluate(const FieldInstant& instant, size_t count, FieldBlock& block);
 void combine(float h, size_t count, const FieldBlock& block, FluidSample& out);
 void settle(const BodyConstants& c, float h, const FieldBlock& block, const FluidSample& sample, const BatchArrays& a,
             size_t begin, size_t end);
-
-HWY_INLINE Vec3 load3(const BatchArrays& a, size_t field, size_t at) {
-    const DF d;
-    return {hn::Load(d, a.field[field] + at), hn::Load(d, a.field[field + 1] + at),
-            hn::Load(d, a.field[field + 2] + at)};
-}
-HWY_INLINE void store3(const BatchArrays& a, size_t field, size_t at, Vec3 v) {
-    const DF d;
-    hn::Store(v.x, d, a.field[field] + at);
-    hn::Store(v.y, d, a.field[field + 1] + at);
-    hn::Store(v.z, d, a.field[field + 2] + at);
-}
-
-// The uniform wind in the middle of a substep.
-HWY_INLINE Vec3 wind_of_substep(const StepInput& in, uint32_t i) {
-    const float part = (static_cast<float>(i) + 0.5f) / static_cast<float>(in.substeps);
-    float wind[3];
-    for (int k = 0; k < 3; ++k) wind[k] = in.wind_begin[k] + part * (in.wind[k] - in.wind_begin[k]);
-    return broadcast(wind);
-}
+// kernel/surface.cpp
+void near_surface(const SurfaceInstant& plane, float highest, const WaterBody& w, float dt, float gravity,
+                  const BatchArrays& a, size_t begin, size_t end, uint32_t* near);
+void ahead_of(const BatchArrays& a, size_t count, float h, SurfaceBlock& out);
+void evaluate_surface(const SurfaceInstant& plane, size_t count, SurfaceBlock& b);
+void step_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count);
+void settle_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count);
 
 // In a wind field. The body's velocity through the fluid obeys the equations of still fluid with the force
 //   (m - rho V) g + rho V a_f - m a_b,   m = (1 + weight)/2 and rho V = (1 - weight)/2 in mass units,
@@ -60,43 +44,6 @@ HWY_INLINE void hold_field(const FluidSample& f, size_t at, float weight, VF len
     held.gravity = sub(gravity, add(mean, difference));
     held.fluid_spin = scale(length, load(f.spin));
     held.sheared = true;
-}
-HWY_INLINE Vec3 without_dust(Vec3 v) {
-    return {without_dust(v.x), without_dust(v.y), without_dust(v.z)};
-}
-
-// A body in its own patch of moving air: quasi-steady motion through it, then the patch's next velocity, which the body
-// meets with the world velocity it has.
-template <bool kFull, Loads kLoads, Integrator kIntegrator>
-HWY_INLINE void aerodynamic_substep(const StepInput& in, const BodyConstants& c, Held& held, VU key, uint32_t substep,
-                                    Body& b) {
-    b.t.v = sub(b.t.v, to_body(b.q, b.gust));
-    const VF speed = hn::Sqrt(speed_squared(b.t.v));
-    VF alpha, variance;
-    if constexpr (kLoads == Loads::aerodynamic_speed) {
-        alpha = hn::Mul(hn::Mul(constant(c.aerodynamics.rate_of_gusts), held.inverse_length), speed);
-        const VF laminar =
-            hn::Mul(constant(c.aerodynamics.wake_reynolds * c.aerodynamics.viscosity), held.inverse_length);
-        const VF turbulent = hn::Div(hn::Mul(speed, speed), hn::Add(speed, laminar));
-        variance = hn::Mul(constant(c.aerodynamics.variance_of_gusts), hn::Mul(turbulent, turbulent));
-    } else {
-        VF beta_squared;
-        sample_table(in.table, mul_add(constant(0.5f), constant(in.h), b.age), alpha, beta_squared);
-        variance = hn::Div(hn::Mul(constant(c.aerodynamics.gust_gain), beta_squared),
-                           hn::Add(hn::Add(alpha, alpha), constant(1e-20f)));
-    }
-    b.x = add(b.x, scale(constant(in.h), b.gust));
-    VF gauss[6];
-    if constexpr (kIntegrator == Integrator::splitting) {
-        aerodynamic_splitting_substep<kFull>(in, c, held, b);
-        b.x = add(b.x, scale(constant(in.h), held.wind));
-        grow_older(b, constant(in.h));
-    } else {
-        rk4_substep<kFull, kLoads>(in, c, held, hn::Zero(DF()), gauss, b);
-    }
-    three_gaussians(key, in.first_substep + substep, in.seed, gauss);
-    b.t.v = add(b.t.v, to_body(b.q, b.gust));
-    b.gust = without_dust(next_gust(b.gust, alpha, variance, in.h, gauss));
 }
 
 template <bool kFull, Loads kLoads, Integrator kIntegrator>
@@ -139,16 +86,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
 
         for (uint32_t i = 0; i < in.substeps; ++i) {
             if (in.wind_changes && !fluid) held.wind = wind_of_substep(in, i);
-            if constexpr (is_aerodynamic(kLoads)) {
-                aerodynamic_substep<kFull, kLoads, kIntegrator>(in, c, held, key, i, b);
-                continue;
-            }
-            VF gauss[6];
-            if constexpr (kLoads != Loads::none) six_gaussians(key, in.first_substep + i, in.seed, gauss);
-            if constexpr (kIntegrator == Integrator::splitting)
-                splitting_substep<kFull, kLoads>(in, c, held, beta_unit, gauss, b);
-            else
-                rk4_substep<kFull, kLoads>(in, c, held, beta_unit, gauss, b);
+            one_substep<kFull, kLoads, kIntegrator>(in, c, held, key, i, beta_unit, b);
         }
 
         if constexpr (is_aerodynamic(kLoads)) store3(a, field_gust_x, at, b.gust);
@@ -166,34 +104,9 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
     }
 }
 
-template <bool kFull, Loads kLoads>
-void choose_integrator(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
-    if (in.integrator == Integrator::splitting)
-        step_bodies<kFull, kLoads, Integrator::splitting>(in, a, begin, end);
-    else
-        step_bodies<kFull, kLoads, Integrator::rk4>(in, a, begin, end);
-}
-
-template <bool kFull> void choose_loads(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
-    switch (in.loads) {
-    case Loads::none:
-        return choose_integrator<kFull, Loads::none>(in, a, begin, end);
-    case Loads::langevin_speed:
-        return choose_integrator<kFull, Loads::langevin_speed>(in, a, begin, end);
-    case Loads::langevin_age:
-        return choose_integrator<kFull, Loads::langevin_age>(in, a, begin, end);
-    case Loads::aerodynamic_speed:
-        return choose_integrator<kFull, Loads::aerodynamic_speed>(in, a, begin, end);
-    case Loads::aerodynamic_age:
-        return choose_integrator<kFull, Loads::aerodynamic_age>(in, a, begin, end);
-    }
-}
-
 void step_range(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
-    if (in.body.diagonal)
-        choose_loads<false>(in, a, begin, end);
-    else
-        choose_loads<true>(in, a, begin, end);
+    for_variant(in, [&]<bool kFull, Loads kLoads, Integrator kIntegrator>()
+                        HWY_ATTR { step_bodies<kFull, kLoads, kIntegrator>(in, a, begin, end); });
 }
 
 } // namespace lr::HWY_NAMESPACE
@@ -209,7 +122,9 @@ const KernelTarget* built_targets(size_t& count) {
 // clang-format off
 #define LR_TARGET(simd, target)                                                                                        \
     {simd, HWY_##target, &N_##target::step_range, &N_##target::ended_range, &N_##target::predict, &N_##target::evaluate,                \
-     &N_##target::combine, &N_##target::settle}
+     &N_##target::combine, &N_##target::settle,                                                                        \
+     {&N_##target::near_surface, &N_##target::ahead_of, &N_##target::evaluate_surface, &N_##target::step_wet,          \
+      &N_##target::settle_wet}}
     // clang-format on
     static constexpr KernelTarget targets[] = {
 #if HWY_TARGETS & HWY_AVX3

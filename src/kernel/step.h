@@ -4,6 +4,7 @@
 #include "kernel/batch_arrays.h"
 #include "kernel/constants.h"
 #include "kernel/ended.h"
+#include "kernel/surface.h"
 #include "kernel/wind.h"
 
 #include <cstdint>
@@ -35,6 +36,7 @@ struct StepInput {
     BodyConstants body;
     TableConstants table;
     ExternalInput external;
+    const WaterBody* water; // null without a surface
 };
 
 // begin, end: multiples of lane_block.
@@ -59,6 +61,7 @@ struct KernelTarget {
     EvaluateFunction evaluate;
     CombineFunction combine;
     SettleFunction settle;
+    SurfaceTarget surface;
 };
 
 // Targets in this build, best first; `count` receives how many.

@@ -5,24 +5,12 @@
 #include "hwy/foreach_target.h" // IWYU pragma: keep
 
 #include "hwy/highway.h"
+#include "kernel/rows-inl.h"
 #include "kernel/step.h"
 #include "kernel/wind-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
-
-using Row = float[field_block];
-
-HWY_INLINE Vec3 load3(const Row* rows, size_t at) {
-    const DF d;
-    return {hn::Load(d, rows[0] + at), hn::Load(d, rows[1] + at), hn::Load(d, rows[2] + at)};
-}
-HWY_INLINE void store3(Row* rows, size_t at, Vec3 v) {
-    const DF d;
-    hn::Store(v.x, d, rows[0] + at);
-    hn::Store(v.y, d, rows[1] + at);
-    hn::Store(v.z, d, rows[2] + at);
-}
 
 // What has left the finite numbers counts as 0, so that it cannot reach a neighbour through the bounds of the block.
 HWY_INLINE Vec3 within(Vec3 v, float limit) {

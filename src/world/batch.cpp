@@ -174,7 +174,22 @@ bool Batch::set_aerodynamics(const AerodynamicData& loads, const Gains& gains) {
     aerodynamics_ = loads;
     settings_.gains = gains;
     step.body = body;
+    water_made_ = false;
     return true;
+}
+
+const WaterBody* Batch::water_body(const lr_surface_desc& surface, bool& failed) {
+    if (!water_made_ || water_density_ != surface.density || water_viscosity_ != surface.viscosity) {
+        water_density_ = surface.density;
+        water_viscosity_ = surface.viscosity;
+        water_usable_ = make_water_body(asset_->data, aerodynamics_, settings_.gains, stationary_, asset_->diagonal,
+                                        settings_.fluid_density,
+                                        std::max(static_cast<double>(surface.density), settings_.fluid_density),
+                                        static_cast<double>(surface.viscosity), step.body, water_);
+        water_made_ = true;
+        failed = failed || !water_usable_;
+    }
+    return water_usable_ ? &water_ : nullptr;
 }
 
 bool Batch::reserve_forces() {

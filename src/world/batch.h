@@ -71,6 +71,10 @@ public:
     uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
     const BatchSettings& settings() const { return settings_; }
 
+    // Its bodies under a surface; made anew when that or the loads have changed. Null when it cannot be, and then `failed`
+    // is set once.
+    const WaterBody* water_body(const lr_surface_desc& surface, bool& failed);
+
     ExternalForces external;
     bool reserve_forces(); // for forces on single bodies; false when out of memory
 
@@ -105,6 +109,9 @@ private:
     uint32_t free_head_ = 0;
     Buffer<float> table_; // alpha, then beta^2
     AerodynamicData aerodynamics_;
+    WaterBody water_{};
+    bool water_made_ = false, water_usable_ = false; // for these:
+    float water_density_ = 0.0f, water_viscosity_ = 0.0f;
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
     Lifecycle* lifecycle_ = nullptr;
 };

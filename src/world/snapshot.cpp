@@ -201,7 +201,7 @@ public:
 };
 
 uint64_t snapshot_size(const lr_world& w) {
-    uint64_t size = sizeof(Header) + WindSnapshot::bytes(w.wind);
+    uint64_t size = sizeof(Header) + WindSnapshot::bytes(w.wind) + sizeof(Surface::Record);
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         size += sizeof(BatchHeader);
@@ -229,6 +229,9 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     unsigned char* at = begin + sizeof header;
     WindSnapshot::save(w.wind, at);
     at += WindSnapshot::bytes(w.wind);
+    const Surface::Record surface = w.surface.record();
+    std::memcpy(at, &surface, sizeof surface);
+    at += sizeof surface;
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         std::memcpy(at, &h, sizeof h);
@@ -271,10 +274,15 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
     for (uint32_t i = 0; i < w.batch_slots; ++i) new (&tables[i]) Buffer<float>();
     WindSnapshot wind(w.wind);
     uint64_t wind_bytes = 0;
+    Surface::Record surface{};
     const auto check = [&]() -> lr_status {
         const lr_status windy = wind.read(begin + sizeof header, header.size - sizeof header, header.seed, wind_bytes);
         if (windy != LR_OK) return windy;
         uint64_t at = sizeof header + wind_bytes;
+        if (header.size - at < sizeof surface) return LR_ERROR_SNAPSHOT_FORMAT;
+        std::memcpy(static_cast<void*>(&surface), begin + at, sizeof surface);
+        if (!Surface::consistent(surface)) return LR_ERROR_SNAPSHOT_FORMAT;
+        at += sizeof surface;
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
             BatchHeader h{};
             if (header.size - at < sizeof h) return LR_ERROR_SNAPSHOT_FORMAT;
@@ -311,8 +319,9 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
     };
     const lr_status status = check();
     if (status == LR_OK) {
-        const unsigned char* at = begin + sizeof header + wind_bytes;
+        const unsigned char* at = begin + sizeof header + wind_bytes + sizeof surface;
         wind.commit();
+        w.surface.restore(surface);
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
             BatchHeader h{};
             std::memcpy(&h, at, sizeof h);

@@ -19,7 +19,8 @@ inline uint32_t chunk_count(const Batch& batch) {
 struct StepChunks {
     const lr_world* world;
     uint32_t count;
-    const FieldSlice* slice; // null where there is no wind but a uniform one
+    const FieldSlice* slice;    // null where there is no wind but a uniform one
+    const SurfaceStep* surface; // null without one
 
     static void run(void* context, uint32_t chunk) {
         const StepChunks& chunks = *static_cast<const StepChunks*>(context);
@@ -31,10 +32,12 @@ struct StepChunks {
             const uint32_t begin = (chunk - batch->first_chunk) * chunk_bodies;
             const uint32_t end = std::min(begin + chunk_bodies, batch->padded_count());
             bool last = true;
+            const lr_batch handle = pack(BatchHandle{i, w.batches[i].generation});
             if (chunks.slice) {
-                const lr_batch handle = pack(BatchHandle{i, w.batches[i].generation});
                 step_in_field(*chunks.slice, batch->step, batch->arrays(), handle, batch->count(), begin, end);
                 last = chunks.slice->first + chunks.slice->count == chunks.slice->time.substeps;
+            } else if (chunks.surface && batch->step.water) {
+                step_at_surface(*chunks.surface, batch->step, batch->arrays(), handle, batch->count(), begin, end);
             } else {
                 w.target->step(batch->step, batch->arrays(), begin, end);
             }

@@ -125,7 +125,9 @@ void lr_world::step(float dt, uint32_t substeps) {
     lr::UniformWind& uniform = wind.uniform;
     if (substep_count == 0) std::copy(uniform.wind, uniform.wind + 3, uniform.before);
     const bool field = wind.active();
+    const lr::SurfaceStep at_surface{target, &surface, {time, h, substeps}, gravity};
     lr::StepChunks chunks{};
+    bool unfit = false;
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
         if (!batch) continue;
@@ -140,6 +142,7 @@ void lr_world::step(float dt, uint32_t substeps) {
         in.inverse_sqrt_h = static_cast<float>(1.0 / std::sqrt(h));
         std::copy(gravity, gravity + 3, in.gravity);
         in.external = batch->external.input();
+        in.water = surface.present() ? batch->water_body(surface.desc(), unfit) : nullptr;
         std::copy(uniform.before, uniform.before + 3, in.wind_begin);
         std::copy(uniform.wind, uniform.wind + 3, in.wind);
         in.wind_changes = !field && !std::equal(uniform.wind, uniform.wind + 3, uniform.before);
@@ -150,11 +153,16 @@ void lr_world::step(float dt, uint32_t substeps) {
             in.gravity[k] -= std::clamp((uniform.wind[k] - uniform.before[k]) / dt, -1e9f, 1e9f);
     }
     chunks.world = this;
+    if (surface.present()) chunks.surface = &at_surface;
     if (field)
         step_through_field({time, h, substeps}, chunks);
     else
         pool.run(chunks.count, &lr::StepChunks::run, &chunks);
     wind.end_step(dt);
+    if (unfit)
+        log(LR_LOG_WARNING, "surface", "a batch's mass matrix is singular in its fluid, which is not there for it");
+    if (surface.take_blame())
+        log(LR_LOG_WARNING, "surface callback", "a value was no surface's, and the plane was taken instead");
     substep_count += substeps;
     time += static_cast<double>(dt);
     for (uint32_t i = 0; i < batch_slots; ++i) {
@@ -166,7 +174,7 @@ void lr_world::step(float dt, uint32_t substeps) {
 }
 
 void lr_world::step_through_field(const lr::StepTime& t, lr::StepChunks& chunks) {
-    lr::FieldSlice slice{target, &wind, t, 0, 0};
+    lr::FieldSlice slice{target, &wind, t, 0, 0, chunks.surface};
     chunks.slice = &slice;
     for (; slice.first < t.substeps; slice.first += slice.count) {
         slice.count = std::min(lr::WindField::slice, t.substeps - slice.first);
@@ -225,8 +233,9 @@ uint64_t lr_world::hash() const {
                                   std::bit_cast<uint64_t>(batch.lifecycle()->burst_clock())})
                 result = mix(result ^ word);
     }
-    const uint64_t sources = wind.hash(time);
-    return sources == 0 ? result : mix(result ^ sources);
+    if (const uint64_t sources = wind.hash(time)) result = mix(result ^ sources);
+    if (const uint64_t water = surface.hash()) result = mix(result ^ water);
+    return result;
 }
 
 void lr_world::log(int32_t level, const char* function, const char* message) const {

@@ -1,6 +1,7 @@
 // The world: batches, time, wind, workers. Behind lr_world.
 #pragma once
 
+#include "field/surface.h"
 #include "field/wind_field.h"
 #include "langevin_rigid.h"
 #include "world/allocator.h"
@@ -42,6 +43,7 @@ struct lr_world {
     float fluid_density = 0.0f;            // kg/m^3; 0: each asset's own
     float fluid_viscosity = 0.0f;          // m^2/s; 0: each asset's own
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
+    lr::Surface surface;
     uint64_t substep_count = 0;
     double time = 0.0; // s
     uint32_t next_key = 1;

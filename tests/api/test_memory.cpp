@@ -1,5 +1,5 @@
 #include "support/counting_memory.h"
-#include "support/scene.h"
+#include "support/water.h"
 
 #include <functional>
 
@@ -156,7 +156,9 @@ TEST_CASE("a step, a hash, a view and transforms allocate nothing, with and with
         const uint64_t own = memory.calls, global = global_allocations;
         bool ok = lr_body_create(world.get(), batch, descs.data(), 5000, ids.data()) == LR_OK;
         ok = ok && lr_body_create(world.get(), full, descs.data(), 3000, nullptr) == LR_OK;
+        const lr_surface_desc water = sea();
         for (int i = 0; i < 5; ++i) {
+            if (i == 2) ok = ok && lr_world_set_surface(world.get(), &water) == LR_OK;
             ok = ok && lr_world_step(world.get(), 0.01f, 4) == LR_OK;
             ok = ok && lr_world_hash(world.get(), &hash) == LR_OK;
             ok = ok && lr_batch_get_view(world.get(), batch, &view) == LR_OK;

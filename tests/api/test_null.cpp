@@ -78,6 +78,12 @@ TEST_CASE("every pointer that must be given is asked for") {
     CHECK(lr_world_update_wind(w, source, nullptr) == null);
     CHECK(lr_world_remove_wind(nullptr, source) == null);
     CHECK(lr_world_remove_wind(w, source) == LR_OK);
+    const lr_surface_desc surface = initialised(lr_surface_desc_init);
+    CHECK(lr_world_set_surface(nullptr, &surface) == null);
+    CHECK(lr_world_set_surface(nullptr, nullptr) == null);
+    CHECK(lr_world_set_surface(w, nullptr) == LR_OK);
+    CHECK(lr_world_set_surface_callback(nullptr, nullptr, nullptr) == null);
+    CHECK(lr_world_set_surface_callback(w, nullptr, nullptr) == LR_OK);
     CHECK(lr_world_set_wind_callback(nullptr, nullptr, nullptr) == null);
     CHECK(lr_world_set_wind_callback(w, nullptr, nullptr) == LR_OK);
     float velocity[3] = {};

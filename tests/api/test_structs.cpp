@@ -73,6 +73,7 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_world_info>(lr_world_info_init);
     check_init<lr_wind_desc>(lr_wind_desc_init);
     check_init<lr_wind_source_desc>(lr_wind_source_desc_init);
+    check_init<lr_surface_desc>(lr_surface_desc_init);
     check_init<lr_batch_desc>(lr_batch_desc_init);
     check_init<lr_turbulence_table>(lr_turbulence_table_init);
     check_init<lr_load_gains>(lr_load_gains_init);
@@ -167,6 +168,8 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
         return status;
     });
     check_use<lr_wind_desc>(wind_desc(), [&](lr_wind_desc* d) { return lr_world_set_wind(w, d); });
+    check_use<lr_surface_desc>(initialised(lr_surface_desc_init),
+                               [&](lr_surface_desc* d) { return lr_world_set_surface(w, d); });
     lr_wind_source_desc blower = initialised(lr_wind_source_desc_init);
     blower.kind = LR_WIND_SOURCE_POINT_BLOWER;
     lr_wind_source source = 0;

@@ -265,6 +265,32 @@ TEST_CASE("gravity, wind, batches and tables refuse impossible values and leave 
     check_fields<lr_wind_desc>(
         wind_desc(), fields, [&](const lr_wind_desc* d) { return lr_world_set_wind(w, d); }, unchanged);
 
+    fields = array("position", offsetof(lr_surface_desc, position), 3, {1.1e9, -1e12}, {});
+    for (const Field& f : array("current", offsetof(lr_surface_desc, current), 3, {1000.1, -1e9}, {}))
+        fields.push_back(f);
+    fields.push_back({"wave_count", offsetof(lr_surface_desc, wave_count), Field::u32, {1.0, 9.0, 4294967295.0}, {}});
+    fields.push_back({"density", offsetof(lr_surface_desc, density), Field::f32, {0.0, -1.0, 1.1e6}, {}});
+    fields.push_back({"viscosity", offsetof(lr_surface_desc, viscosity), Field::f32, {0.0, -1.0, 1001.0}, {}});
+    fields.push_back({"reach", offsetof(lr_surface_desc, reach), Field::f32, {-0.1, 1.1e6}, {}});
+    fields.push_back({"normal y", offsetof(lr_surface_desc, normal) + 4, Field::f32, {0.0}, {}});
+    check_fields<lr_surface_desc>(
+        initialised(lr_surface_desc_init), fields, [&](const lr_surface_desc* d) { return lr_world_set_surface(w, d); },
+        unchanged);
+    lr_surface_desc waves = initialised(lr_surface_desc_init);
+    waves.wave_count = LR_MAX_WAVES;
+    for (lr_wave& wave : waves.waves) wave = {{1.0f, 0.0f, 0.0f}, 7.0f, 0.9f, 0.0f};
+    const size_t last = offsetof(lr_surface_desc, waves) + (LR_MAX_WAVES - 1) * sizeof(lr_wave);
+    fields = {{"length", last + offsetof(lr_wave, length), Field::f32, {0.0, 6.0, 1.1e6}, {}},
+              {"amplitude", last + offsetof(lr_wave, amplitude), Field::f32, {-0.1, 1.1}, {}},
+              {"phase", last + offsetof(lr_wave, phase), Field::f32, {1.1e6, -1e9}, {}},
+              {"direction", last + offsetof(lr_wave, direction), Field::f32, {0.0}, {}}};
+    check_fields<lr_surface_desc>(
+        waves, fields, [&](const lr_surface_desc* d) { return lr_world_set_surface(w, d); }, unchanged);
+    CHECK(lr_world_set_surface(w, &waves) == LR_OK);
+    CHECK(unchanged() == 0);
+    CHECK(lr_world_set_surface(w, nullptr) == LR_OK);
+    CHECK(unchanged() == 1);
+
     fields = {{"capacity", offsetof(lr_batch_desc, capacity), Field::u32, {0.0, 67108865.0, 4294967295.0}, {1.0, 17.0}},
               {"load_model", offsetof(lr_batch_desc, load_model), Field::i32, {-1.0, 4.0, 99.0}, {0.0, 1.0, 2.0, 3.0}},
               {"clock", offsetof(lr_batch_desc, clock), Field::i32, {-1.0, 99.0}, {0.0, 1.0}},

@@ -230,3 +230,33 @@ TEST_CASE("terminal velocity is right at steps of a tenth of a second") {
             CHECK(drag == doctest::Approx(std::abs(weight)).epsilon(0.01));
         }
 }
+
+// The couple of the lift has no reaction on the motion along the stream, so that it does work. Against the stream's share of
+// the spin drag it is at most c_k^2 n_i^2 n_j^2/(4 d_k) rho s^3 about each axis, c_k the moment's coefficient and d_k
+// spin_drag_stream; form drag takes 1/2 sum drag_i n_i^2 rho s^3. More is lost than gained in every direction n = v/s.
+TEST_CASE("couples of the lift do less work than drag takes") {
+    double most = 0.0;
+    for (uint64_t i = 0; i < 2000; ++i) {
+        Random random(i);
+        const Asset asset = make(ellipsoid(random.logarithmic(1e-3, 1.0), random.logarithmic(1e-3, 1.0),
+                                           random.logarithmic(1e-4, 1.0), 700.0));
+        lr_aerodynamics a = initialised(lr_aerodynamics_init);
+        REQUIRE(lr_asset_get_aerodynamics(asset.get(), &a) == LR_OK);
+        for (int direction = 0; direction < 500; ++direction) {
+            Vec v{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+            v[random.below(3)] *= random.logarithmic(1e-3, 1.0);
+            const Vec n = 1.0 / length(v) * v;
+            double sigma = 0.0, drag = 0.0, work = 0.0;
+            for (size_t k = 0; k < 3; ++k) sigma += a.broadside[k] * n[k] * n[k], drag += 0.5 * a.drag[k] * n[k] * n[k];
+            for (size_t k = 0; k < 3; ++k) {
+                const double across = n[(k + 1) % 3] * n[(k + 2) % 3];
+                const double couple = (a.lift_moment[k] + a.lift_moment_stalled[k] * sigma) * across;
+                work += couple * couple / (4.0 * a.spin_drag_stream[k]);
+            }
+            most = std::max(most, work / drag);
+        }
+    }
+    MESSAGE("at most ", most, " of it");
+    CHECK(most < 0.5);
+    CHECK(most > 0.1);
+}

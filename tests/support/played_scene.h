@@ -3,6 +3,7 @@
 
 #include "support/random.h"
 #include "support/scene.h"
+#include "support/water.h"
 
 #include <algorithm>
 #include <string>
@@ -19,6 +20,7 @@ struct PlayedScene {
     bool windy = false;
     bool born_and_dying = false;
     bool forced = false;   // forces on bodies and on batches
+    bool afloat = false;   // a sea, its surface amid the bodies
     bool governed = false; // rules that destroy in one batch and respawn in the other, and emitters
     uint32_t bodies = 300; // in each of two batches: one diagonal, one with its weight off centre
 };
@@ -49,6 +51,16 @@ inline std::vector<PlayedScene> played_scenes() {
     leaves.loads = LR_LOADS_AERODYNAMIC, leaves.windy = leaves.born_and_dying = true, leaves.bodies = 2500;
     add("wind").windy = true;
     add("births_and_deaths").born_and_dying = true;
+    PlayedScene& sea_of_leaves = add("sea");
+    sea_of_leaves.loads = LR_LOADS_AERODYNAMIC, sea_of_leaves.afloat = true;
+    PlayedScene& sea_full = add("sea_full");
+    sea_full.afloat = true, sea_full.tensor = LR_TENSOR_FULL;
+    PlayedScene& sea_rk4 = add("sea_rk4");
+    sea_rk4.afloat = true, sea_rk4.integrator = LR_INTEGRATOR_RK4;
+    PlayedScene& sea_storm = add("sea_storm");
+    sea_storm.loads = LR_LOADS_AERODYNAMIC;
+    sea_storm.afloat = sea_storm.windy = sea_storm.born_and_dying = sea_storm.forced = sea_storm.governed = true;
+    sea_storm.bodies = 2500;
     add("forces").forced = true;
     PlayedScene& forces_rk4 = add("forces_rk4");
     forces_rk4.forced = true, forces_rk4.integrator = LR_INTEGRATOR_RK4;
@@ -78,6 +90,7 @@ public:
         assets_[0] = leaf();
         assets_[1] = curled_leaf();
         build();
+        if (scene_.afloat) set_water(world, sea()); // not anew after a snapshot: that brings it back
         for (size_t b = 0; b < 2; ++b) {
             populate(b);
             if (scene_.forced) push_batch(b);

@@ -114,8 +114,8 @@ TEST_CASE("a free slot listed twice is refused") {
 TEST_CASE("a generation beyond the last is refused") {
     const Scene scene;
     std::vector<unsigned char> bytes = snapshot_of(scene.world);
-    // The first batch's header follows the world's 88 bytes and the wind's 296; first and last generation lie 24 and 28 bytes into it.
-    for (size_t at : {size_t{384 + 24}, size_t{384 + 28}}) {
+    // The first batch's header follows the world's 88 bytes, the wind's 296 and the surface's 320; the generations are at 24 and 28 in it.
+    for (size_t at : {size_t{704 + 24}, size_t{704 + 28}}) {
         uint32_t generation = 0;
         std::memcpy(&generation, bytes.data() + at, 4);
         REQUIRE((generation == 1 || generation == 2));

@@ -1,0 +1,113 @@
+#include "field/surface_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+constexpr auto lanes = static_cast<uint32_t>(lane_block), most = static_cast<uint32_t>(field_block);
+
+} // namespace
+
+NearBodies::NearBodies(const SurfaceStep& step, const StepInput& in, const BatchArrays& from, uint32_t live,
+                       uint32_t begin, uint32_t end, double dt, bool forget)
+    : step_(&step), begin_(begin), live_(live) {
+    const float* const g = step.gravity;
+    const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    step.target->surface.near(step.surface->at(step.time.begin), step.surface->highest(), *in.water,
+                              static_cast<float>(dt), gravity, from, begin, end, near_);
+    for (uint32_t i = begin; i < std::min(end, live); ++i)
+        if (near_[i - begin] != 0) index_[count_++] = i;
+    if (count_ == 0) return;
+    padded_ = (count_ + lanes - 1) / lanes * lanes;
+    // The last body fills up the lanes.
+    const auto gather = [&](const auto* source, auto* to) {
+        for (uint32_t i = 0; i < padded_; ++i) to[i] = source[index_[std::min(i, count_ - 1)]];
+    };
+    for (size_t f = 0; f < field_count; ++f) gather(from.field[f], field_[f]);
+    gather(from.key, key_);
+    if (in.external.used == 0) return;
+    for (size_t c = 0; c < force_components; ++c) {
+        float* const source = in.external.bodies + c * in.external.stride;
+        gather(source, force_[c]);
+        if (!forget) continue;
+        for (uint32_t i = 0; i < count_; ++i) source[index_[i]] = 0.0f;
+    }
+}
+
+bool NearBodies::others(uint32_t begin) const {
+    for (uint32_t i = begin; i < std::min(begin + lanes, live_); ++i)
+        if (near_[i - begin_] == 0) return true;
+    return false;
+}
+
+void NearBodies::set_wind(const float (&wind)[3][field_block]) {
+    windy_ = true;
+    for (size_t k = 0; k < 3; ++k)
+        for (uint32_t i = 0; i < padded_; ++i) wind_[k][i] = wind[k][index_[std::min(i, count_ - 1)] - begin_];
+}
+
+void NearBodies::sample(double time, lr_batch batch, SurfaceInstant& plane, SurfaceBlock& block) {
+    plane = step_->surface->at(time);
+    step_->target->surface.surface(plane, padded_, block);
+    if (step_->surface->has_callback()) step_->surface->ask(time, batch, count_, plane, block);
+}
+
+void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32_t count) {
+    const SurfaceTarget& kernel = step_->target->surface;
+    BatchArrays bodies{};
+    for (size_t f = 0; f < field_count; ++f) bodies.field[f] = field_[f];
+    bodies.key = key_;
+    StepInput one = in;
+    one.substeps = 1;
+    one.external.bodies = force_[0];
+    one.external.stride = field_block;
+    one.external.clear = false;
+    SurfaceInstant plane;
+    SurfaceBlock blocks[3];
+    SurfaceBlock *begin = blocks, *const middle = blocks + 1, *end = blocks + 2;
+    const auto h = static_cast<float>(step_->time.h);
+    kernel.ahead(bodies, padded_, 0.0f, *begin);
+    sample(step_->time.begin + first * step_->time.h, batch, plane, *begin);
+    for (uint32_t i = first; i < first + count; ++i) {
+        one.first_substep = in.first_substep + i;
+        if (!windy_) {
+            const float part = (static_cast<float>(i) + 0.5f) / static_cast<float>(step_->time.substeps);
+            for (size_t k = 0; k < 3; ++k)
+                std::fill_n(wind_[k], padded_, in.wind_begin[k] + part * (in.wind[k] - in.wind_begin[k]));
+        }
+        kernel.ahead(bodies, padded_, 0.5f * h, *middle);
+        sample(step_->time.begin + (i + 0.5) * step_->time.h, batch, plane, *middle);
+        const WetSubstep wet{in.water, &plane, begin, middle, end, wind_, step_->gravity, fraction_};
+        kernel.step(one, wet, bodies, padded_);
+        kernel.ahead(bodies, padded_, 0.0f, *end);
+        sample(step_->time.begin + (i + 1.0) * step_->time.h, batch, plane, *end);
+        kernel.settle(one, wet, bodies, padded_);
+        std::swap(begin, end);
+    }
+}
+
+void NearBodies::put_back(const BatchArrays& to) const {
+    for (size_t f = 0; f < field_count; ++f)
+        for (uint32_t i = 0; i < count_; ++i) to.field[f][index_[i]] = field_[f][i];
+}
+
+void step_at_surface(const SurfaceStep& step, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
+                     uint32_t live, uint32_t begin, uint32_t end) {
+    for (uint32_t at = begin; at < end; at += most) {
+        const uint32_t last = std::min(at + most, end);
+        NearBodies near(step, in, arrays, live, at, last, step.time.h * step.time.substeps, true);
+        for (uint32_t from = at; from < last;) {
+            uint32_t to = from;
+            while (to < last && near.others(to)) to += lanes;
+            if (to != from) step.target->step(in, arrays, from, to);
+            from = to + lanes;
+        }
+        if (!near.any()) continue;
+        near.run(in, batch, 0, step.time.substeps);
+        near.put_back(arrays);
+    }
+}
+
+} // namespace lr
