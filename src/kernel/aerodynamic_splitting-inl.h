@@ -95,27 +95,45 @@ template <class C> HWY_INLINE Vec3 rolled_half(const C& c, const Roll& roll, VF 
 HWY_INLINE Vec3 smaller(Vec3 a, Vec3 b) {
     return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)};
 }
-// A couple that makes the rim faster than this many times the stream within half a substep acts longer than it does in
-// truth: the body would have turned away.
-HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
-    const VF most = hn::Mul(constant(8.0f), s), least = hn::Neg(most);
+// The couple of the lift acts at four moments, h/4 each: at the ends of the substep and on both sides of its middle. It is the
+// load that turns most with the body, and one attitude for all of it was the largest error of the splitting.
+inline constexpr float couple_share = 0.25f;
+// A couple that makes the rim faster than this many times the stream acts longer than it does in truth: the body would have
+// turned away. At the ends of a substep no spin drag acts against it.
+inline constexpr float most_rim = 8.0f, most_rim_at_end = 1.0f;
+HWY_INLINE Vec3 bounded_push(Vec3 push, VF s, float times_stream) {
+    const VF most = hn::Mul(constant(times_stream), s), least = hn::Neg(most);
     const auto one = [&](VF x) HWY_ATTR { return hn::Max(hn::Min(x, most), least); };
     return {one(push.x), one(push.y), one(push.z)};
+}
+
+template <bool kFull, class C>
+HWY_INLINE void couple_at_end(const StepInput& in, const C& c, const Held& held, Body& b) {
+    const auto& a = c.aerodynamics;
+    Twist t = b.t;
+    if (kFull && held.sheared) t.u = sub(t.u, to_body(b.q, held.fluid_spin));
+    const Vec3 v = centre_velocity<kFull>(a, t);
+    const VF s = hn::Sqrt(speed_squared(v));
+    const Vec3 couple = scale(constant(couple_share * in.h), lift_moment(a, held.inverse_length, v));
+    if constexpr (kFull)
+        b.t = add(b.t, rows6(a.spin_response, bounded_push(symmetric3(a.spin_mobility, couple), s, most_rim_at_end)));
+    else
+        b.t.u = add(b.t.u, bounded_push(times(broadcast(c.inverse_spin_mass), couple), s, most_rim_at_end));
 }
 
 // On the diagonal path roll damping is a part of its own, next to the lift on both sides; the full path has no use for kBeforeLift.
 template <bool kFull, bool kBeforeLift, class C>
 HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Twist applied, Body& b) {
     const auto& a = c.aerodynamics;
-    const VF tau = constant(0.5f * in.h), half = constant(0.5f);
+    const VF tau = constant(0.5f * in.h), half = constant(0.5f), share = constant(couple_share * in.h);
     const Vec3 v = centre_velocity<kFull>(a, b.t);
     const VF s = hn::Sqrt(speed_squared(v));
-    const Vec3 couple = scale(tau, lift_moment(a, held.inverse_length, v));
+    const Vec3 couple = scale(share, lift_moment(a, held.inverse_length, v));
     if constexpr (!kFull) {
         const Roll roll = roll_damping(a, held.inverse_length, s, v);
         const Vec3 u = kBeforeLift ? b.t.u : rolled_half(c, roll, tau, b.t.u);
         const Vec3 rate = broadcast(c.inverse_spin_mass),
-                   push = add_scaled(bounded_push(times(rate, couple), s), tau, times(rate, applied.u));
+                   push = add_scaled(bounded_push(times(rate, couple), s, most_rim), tau, times(rate, applied.u));
         const Vec3 r = add_scaled(u, half, push);
         const Vec3 first = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, r));
         const Vec3 middle = relax_middle(r, times(rate, first));
@@ -134,7 +152,7 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held
                 smaller(scale(tau, spin_drag_rate(a, held.inverse_length, nu, stream, u_at)), broadcast(a.spin_limit)),
                 roll.axis, hn::Min(hn::Mul(tau, roll.rate), most)};
         };
-        const Vec3 r = add_scaled(u, half, bounded_push(symmetric3(n, couple), s));
+        const Vec3 r = add_scaled(u, half, bounded_push(symmetric3(n, couple), s, most_rim));
         const Resistance first = resistance(s, v, r);
         // Half the rate in the middle, as in relax_middle; a rate on each axis as if that were a mode.
         const Vec3 eased = relax_middle(first.x, times(Vec3{constant(n[0]), constant(n[3]), constant(n[5])}, first.x));
@@ -143,8 +161,8 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held
         // A couple moves a centre that lies off the centre of mass.
         const Vec3 v_middle = centre_velocity<true>(a, add(b.t, rows6(a.spin_response, sub(middle, u))));
         const VF s_middle = hn::Sqrt(speed_squared(v_middle));
-        const Vec3 push =
-            bounded_push(symmetric3(n, scale(tau, lift_moment(a, held.inverse_length, v_middle))), s_middle);
+        const Vec3 push = bounded_push(symmetric3(n, scale(share, lift_moment(a, held.inverse_length, v_middle))),
+                                       s_middle, most_rim);
         const Resistance x = resistance(s_middle, v_middle, middle);
         // u1 = (1 + X + X^2/2)^-1 (u0 + (1 + X/2) push)
         const Vec3 more = symmetric3(n, resisted(x, push));
@@ -213,7 +231,8 @@ template <bool kFull, class C> HWY_INLINE Twist applied_loads(const C& c, const 
 template <bool kFull, class C>
 HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, const Held& held, Body& b) {
     const VF nu = hn::Mul(constant(c.aerodynamics.viscosity), held.inverse_length);
-    free_step<kFull>(0.5f * in.h, c, held, b);
+    couple_at_end<kFull>(in, c, held, b);
+    free_step<kFull, true>(0.5f * in.h, c, held, b);
     const Twist applied = applied_loads<kFull>(c, held, b.q);
     // Loads are those of the spin through the fluid.
     if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
@@ -223,7 +242,8 @@ HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, c
     spin_drag_half<kFull, kFull>(in, c, held, nu, applied, b);
     drag_half<kFull>(in, c, held, nu, applied, b);
     if (held.sheared) b.t.u = add(b.t.u, to_body(b.q, held.fluid_spin));
-    free_step<kFull>(0.5f * in.h, c, held, b);
+    free_step<kFull, true>(0.5f * in.h, c, held, b);
+    couple_at_end<kFull>(in, c, held, b);
 }
 
 } // namespace lr::HWY_NAMESPACE
