@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 jobs=$(nproc)
 
-step() { printf '\n== %s\n' "$*"; }
+step() { printf '\n== %s (%d:%02d)\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 configure() { # directory, arguments
     local dir=$1
     shift
@@ -78,4 +78,4 @@ if [ "${1:-}" != --quick ]; then
     $good
 fi
 
-printf '\nAll tests passed.\n'
+step "All tests passed"

@@ -147,17 +147,7 @@ void check_hull(const AssetData& d, Checker& check) {
 void check_aerodynamics(const AssetData& d, Checker& check) {
     const AerodynamicData& a = d.aerodynamics;
     if (!check.finite(a.axes, "aerodynamics.axes")) return;
-    const auto dot = [&](size_t i, size_t j) {
-        return a.axes[3 * i] * a.axes[3 * j] + a.axes[3 * i + 1] * a.axes[3 * j + 1] +
-               a.axes[3 * i + 2] * a.axes[3 * j + 2];
-    };
-    const auto& e = a.axes;
-    const double determinant =
-        e[0] * (e[4] * e[8] - e[5] * e[7]) + e[1] * (e[5] * e[6] - e[3] * e[8]) + e[2] * (e[3] * e[7] - e[4] * e[6]);
-    bool is_rotation = determinant > 0.0;
-    for (size_t i = 0; i < 3; ++i)
-        for (size_t j = 0; j <= i; ++j) is_rotation = is_rotation && std::abs(dot(i, j) - (i == j ? 1.0 : 0.0)) < 1e-9;
-    if (!is_rotation)
+    if (!is_rotation(a.axes, 1e-9))
         check.fail(FaultId::asset_bad_axes, "aerodynamics.axes",
                    "The axes are not three orthogonal unit vectors, right-handed.");
 

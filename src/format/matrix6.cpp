@@ -80,4 +80,16 @@ bool invert_spd(const Matrix6& m, Matrix6& inverse) {
     return true;
 }
 
+bool is_rotation(const std::array<double, 9>& rows, double tolerance) {
+    const auto& q = rows;
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j <= i; ++j) {
+            const double dot = q[i * 3] * q[j * 3] + q[i * 3 + 1] * q[j * 3 + 1] + q[i * 3 + 2] * q[j * 3 + 2];
+            if (!(std::abs(dot - (i == j ? 1.0 : 0.0)) < tolerance)) return false;
+        }
+    return q[0] * (q[4] * q[8] - q[5] * q[7]) + q[1] * (q[5] * q[6] - q[3] * q[8]) +
+               q[2] * (q[3] * q[7] - q[4] * q[6]) >
+           0.0;
+}
+
 } // namespace lr

@@ -1,4 +1,4 @@
-// Symmetric 6x6 matrices in the order vx vy vz wx wy wz, without a matrix library: format and asset code stay free of
+// Small matrices, 6x6 in the order vx vy vz wx wy wz, without a matrix library: format and asset code stay free of
 // Eigen so that the runtime does.
 #pragma once
 
@@ -27,5 +27,8 @@ bool invert_spd(const Matrix6& m, Matrix6& inverse);
 // Added mass about another point: `to` is the new point seen from the old one. The fluid's energy stays the same when
 // the body's velocity is given at the new point.
 void shift_added_mass(Matrix6& m, const std::array<double, 3>& to);
+
+// Rows of unit length, right-handed, each dot product within `tolerance`. False for what is not finite.
+bool is_rotation(const std::array<double, 9>& rows, double tolerance);
 
 } // namespace lr

@@ -141,15 +141,7 @@ bool is_usable(const AerodynamicData& a) {
     if (!(a.intensity >= 0.0 && a.intensity <= 10.0) || !(a.length > 0.0 && a.length <= 1e6) ||
         !(a.wake_reynolds >= 0.0 && a.wake_reynolds <= 1e9))
         return false;
-    const auto& q = a.axes;
-    for (size_t i = 0; i < 3; ++i)
-        for (size_t j = 0; j < 3; ++j) {
-            const double dot = q[i * 3] * q[j * 3] + q[i * 3 + 1] * q[j * 3 + 1] + q[i * 3 + 2] * q[j * 3 + 2];
-            if (!(std::abs(dot - (i == j ? 1.0 : 0.0)) < 1e-6)) return false;
-        }
-    const double volume =
-        q[0] * (q[4] * q[8] - q[5] * q[7]) + q[1] * (q[5] * q[6] - q[3] * q[8]) + q[2] * (q[3] * q[7] - q[4] * q[6]);
-    return volume > 0.0;
+    return is_rotation(a.axes, 1e-6); // a caller may have single precision
 }
 
 bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const Gains& gains, bool diagonal, double rho,
