@@ -151,16 +151,23 @@ RowResult run_phase_map(const Context& context) {
         keep_examples(p.result);
     });
     double all = 0.0;
-    std::array<double, 3> by_kind{}, count{};
+    std::array<std::array<double, 2>, 3> agreed{}, count{}; // by boundary and side
     for (const Point& p : points) {
         const auto kind = static_cast<size_t>(boundary_points()[p.expected.boundary].kind);
+        // What is allowed beyond a boundary begins with the regime that it leads to.
+        const size_t side = static_cast<size_t>(p.expected.allowed.back()) > kind ? 1 : 0;
         all += p.agreement / static_cast<double>(points.size());
-        by_kind[kind] += p.agreement;
-        count[kind] += 1.0;
+        agreed[kind][side] += p.agreement;
+        count[kind][side] += 1.0;
     }
     result.add("agreement over all points", Rule::at_least, all, 0.8, 0.0);
     static constexpr const char* kinds[] = {"steady to periodic", "periodic to chaotic", "chaotic to tumbling"};
-    for (size_t k = 0; k < 3; ++k) result.show(std::string("agreement, ") + kinds[k], by_kind[k] / count[k]);
+    for (size_t k = 0; k < 3; ++k)
+        result.add(std::string("agreement, ") + kinds[k] + ", both sides", Rule::at_least,
+                   (agreed[k][0] + agreed[k][1]) / (count[k][0] + count[k][1]), 0.8, 0.0);
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t side = 0; side < 2; ++side)
+            result.show(std::string(side == 0 ? "before " : "beyond ") + kinds[k], agreed[k][side] / count[k][side]);
     for (const Point& p : points) result.show(describe(p), p.agreement);
     result.remarks.push_back(std::to_string(options.seeds) + " releases a point, tilted by up to 5 degrees.");
     result.pictures.push_back(

@@ -30,17 +30,17 @@ AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes);
 // What a thin plate in free flight adds to the rules for steady streams. Fitted to measured falls of discs
 // (docs/physics.md, "Plates in free flight"); a body that is no plate has none of it.
 struct PlateCoefficients {
-    double unsteady_disc = 2.536, unsteady_strip = 1.3; // drag broadside over that in a steady stream
-    double edge_drag = 0.317, edge_strip = 0.4;         // C_D of the planform, edge on
+    double unsteady_disc = 2.536, unsteady_strip = 1.8; // drag broadside over that in a steady stream
+    double edge_drag = 0.317, edge_strip = 0.6;         // C_D of the planform, edge on
     double lift_span = 1.68;                            // lift falls as r/(r + this), r span over chord
-    double rotation = 1.3, rotation_span = 0.575;       // C_R of a long strip; falls likewise
+    double rotation = 1.1, rotation_span = 0.3327;      // C_R of a long strip; falls likewise
     double stall = -0.393;
-    double moment = 0.0392, moment_stalled = 0.06; // of the planform times the chord
-    double spin_disc = 1.076, spin_strip = 2.5;    // C_M by span over chord
-    double spin_stream = 0.0152;                   // of stroke2
-    double roll = 0.547;                           // damping of roll, of stroke2, where span and chord are alike
-    double spin_creeping = 0.3;                    // of the creeping couple
-    double intensity = 0.0533, correlation = 0.48; // of the wake; in largest extents
+    double moment = 0.0392, moment_stalled = 0.072; // of the planform times the chord
+    double spin_disc = 1.076, spin_strip = 2.5;     // C_M by span over chord
+    double spin_stream = 0.0152;                    // of stroke2
+    double roll = 0.56;                             // damping of roll, of stroke2, where span and chord are alike
+    double spin_creeping = 0.3;                     // of the creeping couple
+    double intensity = 0.0505, correlation = 0.48;  // of the wake; in largest extents
     double wake_reynolds = 780;
 };
 
