@@ -154,7 +154,7 @@ RowResult run_phase_map(const Context& context) {
     std::array<std::array<double, 2>, 3> agreed{}, count{}; // by boundary and side
     for (const Point& p : points) {
         const auto kind = static_cast<size_t>(boundary_points()[p.expected.boundary].kind);
-        // What is allowed beyond a boundary begins with the regime that it leads to.
+        // The last regime that is allowed beyond a boundary lies past it, before it none does.
         const size_t side = static_cast<size_t>(p.expected.allowed.back()) > kind ? 1 : 0;
         all += p.agreement / static_cast<double>(points.size());
         agreed[kind][side] += p.agreement;
