@@ -59,7 +59,7 @@ template <class A> HWY_INLINE Vec3 circulation(const A& c, VF b, VF nu, Vec3 v, 
     const VF root = hn::Sqrt(hn::Mul(s, nu));
     const VF attached = neg_mul_add(constant(c.lift_stall), stall(c, s2, v), constant(1.0f));
     const VF full = hn::Mul(s, attached);
-    const auto along = [&](int k, VF vi, VF vj, VF uk) HWY_ATTR {
+    const auto along = [&](int k, VF vi, VF vj, VF uk) LR_LAMBDA {
         const VF sum = mul_add(constant(c.lift[k]), full,
                                mul_add(constant(c.lift_layer[k]), root, hn::Mul(constant(c.lift_stokes[k]), nu)));
         return mul_sub(hn::Mul(b, constant(c.spin_lift[k])), uk, hn::Mul(hn::Mul(inverse, hn::Mul(vi, vj)), sum));
@@ -70,7 +70,7 @@ template <class A> HWY_INLINE Vec3 circulation(const A& c, VF b, VF nu, Vec3 v, 
 // Spin drag is -rate u along each axis.
 template <class A> HWY_INLINE Vec3 spin_drag_rate(const A& c, VF b, VF nu, VF s, Vec3 u) {
     const VF spin = hn::Sqrt(weighted(c.spin_weight, times(u, u)));
-    const auto along = [&](int k) HWY_ATTR {
+    const auto along = [&](int k) LR_LAMBDA {
         return hn::Mul(
             b, mul_add(constant(c.spin_drag[k]), spin,
                        mul_add(constant(c.spin_drag_stream[k]), s, hn::Mul(constant(c.spin_drag_stokes[k]), nu))));
@@ -89,7 +89,7 @@ template <class A> HWY_INLINE Roll roll_damping(const A& c, VF b, VF s, Vec3 v) 
 
 template <class A> HWY_INLINE Vec3 lift_moment(const A& c, VF b, Vec3 v) {
     const VF sigma = stall(c, speed_squared(v), v);
-    const auto along = [&](int k, VF vi, VF vj) HWY_ATTR {
+    const auto along = [&](int k, VF vi, VF vj) LR_LAMBDA {
         return hn::Mul(hn::Mul(b, hn::Mul(vi, vj)),
                        mul_add(constant(c.lift_moment_stalled[k]), sigma, constant(c.lift_moment[k])));
     };

@@ -74,7 +74,7 @@ template <class T> HWY_INLINE Vec3 solve_damped(const T* n, const Resistance& d,
     const Columns m{add_scaled(scale(d.x.x, Vec3{constant(n[0]), constant(n[1]), constant(n[2])}), d.axis.x, rolled),
                     add_scaled(scale(d.x.y, Vec3{constant(n[1]), constant(n[3]), constant(n[4])}), d.axis.y, rolled),
                     add_scaled(scale(d.x.z, Vec3{constant(n[2]), constant(n[4]), constant(n[5])}), d.axis.z, rolled)};
-    const auto column = [&](Vec3 e, Vec3 xe) HWY_ATTR {
+    const auto column = [&](Vec3 e, Vec3 xe) LR_LAMBDA {
         const Vec3 square = add(scale(xe.x, m.x), add(scale(xe.y, m.y), scale(xe.z, m.z)));
         return add(e, add_scaled(xe, quadratic, square));
     };
@@ -103,7 +103,7 @@ inline constexpr float couple_share = 0.25f;
 inline constexpr float most_rim = 8.0f, most_rim_at_end = 1.0f;
 HWY_INLINE Vec3 bounded_push(Vec3 push, VF s, float times_stream) {
     const VF most = hn::Mul(constant(times_stream), s), least = hn::Neg(most);
-    const auto one = [&](VF x) HWY_ATTR { return hn::Max(hn::Min(x, most), least); };
+    const auto one = [&](VF x) LR_LAMBDA { return hn::Max(hn::Min(x, most), least); };
     return {one(push.x), one(push.y), one(push.z)};
 }
 
@@ -144,7 +144,7 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held
         const Vec3 u = load_spin<true>(a, b.t);
         const auto* const n = a.spin_mobility;
         // The square of what is solved must stay finite.
-        const auto resistance = [&](VF stream, Vec3 v_at, Vec3 u_at) HWY_ATTR {
+        const auto resistance = [&](VF stream, Vec3 v_at, Vec3 u_at) LR_LAMBDA {
             const Roll roll = roll_damping(a, held.inverse_length, stream, v_at);
             const VF most =
                 hn::Div(constant(1e4f), hn::Add(dot(roll.axis, symmetric3(n, roll.axis)), constant(1e-20f)));
@@ -198,7 +198,7 @@ HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF 
     const VF half = constant(0.5f * in.h);
     const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
     // Beyond this the velocity turns through more than can be resolved.
-    const auto bounded = [&](Vec3 g) HWY_ATTR {
+    const auto bounded = [&](Vec3 g) LR_LAMBDA {
         const VF most = constant(5e3f), least = constant(-5e3f);
         return Vec3{hn::Max(hn::Min(g.x, most), least), hn::Max(hn::Min(g.y, most), least),
                     hn::Max(hn::Min(g.z, most), least)};

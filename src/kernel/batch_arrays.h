@@ -7,7 +7,7 @@
 namespace lr {
 
 // Arrays are padded to a multiple of this, so that every target's vectors cover whole lanes and no tail code exists.
-inline constexpr size_t lane_block = 16;
+inline constexpr size_t lane_block = 32;
 
 enum Field : size_t {
     field_x,

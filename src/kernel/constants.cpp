@@ -79,6 +79,14 @@ bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyCons
         out.damping[i] = static_cast<float>(load[i * 7]);
         out.spin_damping[i] = static_cast<float>(load[(i + 3) * 7]);
     }
+    for (size_t i = 0; i < 3; ++i) {
+        const size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        const double spin = mass[(i + 3) * 7], munk = (mass[j * 7] - mass[k * 7]) / spin;
+        out.gyroscopic[i] = static_cast<float>((mass[(j + 3) * 7] - mass[(k + 3) * 7]) / spin);
+        out.munk[i] = static_cast<float>(munk);
+        out.munk_turn[i] = static_cast<float>(munk / mass[j * 7]);
+        out.munk_turn[i + 3] = static_cast<float>(munk / mass[k * 7]);
+    }
     Modes modes;
     if (!find_modes(mass, load, modes)) return false;
     for (size_t i = 0; i < 6; ++i)

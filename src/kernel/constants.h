@@ -55,6 +55,9 @@ template <class T> struct BodyConstantsOf {
     // Diagonal path: the diagonals. Full path: upper triangles, row by row.
     T mass[3], spin_mass[3];
     T inverse_mass[3], inverse_spin_mass[3];
+    // Diagonal path: spin's rate of change along x is gyroscopic[0] u_y u_z + munk[0] v_y v_z, and so on; munk over the masses
+    // of what turns P: along x over that of y, then over that of z.
+    T gyroscopic[3], munk[3], munk_turn[6];
     T damping[3], spin_damping[3]; // rho(V + A)/U, rho D/(U d^2)
 
     T full_mass[21], full_inverse[21];

@@ -15,7 +15,7 @@ namespace lr::HWY_NAMESPACE {
 
 HWY_INLINE hn::Mask<DF> inside(const lr_kill_volume& volume, Vec3 x) {
     const Vec3 r = sub(x, broadcast(volume.center));
-    const auto within = [&](VF at, size_t axis) HWY_ATTR { return hn::Le(hn::Abs(at), constant(volume.size[axis])); };
+    const auto within = [&](VF at, size_t axis) LR_LAMBDA { return hn::Le(hn::Abs(at), constant(volume.size[axis])); };
     switch (volume.shape) {
     case LR_VOLUME_PLANE:
         return hn::Lt(dot(broadcast(volume.size), r), hn::Zero(DF()));
@@ -37,7 +37,7 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
         // The first of the causes counts: they are written over each other in reverse.
         VU out = hn::Zero(du);
         const auto put = [&](hn::Mask<DF> where, uint32_t code)
-                             HWY_ATTR { out = hn::IfThenElse(hn::RebindMask(du, where), hn::Set(du, code), out); };
+                             LR_LAMBDA { out = hn::IfThenElse(hn::RebindMask(du, where), hn::Set(du, code), out); };
         for (uint32_t k = rules.volume_count; k-- > 0;) {
             const auto in = inside(rules.volumes[k], x);
             put(rules.volumes[k].side == LR_KILL_OUTSIDE ? hn::Not(in) : in, cause_volume + k);

@@ -28,7 +28,7 @@ template <class C> HWY_NOINLINE External take_external(const ExternalInput& in, 
     const VF cube = hn::Mul(hn::Mul(body_scale, body_scale), body_scale);
     const VF per_mass = hn::Div(constant(1.0f), hn::Mul(cube, constant(c.unit_mass)));
     const VF per_moment = hn::Div(per_mass, length);
-    const auto vector = [&](size_t frame, size_t kind, VF unit) HWY_ATTR {
+    const auto vector = [&](size_t frame, size_t kind, VF unit) LR_LAMBDA {
         const VF* const v = sum + force_component(frame, kind);
         return Vec3{hn::Mul(v[0], unit), hn::Mul(v[1], unit), hn::Mul(v[2], unit)};
     };

@@ -7,19 +7,10 @@
 #define LR_KERNEL_MATH_INL_H_
 #endif
 
-#include "hwy/highway.h"
+#include "kernel/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using DF = hn::CappedTag<float, 16>;
-using DU = hn::RebindToUnsigned<DF>;
-using DI = hn::RebindToSigned<DF>;
-using VF = hn::Vec<DF>;
-using VU = hn::Vec<DU>;
-using VI = hn::Vec<DI>;
-
 HWY_INLINE VF constant(float x) {
     return hn::Set(DF(), x);
 }

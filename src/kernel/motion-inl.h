@@ -60,6 +60,13 @@ HWY_INLINE Vec3 to_body(Quaternion q, Vec3 a) {
     t = add(t, t);
     return add(add_scaled(a, q.w, t), cross(t, axis));
 }
+// The same for a quaternion of any length but 0.
+HWY_INLINE Vec3 to_world_scaled(Quaternion q, Vec3 a) {
+    const Vec3 axis{q.x, q.y, q.z};
+    const VF n = mul_add(q.x, q.x, mul_add(q.y, q.y, mul_add(q.z, q.z, hn::Mul(q.w, q.w))));
+    const Vec3 t = scale(hn::Div(constant(2.0f), n), cross(axis, a));
+    return add(add_scaled(a, q.w, t), cross(axis, t));
+}
 
 // q + s q (w, 0): with s = h/2, an Euler step of the kinematics q' = 1/2 q (w, 0).
 HWY_INLINE Quaternion turn(Quaternion from, Quaternion q, VF s, Vec3 w) {

@@ -32,13 +32,13 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
         held.noise = dragged<kFull>(
             c, {scale(beta, Vec3{gauss[0], gauss[1], gauss[2]}), scale(spin_beta, Vec3{gauss[3], gauss[4], gauss[5]})});
     }
-    const auto rate = [&](Quaternion q, Twist t) HWY_ATTR {
+    const auto rate = [&](Quaternion q, Twist t) LR_LAMBDA {
         const Twist r = twist_rate<kFull, kLoads>(c, held, q, t);
         if constexpr (!is_aerodynamic(kLoads)) return r;
         if (held.sheared) t.u = sub(t.u, to_body(q, held.fluid_spin));
         return add(r, acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held.inverse_length, t)));
     };
-    const auto spin = [&](Twist t) HWY_ATTR { return scale(held.inverse_length, t.u); };
+    const auto spin = [&](Twist t) LR_LAMBDA { return scale(held.inverse_length, t.u); };
 
     const Twist k1 = rate(b.q, b.t);
     const Vec3 w1 = spin(b.t);

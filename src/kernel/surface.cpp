@@ -59,7 +59,7 @@ void evaluate_surface(const SurfaceInstant& plane, size_t count, SurfaceBlock& b
 HWY_INLINE float blur_of(const StepInput& in, const WetSubstep& s) {
     const float* const g = s.gravity;
     const float squared = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
-    return hn::GetLane(hn::Sqrt(constant(squared))) * (in.h * in.h);
+    return std::sqrt(squared) * (in.h * in.h);
 }
 
 HWY_INLINE Immersion immersed_at(const StepInput& in, const WetSubstep& s, const SurfaceBlock& b, size_t at,

@@ -22,7 +22,7 @@ template <int N> HWY_NOINLINE void eigen(VF (&a)[N][N], VF (&v)[N][N]) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     for (int i = 0; i < N; ++i)
         for (int j = 0; j < N; ++j) v[i][j] = i == j ? one : zero;
-    const auto rotate = [&](VF& x, VF& y, VF c, VF s) HWY_ATTR {
+    const auto rotate = [&](VF& x, VF& y, VF c, VF s) LR_LAMBDA {
         const VF p = x, q = y;
         x = mul_sub(c, p, hn::Mul(s, q));
         y = mul_add(s, p, hn::Mul(c, q));
@@ -95,7 +95,7 @@ HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const Aerodyna
     mean(a.spin_drag_stokes, w.spin_drag_stokes, out.spin_drag_stokes);
     for (int i = 0; i < 3; ++i) out.roll[i] = hn::Sqrt(mean(a.roll[i] * a.roll[i], w.roll[i] * w.roll[i]));
     // These do not depend on the fluid.
-    const auto same = [&](const auto& from, auto& to) HWY_ATTR {
+    const auto same = [&](const auto& from, auto& to) LR_LAMBDA {
         for (size_t i = 0; i < sizeof from / sizeof from[0]; ++i) to[i] = constant(from[i]);
     };
     same(a.broadside, out.broadside);
@@ -259,6 +259,13 @@ HWY_INLINE void blend(const BodyConstants& a, const WaterBody& w, VF f, LaneCons
         c.inverse_spin_mass[i] = hn::Div(one, c.spin_mass[i]);
         c.rate[i] = hn::Mul(c.damping[i], c.inverse_mass[i]);
         c.rate[i + 3] = hn::Mul(c.spin_damping[i], c.inverse_spin_mass[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        c.gyroscopic[i] = hn::Mul(hn::Sub(c.spin_mass[j], c.spin_mass[k]), c.inverse_spin_mass[i]);
+        c.munk[i] = hn::Mul(hn::Sub(c.mass[j], c.mass[k]), c.inverse_spin_mass[i]);
+        c.munk_turn[i] = hn::Mul(c.munk[i], c.inverse_mass[j]);
+        c.munk_turn[i + 3] = hn::Mul(c.munk[i], c.inverse_mass[k]);
     }
 }
 

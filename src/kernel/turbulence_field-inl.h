@@ -26,10 +26,10 @@ struct Words {
 };
 HWY_INLINE Words mix(Words v, uint32_t seed) {
     const DU du;
-    const auto step = [&](VU a) HWY_ATTR {
+    const auto step = [&](VU a) LR_LAMBDA {
         return hn::Add(hn::Mul(a, hn::Set(du, 1664525u)), hn::Set(du, 1013904223u + seed));
     };
-    const auto cross_over = [&] HWY_ATTR {
+    const auto cross_over = [&]() LR_LAMBDA {
         v.x = hn::Add(v.x, hn::Mul(v.y, v.z));
         v.y = hn::Add(v.y, hn::Mul(v.z, v.x));
         v.z = hn::Add(v.z, hn::Mul(v.x, v.y));
@@ -121,7 +121,7 @@ HWY_INLINE void turbulence(const SourceInstant& s, Vec3 x, Flow& out) {
         const VF xy = hn::Mul(hn::Mul(a.first[i], b.first[j]), c.w[k]);
         const VF xz = hn::Mul(hn::Mul(a.first[i], c.first[k]), b.w[j]);
         const VF yz = hn::Mul(hn::Mul(b.first[j], c.first[k]), a.w[i]);
-        const auto hessian = [&](Vec3 v) HWY_ATTR {
+        const auto hessian = [&](Vec3 v) LR_LAMBDA {
             return Vec3{mul_add(xx, v.x, mul_add(xy, v.y, hn::Mul(xz, v.z))),
                         mul_add(xy, v.x, mul_add(yy, v.y, hn::Mul(yz, v.z))),
                         mul_add(xz, v.x, mul_add(yz, v.y, hn::Mul(zz, v.z)))};
@@ -144,7 +144,7 @@ HWY_INLINE void turbulence(const SourceInstant& s, Vec3 x, Flow& out) {
     }
     // Back to the world's axes.
     const auto turned = [&](VF along_x, VF along_y, VF along_z)
-                            HWY_ATTR { return add(scale(along_x, ax), add(scale(along_y, ay), scale(along_z, az))); };
+                            LR_LAMBDA { return add(scale(along_x, ax), add(scale(along_y, ay), scale(along_z, az))); };
     out.wind = turned(hn::Mul(strength, wind.x), hn::Mul(strength, wind.y), hn::Mul(strength, wind.z));
     out.rate = turned(hn::Mul(strength, rate.x), hn::Mul(strength, rate.y), hn::Mul(strength, rate.z));
     const VF per_cell = hn::Mul(strength, inverse_cell);

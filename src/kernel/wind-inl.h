@@ -202,13 +202,13 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
         const VI row = hn::Add(hn::Mul(i & 4 ? high[2] : low[2], ny), i & 2 ? high[1] : low[1]);
         corner[i] = hn::Mul(hn::Add(hn::Mul(row, nx), i & 1 ? high[0] : low[0]), three);
     }
-    const auto between = [&](VF a, VF b, VF t) HWY_ATTR { return mul_add(t, hn::Sub(b, a), a); };
+    const auto between = [&](VF a, VF b, VF t) LR_LAMBDA { return mul_add(t, hn::Sub(b, a), a); };
     VF wind[3], rate[3];
     for (int k = 0; k < 3; ++k) {
         VF value[8];
         rate[k] = zero;
         for (int i = 0; i < 8; ++i) value[i] = hn::GatherIndex(DF(), s.frame[0] + k, corner[i]);
-        const auto across = [&](const VF v[8], VF line[4], VF plane[2]) HWY_ATTR {
+        const auto across = [&](const VF v[8], VF line[4], VF plane[2]) LR_LAMBDA {
             for (int i = 0; i < 4; ++i) line[i] = between(v[2 * i], v[2 * i + 1], part[0]);
             for (int i = 0; i < 2; ++i) plane[i] = between(line[2 * i], line[2 * i + 1], part[1]);
             return between(plane[0], plane[1], part[2]);

@@ -127,8 +127,8 @@ void evaluate(const FieldInstant& instant, size_t count, FieldBlock& b) {
             least = hn::Min(least, x);
             most = hn::Max(most, x);
         }
-        low[i] = hn::GetLane(hn::MinOfLanes(d, least));
-        high[i] = hn::GetLane(hn::MaxOfLanes(d, most));
+        low[i] = least_lane(least);
+        high[i] = greatest_lane(most);
     }
     // The ground multiplies the uniform wind, before anything is added to it.
     for (uint32_t i = 0; i < instant.source_count; ++i)
