@@ -1,6 +1,4 @@
-// Six Gaussians a body and substep from a counter: no state, no order, no communication.
-// Philox4x32-7: Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011; seven rounds are
-// the fewest that pass BigCrush there.
+// Six Gaussians a body and substep from a counter: no state, no order, no communication (docs/noise.md).
 #if defined(LR_KERNEL_NOISE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_NOISE_INL_H_
 #undef LR_KERNEL_NOISE_INL_H_
@@ -9,81 +7,78 @@
 #endif
 
 #include "kernel/math-inl.h"
+#include "kernel/philox-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-struct Counter {
-    VU word[4];
-};
-
-// High and low halves of 32 x 32 bit products.
-HWY_INLINE void multiply_wide(VU a, uint32_t factor, VU& high, VU& low) {
-    const DU du;
-#if HWY_TARGET == HWY_SCALAR
-    const uint64_t product = static_cast<uint64_t>(hn::GetLane(a)) * factor;
-    high = hn::Set(du, static_cast<uint32_t>(product >> 32));
-    low = hn::Set(du, static_cast<uint32_t>(product));
-#else
-    const VU f = hn::Set(du, factor);
-    const VU even = hn::BitCast(du, hn::MulEven(a, f));
-    const VU odd = hn::BitCast(du, hn::MulEven(hn::ShiftRightLanes<1>(du, a), f));
-    low = hn::Mul(a, f);
-    high = hn::OddEven(odd, hn::DupOdd(even));
-#endif
+HWY_INLINE VF from_signed(VU x) {
+    return hn::ConvertTo(DF(), hn::BitCast(DI(), x));
 }
 
-HWY_INLINE void philox(Counter& c, uint64_t key) {
+// -2 log(x/2^31) for the odd number x made of a word's low 31 bits: exponential, with mean 2, up to 43 (6.5 sigma).
+HWY_INLINE VF squared_radius(VU word) {
     const DU du;
-    uint32_t k0 = static_cast<uint32_t>(key), k1 = static_cast<uint32_t>(key >> 32);
-    for (int round = 0; round < 7; ++round) {
-        VU high0, low0, high2, low2;
-        multiply_wide(c.word[0], 0xD2511F53u, high0, low0);
-        multiply_wide(c.word[2], 0xCD9E8D57u, high2, low2);
-        c.word[0] = hn::Xor(hn::Xor(high2, c.word[1]), hn::Set(du, k0));
-        c.word[2] = hn::Xor(hn::Xor(high0, c.word[3]), hn::Set(du, k1));
-        c.word[1] = low2;
-        c.word[3] = low0;
-        k0 += 0x9E3779B9u;
-        k1 += 0xBB67AE85u;
-    }
+    const VF x = from_signed(hn::Or(hn::And(word, hn::Set(du, 0x7fffffffu)), hn::Set(du, 1)));
+    const VU bits = hn::BitCast(du, x);
+    // As an integer, the bits are a logarithm by linear interpolation; what it lacks is a function of the mantissa. The factor
+    // f keeps the error in proportion as x comes near 2^31 from below. The largest words round to 2^31 itself, where f = -1:
+    // there the fit was held just below zero, so that the result is never negative.
+    const VF line =
+        hn::Mul(from_signed(hn::Sub(hn::Set(du, 0x4f000000u), bits)), constant(1.65259166e-7f)); // 2^-22 log 2
+    const VU mantissa = hn::Or(hn::And(bits, hn::Set(du, 0x007fffffu)), hn::Set(du, 0x3f800000u));
+    const VF f = hn::Sub(hn::BitCast(DF(), mantissa), constant(2.0f)); // [-1, 0)
+    const VF f2 = hn::Mul(f, f);
+    const VF low = mul_add(constant(0.249895617f), f, constant(0.386293232f));
+    const VF middle = mul_add(constant(0.0226345584f), f, constant(-0.08489687f));
+    const VF high =
+        mul_add(constant(-0.0160808917f), f2, mul_add(constant(-0.0216045007f), f, constant(-0.0343900733f)));
+    return mul_add(f, mul_add(mul_add(high, f2, middle), f2, low), line);
 }
 
-// Two Gaussians from two words, by Box and Muller (1958). 24 bits of the first give tails to 5.9 sigma.
-HWY_INLINE void gaussian_pair(VU a, VU b, VF& g0, VF& g1) {
-    const DI di;
-    const VF ulp = constant(5.9604645e-8f); // 2^-24
-    const VF u = mul_add(hn::ConvertTo(DF(), hn::BitCast(di, hn::ShiftRight<8>(a))), ulp, constant(2.9802322e-8f));
-    const VF turn = hn::Mul(hn::ConvertTo(DF(), hn::BitCast(di, hn::ShiftRight<8>(b))), ulp);
-    const VF radius = hn::Sqrt(hn::Mul(constant(-2.0f), hn::Min(log_unit(u), constant(0.0f))));
-    VF s, c;
-    sin_cos_turn(turn, s, c);
-    g0 = hn::Mul(radius, c);
-    g1 = hn::Mul(radius, s);
+// Two Gaussians by Box and Muller (1958). The radius is that of `word`. The angle, in quarter turns over 2^31, gives a
+// direction (a, b) within half a turn; the highest bit of `word` turns it by the other half. The direction's length is divided
+// out, so that its polynomials need to be right in their ratio only.
+HWY_INLINE void gaussian_pair(VU word, VU angle, VF& g0, VF& g1) {
+    const DU du;
+    const VF t = from_signed(angle);
+    const VF z = hn::Mul(t, t);
+    // 2^30 times cosine and sine, about: large enough for the coefficients, and small enough for the square.
+    const VF a = mul_add(mul_add(constant(3.23106421e-30f), z, constant(-2.47731502e-10f)), z, constant(1073741824.0f));
+    const VF b = hn::Mul(t, mul_add(constant(-4.10875894e-20f), z, constant(0.785377026f)));
+    const VF radius = hn::Sqrt(hn::Div(squared_radius(word), mul_add(a, a, hn::Mul(b, b))));
+    const VU sign = hn::And(word, hn::Set(du, 0x80000000u));
+    const VF turned = hn::BitCast(DF(), hn::Xor(hn::BitCast(du, radius), sign));
+    g0 = hn::Mul(turned, a);
+    g1 = hn::Mul(turned, b);
+}
+
+// Ten bits of each pair's angle come from the fourth word. Ten more are the low ones of the radius's word, where they stand for
+// less than 2^-20 of the radius's uniform number. Signs, radii to 21 bits and angles to 20 are independent and uniform: every
+// bit of an angle is one that they have not yet used, changed or not by bits that they have.
+template <int kPair> HWY_INLINE VU pair_angle(const VU word[4]) {
+    return hn::Xor(hn::ShiftLeft<12>(word[kPair]), hn::ShiftLeft<10 * kPair>(word[3]));
+}
+
+HWY_INLINE void noise_words(VU key, uint64_t substep, uint64_t seed, VU word[4]) {
+    philox(key, static_cast<uint32_t>(substep), static_cast<uint32_t>(substep >> 32), 0, seed, word);
 }
 
 HWY_INLINE void six_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[6]) {
-    const DU du;
-    const VU low = hn::Set(du, static_cast<uint32_t>(substep));
-    const VU high = hn::Set(du, static_cast<uint32_t>(substep >> 32));
-    Counter a{{key, low, high, hn::Set(du, 0)}};
-    Counter b{{key, low, high, hn::Set(du, 1)}};
-    philox(a, seed);
-    philox(b, seed);
-    gaussian_pair(a.word[0], a.word[1], out[0], out[1]);
-    gaussian_pair(a.word[2], a.word[3], out[2], out[3]);
-    gaussian_pair(b.word[0], b.word[1], out[4], out[5]);
+    VU word[4];
+    noise_words(key, substep, seed, word);
+    gaussian_pair(word[0], pair_angle<0>(word), out[0], out[1]);
+    gaussian_pair(word[1], pair_angle<1>(word), out[2], out[3]);
+    gaussian_pair(word[2], pair_angle<2>(word), out[4], out[5]);
 }
 
 // The first three of them.
 HWY_INLINE void three_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[3]) {
-    const DU du;
-    Counter a{{key, hn::Set(du, static_cast<uint32_t>(substep)), hn::Set(du, static_cast<uint32_t>(substep >> 32)),
-               hn::Set(du, 0)}};
-    philox(a, seed);
+    VU word[4];
+    noise_words(key, substep, seed, word);
     VF unused;
-    gaussian_pair(a.word[0], a.word[1], out[0], out[1]);
-    gaussian_pair(a.word[2], a.word[3], out[2], unused);
+    gaussian_pair(word[0], pair_angle<0>(word), out[0], out[1]);
+    gaussian_pair(word[1], pair_angle<1>(word), out[2], unused);
 }
 
 } // namespace lr::HWY_NAMESPACE

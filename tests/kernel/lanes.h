@@ -13,7 +13,13 @@ struct Lanes {
     void (*log)(const float* x, float* out, size_t n);
     void (*sin_cos)(const float* turn, float* sine, float* cosine, size_t n);
     void (*philox)(const uint32_t* counter, uint64_t key, uint32_t* out);
+    void (*words)(const uint32_t* keys, uint64_t substep, uint64_t seed, uint32_t* out, size_t n);
+    // words: four arrays of n; out: three.
+    void (*angles)(const uint32_t* words, uint32_t* out, size_t n);
+    void (*squared_radius)(const uint32_t* word, float* out, size_t n);
+    void (*pair)(const uint32_t* word, const uint32_t* angle, float* first, float* second, size_t n);
     void (*gaussians)(const uint32_t* keys, uint64_t substep, uint64_t seed, float* out, size_t n);
+    void (*three_gaussians)(const uint32_t* keys, uint64_t substep, uint64_t seed, float* out, size_t n);
 };
 
 // Of this processor and build, best first; the emulated one last.

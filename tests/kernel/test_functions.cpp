@@ -1,4 +1,4 @@
-// log, sine and cosine at every value that the noise can ask for, and Philox against its published vectors.
+// log, sine and cosine at as many values as single precision has places for, and Philox against its published vectors.
 #include "kernel/lanes.h"
 
 #include <doctest/doctest.h>
@@ -37,7 +37,7 @@ TEST_CASE("log of every uniform number is right to an ulp and a half, and the sa
     double worst = 0.0;
     bool same = true, negative = true;
     for (size_t begin = 0; begin < values; begin += block) {
-        // (n + 1/2)/2^24, rounded, as gaussian_pair makes them.
+        // (n + 1/2)/2^24, rounded.
         for (size_t i = 0; i < block; ++i)
             x[i] = static_cast<float>((begin + i) * every) * 5.9604645e-8f + 2.9802322e-8f;
         targets[0].log(x.data(), got.data(), block);
