@@ -76,7 +76,7 @@ HWY_INLINE void philox(VU first, uint32_t second, uint32_t third, uint32_t fourt
     const DU du;
     constexpr uint32_t m0 = 0xD2511F53u, m1 = 0xCD9E8D57u, w0 = 0x9E3779B9u, w1 = 0xBB67AE85u;
     uint32_t k0 = static_cast<uint32_t>(key), k1 = static_cast<uint32_t>(key >> 32);
-    const auto next_key = [&] { k0 += w0, k1 += w1; };
+    const auto next_key = [&]() LR_LAMBDA { k0 += w0, k1 += w1; };
 
     Word p0 = product(split(first), m0);
     const uint64_t same2 = uint64_t{third} * m1;
