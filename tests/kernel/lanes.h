@@ -1,10 +1,14 @@
 // What kernel/test_lanes.cpp offers to the tests beside it.
 #pragma once
 
+#include "kernel/batch_arrays.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <new>
 #include <vector>
+
+using lr::lane_block;
 
 namespace test {
 

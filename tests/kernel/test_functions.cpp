@@ -84,9 +84,9 @@ TEST_CASE("sine and cosine of every fraction of a turn, and the same on every ta
     CHECK(worst * 16777216.0 < 2.0);
     CHECK(same);
     // Where they must be exact.
-    Aligned<float> quarter(16);
+    Aligned<float> quarter(lane_block);
     for (size_t i = 0; i < 4; ++i) quarter[i] = 0.25f * static_cast<float>(i);
-    targets[0].sin_cos(quarter.data(), sine.data(), cosine.data(), 16);
+    targets[0].sin_cos(quarter.data(), sine.data(), cosine.data(), lane_block);
     CHECK((sine[0] == 0.0f && sine[1] == 1.0f && sine[2] == 0.0f && sine[3] == -1.0f));
     CHECK((cosine[0] == 1.0f && cosine[1] == 0.0f && cosine[2] == -1.0f && cosine[3] == 0.0f));
 }

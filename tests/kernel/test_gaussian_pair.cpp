@@ -84,9 +84,9 @@ TEST_CASE("a pair's squared radius is twice the negative logarithm, never negati
 
 TEST_CASE("a pair has its radius at every angle, and its angle to 6e-6") {
     const Lanes target = lanes().front();
-    Aligned<uint32_t> one(16, 0x12345678u);
-    Aligned<float> squared(16);
-    target.squared_radius(one.data(), squared.data(), 16);
+    Aligned<uint32_t> one(lane_block, 0x12345678u);
+    Aligned<float> squared(lane_block);
+    target.squared_radius(one.data(), squared.data(), lane_block);
     double radius_error = 0.0, angle_error = 0.0;
     for (uint32_t sign : {0u, 0x80000000u})
         for_angles(
@@ -137,9 +137,9 @@ TEST_CASE("moments to the sixth, summed over the bits") {
     CHECK(weight == 2147483648.0);
     double direction[4] = {}, odd = 0.0, count = 0.0;
     const double unit_radius = 1.0 / static_cast<double>([&] {
-                                   Aligned<uint32_t> one(16, 0x40000000u);
-                                   Aligned<float> squared(16);
-                                   target.squared_radius(one.data(), squared.data(), 16);
+                                   Aligned<uint32_t> one(lane_block, 0x40000000u);
+                                   Aligned<float> squared(lane_block);
+                                   target.squared_radius(one.data(), squared.data(), lane_block);
                                    return squared[0];
                                }());
     for_angles(target, 0x40000000u, finest, [&](const uint32_t*, const float* first, const float* second) {
@@ -184,9 +184,9 @@ TEST_CASE("tails, summed over all words that reach them") {
         MESSAGE(l.level, " sigma: ", got / expected);
         CHECK(std::abs(got / expected - 1.0) < l.tolerance);
     }
-    Aligned<uint32_t> smallest(16, 0u);
-    Aligned<float> out(16);
-    target.squared_radius(smallest.data(), out.data(), 16);
+    Aligned<uint32_t> smallest(lane_block, 0u);
+    Aligned<float> out(lane_block);
+    target.squared_radius(smallest.data(), out.data(), lane_block);
     CHECK(std::sqrt(static_cast<double>(out[0])) == doctest::Approx(6.5557).epsilon(1e-4));
 }
 

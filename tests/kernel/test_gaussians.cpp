@@ -291,37 +291,37 @@ TEST_CASE("one body's numbers do not depend on its lane, and are the same on eve
         Aligned<float> three(3 * count);
         target.three_gaussians(keys.data(), 77, seed, three.data(), count);
         CHECK(std::memcmp(three.data(), reference.values.data(), 3 * 4 * count) == 0);
-        Aligned<uint32_t> same(16, 1234u);
-        Aligned<float> out(6 * 16);
-        target.gaussians(same.data(), 77, seed, out.data(), 16);
+        Aligned<uint32_t> same(lane_block, 1234u);
+        Aligned<float> out(6 * lane_block);
+        target.gaussians(same.data(), 77, seed, out.data(), lane_block);
         for (size_t k = 0; k < 6; ++k)
-            for (size_t i = 0; i < 16; ++i) CHECK(out[k * 16 + i] == reference.component(k)[1233]);
+            for (size_t i = 0; i < lane_block; ++i) CHECK(out[k * lane_block + i] == reference.component(k)[1233]);
     }
 }
 
 TEST_CASE("the noise's words are the generator's, at (key, substep, 0)") {
     constexpr uint64_t substep = 0x123456789abcdefull, key_of_world = 0xfedcba9876543210ull;
-    const Aligned<uint32_t> keys = keys_from(0xfffffff8u, 16);
+    const Aligned<uint32_t> keys = keys_from(0xfffffff8u, lane_block);
     for (const Lanes& target : lanes()) {
         CAPTURE(std::string(target.name));
-        Aligned<uint32_t> words(4 * 16);
-        target.words(keys.data(), substep, key_of_world, words.data(), 16);
-        for (size_t i = 0; i < 16; ++i) {
+        Aligned<uint32_t> words(4 * lane_block);
+        target.words(keys.data(), substep, key_of_world, words.data(), lane_block);
+        for (size_t i = 0; i < lane_block; ++i) {
             const uint32_t counter[] = {keys[i], static_cast<uint32_t>(substep), static_cast<uint32_t>(substep >> 32),
                                         0};
             uint32_t expected[4];
             target.philox(counter, key_of_world, expected);
-            for (size_t k = 0; k < 4; ++k) CHECK(words[k * 16 + i] == expected[k]);
+            for (size_t k = 0; k < 4; ++k) CHECK(words[k * lane_block + i] == expected[k]);
         }
     }
 }
 
 TEST_CASE("log of extreme numbers") {
     for (const Lanes& target : lanes()) {
-        Aligned<float> x(16, 2.9802322e-8f), out(16);
+        Aligned<float> x(lane_block, 2.9802322e-8f), out(lane_block);
         x[1] = 1.0f;
         x[2] = 0x1.fffffep-1f;
-        target.log(x.data(), out.data(), 16);
+        target.log(x.data(), out.data(), lane_block);
         CHECK(out[0] == doctest::Approx(std::log(2.9802322e-8)));
         CHECK(out[1] == 0.0f);
         CHECK(out[2] < 0.0f);

@@ -4,6 +4,7 @@
 #include "hwy/foreach_target.h" // IWYU pragma: keep
 
 #include "hwy/highway.h"
+#include "kernel/batch_arrays.h"
 #include "kernel/noise-inl.h"
 
 #include <cstddef>
@@ -12,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// Counts are multiples of 16, arrays aligned.
+// Counts are multiples of lane_block, arrays aligned.
 void test_log(const float* x, float* out, size_t n) {
     const DF d;
     for (size_t i = 0; i < n; i += hn::Lanes(d)) hn::Store(log_unit(hn::Load(d, x + i)), d, out + i);
@@ -31,7 +32,7 @@ void test_philox(const uint32_t* counter, uint64_t key, uint32_t* out) {
     VU word[4];
     philox(hn::Set(d, counter[0]), counter[1], counter[2], counter[3], key, word);
     // Every lane has the same: the last is as good as the first.
-    HWY_ALIGN uint32_t lanes[16];
+    HWY_ALIGN uint32_t lanes[lane_block];
     for (size_t i = 0; i < 4; ++i) {
         hn::Store(word[i], d, lanes);
         out[i] = lanes[hn::Lanes(d) - 1];
