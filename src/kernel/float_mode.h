@@ -19,6 +19,7 @@ public:
     FloatMode& operator=(const FloatMode&) = delete;
 
 private:
+    friend class CallersMode;
 #if defined(__SSE2__) || defined(_M_X64)
     using Word = uint32_t;
     static constexpr Word standard = 0x1f80;
@@ -48,6 +49,15 @@ private:
     static void write(Word) {}
 #endif
     Word saved_;
+};
+
+// Puts the caller's mode back for its lifetime, within a FloatMode's, while code of the caller's runs.
+class CallersMode {
+public:
+    explicit CallersMode(const FloatMode& mode) { FloatMode::write(mode.saved_); }
+    ~CallersMode() { FloatMode::write(FloatMode::standard); }
+    CallersMode(const CallersMode&) = delete;
+    CallersMode& operator=(const CallersMode&) = delete;
 };
 
 } // namespace lr
