@@ -9,7 +9,7 @@
 namespace lr {
 namespace {
 
-constexpr uint64_t cut_blocks = cut_bodies / lane_block, most_blocks = most_chunk_bodies / lane_block;
+constexpr uint64_t cut_blocks = cut_bodies / lane_block;
 constexpr uint64_t chunks_a_thread = 8; // so that none waits long for the last
 constexpr uint64_t most_chunks = 1u << 24;
 
@@ -25,7 +25,9 @@ StepChunks::StepChunks(const lr_world& world, const StepItem* items, uint32_t it
         return;
     }
     const uint64_t even = lane_blocks / (chunks_a_thread * (helpers_ + 1)) / cut_blocks * cut_blocks;
-    chunk_ = std::max(std::clamp(even, cut_blocks, most_blocks), lane_blocks / most_chunks);
+    const uint32_t most_bodies = std::clamp(most_chunk_work / substeps, cut_bodies, most_chunk_bodies);
+    chunk_ = std::max(std::clamp(even, cut_blocks, most_bodies / lane_block / cut_blocks * cut_blocks),
+                      lane_blocks / most_chunks);
 }
 
 void StepChunks::run(void* context, uint32_t chunk) {

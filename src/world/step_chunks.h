@@ -16,10 +16,12 @@ struct SurfaceStep;
 
 // Batches are cut at multiples of this only. Rules note where bodies have ended by such cuts, each written by one thread.
 inline constexpr uint32_t cut_bodies = 256;
-// Bodies in a chunk of a large world: long enough for the streams of the prefetchers, a small part of a step.
-inline constexpr uint32_t most_chunk_bodies = 2048;
-// Body-substeps for which another thread is called: a hundred microseconds or so, when waking it takes ten.
-inline constexpr uint64_t helper_work = 8192;
+// Of a chunk in a large world. Shorter ones cost nothing down to a cut, but longer ones would make the caller wait for the
+// last of them, the more so if its thread is not alone on its core.
+inline constexpr uint32_t most_chunk_bodies = 1024;
+inline constexpr uint32_t most_chunk_work = 8192; // body-substeps
+// Body-substeps for which another thread is called: tens of microseconds, when waking it takes up to ten.
+inline constexpr uint64_t helper_work = 4096;
 
 inline uint32_t cut_count(uint32_t lanes) {
     return (lanes + cut_bodies - 1) / cut_bodies;
