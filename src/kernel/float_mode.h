@@ -13,8 +13,13 @@ namespace lr {
 // Sets the mode for its lifetime, on the present thread, and puts the caller's back.
 class FloatMode {
 public:
-    FloatMode() : saved_(read()) { write(standard); }
-    ~FloatMode() { write(saved_); }
+    // Writing is slow, and nearly always needless: flags of what has happened so far are no part of the mode.
+    FloatMode() : saved_(read()) {
+        if ((saved_ & ~flags) != standard) write(standard);
+    }
+    ~FloatMode() {
+        if (read() != saved_) write(saved_);
+    }
     FloatMode(const FloatMode&) = delete;
     FloatMode& operator=(const FloatMode&) = delete;
 
@@ -22,7 +27,7 @@ private:
     friend class CallersMode;
 #if defined(__SSE2__) || defined(_M_X64)
     using Word = uint32_t;
-    static constexpr Word standard = 0x1f80;
+    static constexpr Word standard = 0x1f80, flags = 0x3f;
     static Word read() {
         return _mm_getcsr();
     }
@@ -31,7 +36,7 @@ private:
     }
 #elif defined(__aarch64__)
     using Word = uint64_t;
-    static constexpr Word standard = 0;
+    static constexpr Word standard = 0, flags = 0;
     static Word read() {
         Word w;
         __asm__ volatile("mrs %0, fpcr" : "=r"(w));
@@ -42,7 +47,7 @@ private:
     }
 #else // WebAssembly has one mode only
     using Word = uint32_t;
-    static constexpr Word standard = 0;
+    static constexpr Word standard = 0, flags = 0;
     static Word read() {
         return 0;
     }

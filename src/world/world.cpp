@@ -130,8 +130,10 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     const bool field = wind.active();
     const lr::SurfaceStep at_surface{target, &surface, {time, h, substeps}, gravity};
     const bool wind_changes = !field && !std::equal(uniform.wind, uniform.wind + 3, uniform.before);
-    const double sqrt_h = std::sqrt(h);
-    const auto single_sqrt_h = static_cast<float>(sqrt_h), inverse_sqrt_h = static_cast<float>(1.0 / sqrt_h);
+    if (h != roots.h) {
+        const double sqrt_h = std::sqrt(h);
+        roots = {h, static_cast<float>(sqrt_h), static_cast<float>(1.0 / sqrt_h)};
+    }
     uint32_t item_count = 0;
     uint64_t blocks = 0;
     bool unfit = false;
@@ -145,10 +147,10 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
         in.first_substep = substep_count;
         in.substeps = substeps;
         in.h = static_cast<float>(h);
-        in.sqrt_h = single_sqrt_h;
-        in.inverse_sqrt_h = inverse_sqrt_h;
+        in.sqrt_h = roots.sqrt;
+        in.inverse_sqrt_h = roots.inverse_sqrt;
         std::copy(gravity, gravity + 3, in.gravity);
-        in.external = batch->external.input();
+        batch->external.fill(in.external);
         in.water = surface.present() ? batch->water_body(surface.desc(), unfit) : nullptr;
         std::copy(uniform.before, uniform.before + 3, in.wind_begin);
         std::copy(uniform.wind, uniform.wind + 3, in.wind);
@@ -170,7 +172,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     wind.end_step(dt);
     if (unfit)
         log(LR_LOG_WARNING, "surface", "a batch's mass matrix is singular in its fluid, which is not there for it");
-    if (surface.take_blame())
+    if (surface.present() && surface.take_blame())
         log(LR_LOG_WARNING, "surface callback", "a value was no surface's, and the plane was taken instead");
     substep_count += substeps;
     time += static_cast<double>(dt);

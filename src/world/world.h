@@ -59,6 +59,13 @@ struct lr_world {
     void* log_user = nullptr;
 
 private:
+    // Of the last substep's length: a few per cent of the step of one body.
+    struct Roots {
+        double h;
+        float sqrt, inverse_sqrt;
+    };
+    Roots roots{0.0, 0.0f, 0.0f};
+
     void step_through_field(const lr::StepTime& time, lr::StepChunks& chunks, const lr::FloatMode& mode);
     explicit lr_world(const lr::Allocator& from) : allocator(from) {}
     ~lr_world();
