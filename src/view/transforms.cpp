@@ -16,71 +16,69 @@ HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// An element is rows of four numbers, one behind the other; of seven numbers, the second row begins with the last of the
+// first.
+template <bool kSeven> constexpr size_t row_at(size_t row) {
+    return kSeven ? 12 * row : 16 * row;
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
-template <class D, class V> struct Rows { V a, b, c, e; };
-template <class D, class V> HWY_INLINE Rows<D, V> rows_of(D, V a, V b, V c, V e) {
-    return {a, b, c, e};
+template <class V> HWY_INLINE void turn(V a, V b, V c, V e, V (&row)[4]) {
+    row[0] = a, row[1] = b, row[2] = c, row[3] = e;
 }
-template <class D, class V> HWY_INLINE void put_row(D d, const Rows<D, V>& r, unsigned char* to, size_t) {
-    auto* const at = reinterpret_cast<float*>(to);
-    hn::StoreU(r.a, d, at);
-    hn::StoreU(r.b, d, at + 1);
-    hn::StoreU(r.c, d, at + 2);
-    hn::StoreU(r.e, d, at + 3);
-}
-template <class D, class V>
-HWY_INLINE void put_rows(D d, const Rows<D, V>& first, const Rows<D, V>& second, unsigned char* to, size_t stride) {
-    put_row(d, first, to, stride);
-    put_row(d, second, to + 16, stride);
+template <size_t kRows, bool kSeven, class D>
+HWY_INLINE void put(D d, const hn::Vec<D> (&row)[kRows][4], unsigned char* to, size_t) {
+    for (size_t r = 0; r < kRows; ++r)
+        for (size_t k = 0; k < 4; ++k) hn::StoreU(row[r][k], d, reinterpret_cast<float*>(to + row_at<kSeven>(r)) + k);
 }
 
 #else
 
-// Four numbers of each body of a vector: v[k] has those of the k-th body of four in each 128-bit block.
-template <class D, class V> struct Rows { V v[4]; };
-template <class D, class V> HWY_INLINE Rows<D, V> rows_of(D d, V a, V b, V c, V e) {
-    const hn::RepartitionToWide<D> wide;
+// Four numbers of each body of a vector: row[k] has those of the k-th body of four in each 128-bit block.
+template <class V> HWY_INLINE void turn(V a, V b, V c, V e, V (&row)[4]) {
+    const hn::DFromV<V> d;
+    const hn::RepartitionToWide<decltype(d)> wide;
     const auto pair = [&](V x) HWY_ATTR { return hn::BitCast(wide, x); };
     const auto ab = pair(hn::InterleaveLower(d, a, b)), ab_above = pair(hn::InterleaveUpper(d, a, b));
     const auto ce = pair(hn::InterleaveLower(d, c, e)), ce_above = pair(hn::InterleaveUpper(d, c, e));
-    return {{hn::BitCast(d, hn::InterleaveLower(wide, ab, ce)), hn::BitCast(d, hn::InterleaveUpper(wide, ab, ce)),
-             hn::BitCast(d, hn::InterleaveLower(wide, ab_above, ce_above)),
-             hn::BitCast(d, hn::InterleaveUpper(wide, ab_above, ce_above))}};
+    row[0] = hn::BitCast(d, hn::InterleaveLower(wide, ab, ce));
+    row[1] = hn::BitCast(d, hn::InterleaveUpper(wide, ab, ce));
+    row[2] = hn::BitCast(d, hn::InterleaveLower(wide, ab_above, ce_above));
+    row[3] = hn::BitCast(d, hn::InterleaveUpper(wide, ab_above, ce_above));
 }
 
-// The blocks of a vector, `step` bytes apart.
-template <class D> HWY_INLINE void put_blocks(D d, hn::Vec<D> v, unsigned char* to, size_t step) {
+// Body after body, each whole: an instance buffer may be memory that combines writes of few lines at a time.
+template <size_t kRows, bool kSeven, class D>
+HWY_INLINE void put(D d, const hn::Vec<D> (&row)[kRows][4], unsigned char* to, size_t stride) {
+    const auto at = [&](size_t body, size_t r)
+                        HWY_ATTR { return reinterpret_cast<float*>(to + body * stride + row_at<kSeven>(r)); };
     if constexpr (hn::MaxLanes(D()) <= 4) {
-        hn::StoreU(v, d, reinterpret_cast<float*>(to));
-    } else {
-        const hn::Half<D> half;
-        put_blocks(half, hn::LowerHalf(half, v), to, step);
-        put_blocks(half, hn::UpperHalf(half, v), to + hn::MaxLanes(D()) / 8 * step, step);
-    }
-}
-// A block of each, one behind the other, `step` bytes apart.
-template <class D> HWY_INLINE void put_blocks(D d, hn::Vec<D> v, hn::Vec<D> w, unsigned char* to, size_t step) {
-    if constexpr (hn::MaxLanes(D()) <= 4) {
-        hn::StoreU(v, d, reinterpret_cast<float*>(to));
-        hn::StoreU(w, d, reinterpret_cast<float*>(to) + 4);
+        for (size_t k = 0; k < 4; ++k)
+            for (size_t r = 0; r < kRows; ++r) hn::StoreU(row[r][k], d, at(k, r));
     } else if constexpr (hn::MaxLanes(D()) == 8) {
-        hn::StoreU(hn::ConcatLowerLower(d, w, v), d, reinterpret_cast<float*>(to));
-        hn::StoreU(hn::ConcatUpperUpper(d, w, v), d, reinterpret_cast<float*>(to + step));
+        const hn::Half<D> half;
+        constexpr size_t pairs = kSeven ? 0 : kRows / 2;
+        for (size_t k = 0; k < 4; ++k) {
+            for (size_t r = 0; r < 2 * pairs; r += 2)
+                hn::StoreU(hn::ConcatLowerLower(d, row[r + 1][k], row[r][k]), d, at(k, r));
+            for (size_t r = 2 * pairs; r < kRows; ++r) hn::StoreU(hn::LowerHalf(half, row[r][k]), half, at(k, r));
+        }
+        for (size_t k = 0; k < 4; ++k) {
+            for (size_t r = 0; r < 2 * pairs; r += 2)
+                hn::StoreU(hn::ConcatUpperUpper(d, row[r + 1][k], row[r][k]), d, at(4 + k, r));
+            for (size_t r = 2 * pairs; r < kRows; ++r) hn::StoreU(hn::UpperHalf(half, row[r][k]), half, at(4 + k, r));
+        }
     } else {
         const hn::Half<D> half;
-        put_blocks(half, hn::LowerHalf(half, v), hn::LowerHalf(half, w), to, step);
-        put_blocks(half, hn::UpperHalf(half, v), hn::UpperHalf(half, w), to + hn::MaxLanes(D()) / 8 * step, step);
+        hn::Vec<decltype(half)> part[kRows][4];
+        for (size_t r = 0; r < kRows; ++r)
+            for (size_t k = 0; k < 4; ++k) part[r][k] = hn::LowerHalf(half, row[r][k]);
+        put<kRows, kSeven>(half, part, to, stride);
+        for (size_t r = 0; r < kRows; ++r)
+            for (size_t k = 0; k < 4; ++k) part[r][k] = hn::UpperHalf(half, row[r][k]);
+        put<kRows, kSeven>(half, part, to + hn::MaxLanes(D()) / 2 * stride, stride);
     }
-}
-
-// One row of each body, or two in a row; `stride` bytes from body to body.
-template <class D, class V> HWY_INLINE void put_row(D d, const Rows<D, V>& r, unsigned char* to, size_t stride) {
-    for (size_t k = 0; k < 4; ++k) put_blocks(d, r.v[k], to + k * stride, 4 * stride);
-}
-template <class D, class V>
-HWY_INLINE void put_rows(D d, const Rows<D, V>& first, const Rows<D, V>& second, unsigned char* to, size_t stride) {
-    for (size_t k = 0; k < 4; ++k) put_blocks(d, first.v[k], second.v[k], to + k * stride, 4 * stride);
 }
 
 #endif
@@ -93,13 +91,18 @@ HWY_INLINE void write_vector(D d, const BatchArrays& a, size_t at, unsigned char
     const V x = load(field_x), y = load(field_y), z = load(field_z);
     const V qx = load(field_qx), qy = load(field_qy), qz = load(field_qz), qw = load(field_qw);
     if constexpr (kFormat == LR_TRANSFORM_POSITION_QUATERNION) {
-        put_row(d, rows_of(d, x, y, z, qx), to, stride);
-        put_row(d, rows_of(d, qx, qy, qz, qw), to + 12, stride); // qx twice: seven numbers in two rows of four
+        V row[2][4];
+        turn(x, y, z, qx, row[0]);
+        turn(qx, qy, qz, qw, row[1]);
+        put<2, true>(d, row, to, stride);
         return;
     }
     const V s = load(field_scale);
     if constexpr (kFormat == LR_TRANSFORM_POSITION_QUATERNION_SCALE) {
-        put_rows(d, rows_of(d, x, y, z, qx), rows_of(d, qy, qz, qw, s), to, stride);
+        V row[2][4];
+        turn(x, y, z, qx, row[0]);
+        turn(qy, qz, qw, s, row[1]);
+        put<2, false>(d, row, to, stride);
         return;
     }
     const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
@@ -112,20 +115,24 @@ HWY_INLINE void write_vector(D d, const BatchArrays& a, size_t at, unsigned char
     const V r01 = hn::Mul(s, hn::Sub(xy, wz)), r10 = hn::Mul(s, hn::Add(xy, wz));
     const V r02 = hn::Mul(s, hn::Add(xz, wy)), r20 = hn::Mul(s, hn::Sub(xz, wy));
     const V r12 = hn::Mul(s, hn::Sub(yz, wx)), r21 = hn::Mul(s, hn::Add(yz, wx));
+    constexpr bool four = kFormat == LR_TRANSFORM_4X4_ROW_MAJOR || kFormat == LR_TRANSFORM_4X4_COLUMN_MAJOR;
+    V row[four ? 4 : 3][4];
     if constexpr (kFormat == LR_TRANSFORM_3X4_ROW_MAJOR || kFormat == LR_TRANSFORM_4X4_ROW_MAJOR) {
-        put_rows(d, rows_of(d, r00, r01, r02, x), rows_of(d, r10, r11, r12, y), to, stride);
-        const auto third = rows_of(d, r20, r21, r22, z);
-        if constexpr (kFormat == LR_TRANSFORM_3X4_ROW_MAJOR)
-            put_row(d, third, to + 32, stride);
-        else
-            put_rows(d, third, rows_of(d, zero, zero, zero, one), to + 32, stride);
+        turn(r00, r01, r02, x, row[0]);
+        turn(r10, r11, r12, y, row[1]);
+        turn(r20, r21, r22, z, row[2]);
+        if constexpr (four) turn(zero, zero, zero, one, row[3]);
     } else if constexpr (kFormat == LR_TRANSFORM_3X4_COLUMN_MAJOR) {
-        put_rows(d, rows_of(d, r00, r10, r20, r01), rows_of(d, r11, r21, r02, r12), to, stride);
-        put_row(d, rows_of(d, r22, x, y, z), to + 32, stride);
+        turn(r00, r10, r20, r01, row[0]);
+        turn(r11, r21, r02, r12, row[1]);
+        turn(r22, x, y, z, row[2]);
     } else {
-        put_rows(d, rows_of(d, r00, r10, r20, zero), rows_of(d, r01, r11, r21, zero), to, stride);
-        put_rows(d, rows_of(d, r02, r12, r22, zero), rows_of(d, x, y, z, one), to + 32, stride);
+        turn(r00, r10, r20, zero, row[0]);
+        turn(r01, r11, r21, zero, row[1]);
+        turn(r02, r12, r22, zero, row[2]);
+        turn(x, y, z, one, row[3]);
     }
+    put<four ? 4 : 3, false>(d, row, to, stride);
 }
 
 template <int32_t kFormat>
