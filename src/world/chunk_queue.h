@@ -19,11 +19,11 @@ public:
     void wait();
 
 private:
+    // Two lines that every chunk changes; with the first goes what is read along with it.
+    alignas(64) std::atomic<uint32_t> left_{0}; // chunks that nobody has taken
+    uint32_t chunks_ = 0;
     Task task_ = nullptr;
     void* context_ = nullptr;
-    uint32_t chunks_ = 0;
-    // On lines of their own: every chunk changes them.
-    alignas(64) std::atomic<uint32_t> left_{0};   // chunks that nobody has taken
     alignas(64) std::atomic<uint32_t> undone_{0}; // chunks that are not done
 };
 

@@ -33,8 +33,8 @@ struct lr_world {
 
     void log(int32_t level, const char* function, const char* message) const;
 
+    lr::Crew crew; // first: it is aligned to cache lines
     mutable lr::Allocator allocator;
-    lr::Crew crew;
     const lr::KernelTarget* target = nullptr;
     uint64_t seed = 0;
     float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2

@@ -12,7 +12,36 @@
 #include <thread>
 #include <vector>
 
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
 namespace {
+
+// The caller on one core, and on the others what it starts meanwhile: on a machine that does other work as well, threads
+// that are woken for microseconds may else share a core for the whole of a run.
+void pin(bool caller) {
+#if defined(__linux__)
+    static const cpu_set_t all = [] {
+        cpu_set_t set;
+        CPU_ZERO(&set);
+        sched_getaffinity(0, sizeof set, &set);
+        return set;
+    }();
+    if (CPU_COUNT(&all) < 2) return;
+    size_t first = 0;
+    while (!CPU_ISSET(first, &all)) ++first;
+    cpu_set_t set = all;
+    CPU_CLR(first, &set);
+    if (caller) {
+        CPU_ZERO(&set);
+        CPU_SET(first, &set);
+    }
+    sched_setaffinity(0, sizeof set, &set);
+#else
+    static_cast<void>(caller);
+#endif
+}
 
 struct Scene {
     lr_asset* asset = nullptr;
@@ -26,7 +55,10 @@ struct Scene {
         lr_world_desc wd;
         lr_world_desc_init(&wd, sizeof wd);
         wd.worker_count = workers;
-        if (lr_asset_create_ellipsoid(&shape, &asset) != LR_OK || lr_world_create(&wd, &world) != LR_OK) return false;
+        pin(false);
+        const bool made = lr_asset_create_ellipsoid(&shape, &asset) == LR_OK && lr_world_create(&wd, &world) == LR_OK;
+        pin(true);
+        if (!made) return false;
         lr_batch_desc bd;
         lr_batch_desc_init(&bd, sizeof bd);
         bd.asset = asset;
