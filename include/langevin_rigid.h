@@ -113,6 +113,27 @@ typedef struct lr_allocator {
     void (*release)(void* user, void* memory, uint64_t size, uint64_t alignment);
 } lr_allocator;
 
+/* Tasks of an engine's job system, in place of the world's own threads: docs/threads.md. Both functions are given or neither.
+ *
+ * `enqueue` has run(task, begin, end) called for ranges that together hold each of the indices 0 to count - 1 once, in
+ * any order, on any threads, at any time from now on until `finish` returns: one call for all, one for each, or what a
+ * parallel-for makes of it, also right away inside `enqueue`. It returns a token for `finish`, of any value.
+ * `finish` returns when all of these calls have returned. It is called exactly once for each `enqueue`, by the same thread.
+ * Its thread had best run what has not begun itself: the world's caller does its share first, so that late tasks find
+ * nothing left to do, and return at once.
+ *
+ * Indices stand for threads, not for pieces of work, which the tasks share out among themselves: how they are spread changes
+ * speed, never results. Both are called within lr_world_step alone, by its thread, in the floating-point mode that it came
+ * with; tasks set and restore their own. Neither may throw, longjmp, or call the library on the same world; nor may run()
+ * be called after `finish`. */
+typedef void (*lr_task_fn)(void* task, uint32_t begin, uint32_t end);
+
+typedef struct lr_job_system {
+    void* user;
+    void* (*enqueue)(void* user, lr_task_fn run, void* task, uint32_t count);
+    void (*finish)(void* user, void* token);
+} lr_job_system;
+
 #define LR_LOG_ERROR 1   /* a call failed: the message says which, and why */
 #define LR_LOG_WARNING 2 /* a call succeeded, but probably not as meant */
 #define LR_LOG_INFO 3
@@ -303,7 +324,8 @@ LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamic
 
 typedef struct lr_world_desc {
     uint32_t struct_size;
-    uint32_t worker_count;  /* threads besides the caller's, 0 to 64; initially 0: everything runs in the caller */
+    uint32_t worker_count;  /* threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With
+                               `jobs`: the most indices in one enqueue, as many as its threads but the caller's */
     uint64_t seed;          /* of all noise; initially 0 */
     float gravity[3];       /* m/s^2; initially 0, -9.81, 0 */
     float fluid_density;    /* kg/m^3, >= 0; initially 0: each batch in the fluid its asset was baked in */
@@ -312,6 +334,7 @@ typedef struct lr_world_desc {
     lr_allocator allocator; /* copied; initially null functions: the C library's */
     lr_log_fn log;          /* initially null: silence */
     void* log_user;
+    lr_job_system jobs; /* copied; initially null functions: worker_count threads of the world's own */
 } lr_world_desc;
 
 LR_API lr_status lr_world_desc_init(lr_world_desc* desc, uint32_t struct_size);
@@ -326,8 +349,8 @@ LR_API void lr_world_destroy(lr_world* world);
 
 typedef struct lr_world_info {
     uint32_t struct_size;
-    int32_t simd_target; /* what LR_SIMD_AUTO became */
-    uint32_t worker_count;
+    int32_t simd_target;   /* what LR_SIMD_AUTO became */
+    uint32_t worker_count; /* as in the desc */
     uint32_t batch_count;
     uint64_t body_count;
     uint64_t substep_count; /* substeps since creation; the time index of the noise */
@@ -461,8 +484,8 @@ typedef struct lr_wind_query {
                                  acceleration nor shear */
 } lr_wind_query;
 
-/* Called once for each body and substep, in no certain order, from the thread that steps and from the world's workers at
- * the same time (with worker_count 0 from the stepping thread alone). Results must depend on nothing but position, time
+/* Called once for each body and substep, in no certain order, from the thread that steps and from the world's workers, or the
+ * job system's, at the same time (with worker_count 0 from the stepping thread alone). Results must depend on nothing but position, time
  * and batch for the world to be deterministic. Must not call the library on the same world, throw, or keep pointers. A
  * body whose values are not finite, or over 1000 m/s, gets 0 for all of them, and a warning is logged once after the
  * step. */

@@ -17,11 +17,17 @@ inline constexpr uint32_t max_struct_size = 65536;
 
 // Size of each struct when it was first released: what the oldest callers give. Kept here when structs grow.
 template <class T> inline constexpr uint32_t first_size = sizeof(T);
+template <> inline constexpr uint32_t first_size<lr_world_desc> = offsetof(lr_world_desc, jobs);
+
+// Besides larger ones, of newer headers. A size between would cut a field in two.
+template <class T> bool is_struct_size(uint32_t size) {
+    return size == first_size<T> || (size >= sizeof(T) && size <= max_struct_size);
+}
 
 // Begins an _init function: zeroes all that the caller has.
 template <class T> lr_status begin_init(T* desc, uint32_t struct_size) {
     if (!desc) return LR_ERROR_NULL_ARGUMENT;
-    if (struct_size < first_size<T> || struct_size > max_struct_size) return LR_ERROR_STRUCT_SIZE;
+    if (!is_struct_size<T>(struct_size)) return LR_ERROR_STRUCT_SIZE;
     std::memset(static_cast<void*>(desc), 0, struct_size);
     desc->struct_size = struct_size;
     return LR_OK;
@@ -31,7 +37,7 @@ template <class T> lr_status begin_init(T* desc, uint32_t struct_size) {
 template <class T> lr_status check_size(const T* given) {
     if (!given) return LR_ERROR_NULL_ARGUMENT;
     const uint32_t size = given->struct_size;
-    if (size < first_size<T> || size > max_struct_size) return LR_ERROR_STRUCT_SIZE;
+    if (!is_struct_size<T>(size)) return LR_ERROR_STRUCT_SIZE;
     const auto* bytes = reinterpret_cast<const unsigned char*>(given);
     for (size_t i = sizeof(T); i < size; ++i)
         if (bytes[i] != 0) return LR_ERROR_STRUCT_SIZE;

@@ -32,7 +32,7 @@ lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
         return LR_ERROR_NOT_FINITE;
     if (d.worker_count > lr::WorkerPool::max_workers || !in_range(d.fluid_density, 0.0, 1e6) ||
         !known_simd(d.simd_target) || !in_range(d.fluid_viscosity, 0.0, 1e3) ||
-        !d.allocator.allocate != !d.allocator.release)
+        !d.allocator.allocate != !d.allocator.release || !d.jobs.enqueue != !d.jobs.finish)
         return LR_ERROR_INVALID_ARGUMENT;
     for (float g : d.gravity)
         if (!in_range(g, -1e4, 1e4)) return LR_ERROR_INVALID_ARGUMENT;
@@ -56,7 +56,7 @@ lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
     if (status != LR_OK) return status;
     lr_world_info out{};
     out.simd_target = world->target->simd;
-    out.worker_count = world->pool.workers();
+    out.worker_count = world->crew.helpers();
     for (uint32_t i = 0; i < world->batch_slots; ++i) {
         if (!world->batches[i].batch) continue;
         ++out.batch_count;
@@ -129,7 +129,7 @@ lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
     else if (static_cast<double>(dt) / substeps > static_cast<double>(LR_MAX_SUBSTEP))
         status = LR_ERROR_TIMESTEP_TOO_LARGE;
     if (status != LR_OK) return refuse(world, "lr_world_step", status);
-    world->step(dt, substeps);
+    world->step(dt, substeps, mode);
     return LR_OK;
 }
 

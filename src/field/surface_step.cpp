@@ -25,7 +25,8 @@ NearBodies::NearBodies(const SurfaceStep& step, const StepInput& in, const Batch
     const auto gather = [&](const auto* source, auto* to) {
         for (uint32_t i = 0; i < padded_; ++i) to[i] = source[index_[std::min(i, count_ - 1)]];
     };
-    for (size_t f = 0; f < field_count; ++f) gather(from.field[f], field_[f]);
+    for (size_t f = 0; f < field_count; ++f)
+        if (from.field[f]) gather(from.field[f], field_[f]);
     gather(from.key, key_);
     if (in.external.used == 0) return;
     for (size_t c = 0; c < force_components; ++c) {
@@ -90,7 +91,7 @@ void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32
 
 void NearBodies::put_back(const BatchArrays& to) const {
     for (size_t f = 0; f < field_count; ++f)
-        for (uint32_t i = 0; i < count_; ++i) to.field[f][index_[i]] = field_[f][i];
+        for (uint32_t i = 0; i < count_ && to.field[f]; ++i) to.field[f][index_[i]] = field_[f][i];
 }
 
 void step_at_surface(const SurfaceStep& step, const StepInput& in, const BatchArrays& arrays, lr_batch batch,

@@ -13,15 +13,21 @@ namespace lr {
 // Sets the mode for its lifetime, on the present thread, and puts the caller's back.
 class FloatMode {
 public:
-    FloatMode() : saved_(read()) { write(standard); }
-    ~FloatMode() { write(saved_); }
+    // Writing is slow, and nearly always needless: flags of what has happened so far are no part of the mode.
+    FloatMode() : saved_(read()) {
+        if ((saved_ & ~flags) != standard) write(standard);
+    }
+    ~FloatMode() {
+        if (read() != saved_) write(saved_);
+    }
     FloatMode(const FloatMode&) = delete;
     FloatMode& operator=(const FloatMode&) = delete;
 
 private:
+    friend class CallersMode;
 #if defined(__SSE2__) || defined(_M_X64)
     using Word = uint32_t;
-    static constexpr Word standard = 0x1f80;
+    static constexpr Word standard = 0x1f80, flags = 0x3f;
     static Word read() {
         return _mm_getcsr();
     }
@@ -30,7 +36,7 @@ private:
     }
 #elif defined(__aarch64__)
     using Word = uint64_t;
-    static constexpr Word standard = 0;
+    static constexpr Word standard = 0, flags = 0;
     static Word read() {
         Word w;
         __asm__ volatile("mrs %0, fpcr" : "=r"(w));
@@ -41,13 +47,22 @@ private:
     }
 #else // WebAssembly has one mode only
     using Word = uint32_t;
-    static constexpr Word standard = 0;
+    static constexpr Word standard = 0, flags = 0;
     static Word read() {
         return 0;
     }
     static void write(Word) {}
 #endif
     Word saved_;
+};
+
+// Puts the caller's mode back for its lifetime, within a FloatMode's, while code of the caller's runs.
+class CallersMode {
+public:
+    explicit CallersMode(const FloatMode& mode) { FloatMode::write(mode.saved_); }
+    ~CallersMode() { FloatMode::write(FloatMode::standard); }
+    CallersMode(const CallersMode&) = delete;
+    CallersMode& operator=(const CallersMode&) = delete;
 };
 
 } // namespace lr

@@ -1,62 +1,254 @@
+// From arrays to elements: vectors of bodies are turned into rows of four numbers of one body each.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "view/transforms.cpp"
+#include "hwy/foreach_target.h" // IWYU pragma: keep
+
 #include "view/transforms.h"
 
+#include "hwy/cache_control.h"
+#include "hwy/highway.h"
 #include "langevin_rigid.h"
+
+#include <algorithm>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// An element is rows of four numbers, one behind the other; of seven numbers, the second row begins with the last of the
+// first.
+template <bool kSeven> constexpr size_t row_at(size_t row) {
+    return kSeven ? 12 * row : 16 * row;
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+template <class V> HWY_INLINE void turn(V a, V b, V c, V e, V (&row)[4]) {
+    row[0] = a, row[1] = b, row[2] = c, row[3] = e;
+}
+template <size_t kRows, bool kSeven, class D>
+HWY_INLINE void put(D d, const hn::Vec<D> (&row)[kRows][4], unsigned char* to, size_t) {
+    for (size_t r = 0; r < kRows; ++r)
+        for (size_t k = 0; k < 4; ++k) hn::StoreU(row[r][k], d, reinterpret_cast<float*>(to + row_at<kSeven>(r)) + k);
+}
+
+#else
+
+// Four numbers of each body of a vector: row[k] has those of the k-th body of four in each 128-bit block.
+template <class V> HWY_INLINE void turn(V a, V b, V c, V e, V (&row)[4]) {
+    const hn::DFromV<V> d;
+    const hn::RepartitionToWide<decltype(d)> wide;
+    const auto pair = [&](V x) HWY_ATTR { return hn::BitCast(wide, x); };
+    const auto ab = pair(hn::InterleaveLower(d, a, b)), ab_above = pair(hn::InterleaveUpper(d, a, b));
+    const auto ce = pair(hn::InterleaveLower(d, c, e)), ce_above = pair(hn::InterleaveUpper(d, c, e));
+    row[0] = hn::BitCast(d, hn::InterleaveLower(wide, ab, ce));
+    row[1] = hn::BitCast(d, hn::InterleaveUpper(wide, ab, ce));
+    row[2] = hn::BitCast(d, hn::InterleaveLower(wide, ab_above, ce_above));
+    row[3] = hn::BitCast(d, hn::InterleaveUpper(wide, ab_above, ce_above));
+}
+
+// Body after body, each whole: an instance buffer may be memory that combines writes of few lines at a time.
+template <size_t kRows, bool kSeven, class D>
+HWY_INLINE void put(D d, const hn::Vec<D> (&row)[kRows][4], unsigned char* to, size_t stride) {
+    const auto at = [&](size_t body, size_t r)
+                        HWY_ATTR { return reinterpret_cast<float*>(to + body * stride + row_at<kSeven>(r)); };
+    if constexpr (hn::MaxLanes(D()) <= 4) {
+        for (size_t k = 0; k < 4; ++k)
+            for (size_t r = 0; r < kRows; ++r) hn::StoreU(row[r][k], d, at(k, r));
+    } else if constexpr (hn::MaxLanes(D()) == 8) {
+        const hn::Half<D> half;
+        constexpr size_t pairs = kSeven ? 0 : kRows / 2;
+        for (size_t k = 0; k < 4; ++k) {
+            for (size_t r = 0; r < 2 * pairs; r += 2)
+                hn::StoreU(hn::ConcatLowerLower(d, row[r + 1][k], row[r][k]), d, at(k, r));
+            for (size_t r = 2 * pairs; r < kRows; ++r) hn::StoreU(hn::LowerHalf(half, row[r][k]), half, at(k, r));
+        }
+        for (size_t k = 0; k < 4; ++k) {
+            for (size_t r = 0; r < 2 * pairs; r += 2)
+                hn::StoreU(hn::ConcatUpperUpper(d, row[r + 1][k], row[r][k]), d, at(4 + k, r));
+            for (size_t r = 2 * pairs; r < kRows; ++r) hn::StoreU(hn::UpperHalf(half, row[r][k]), half, at(4 + k, r));
+        }
+    } else {
+        const hn::Half<D> half;
+        hn::Vec<decltype(half)> part[kRows][4];
+        for (size_t r = 0; r < kRows; ++r)
+            for (size_t k = 0; k < 4; ++k) part[r][k] = hn::LowerHalf(half, row[r][k]);
+        put<kRows, kSeven>(half, part, to, stride);
+        for (size_t r = 0; r < kRows; ++r)
+            for (size_t k = 0; k < 4; ++k) part[r][k] = hn::UpperHalf(half, row[r][k]);
+        put<kRows, kSeven>(half, part, to + hn::MaxLanes(D()) / 2 * stride, stride);
+    }
+}
+
+#endif
+
+// Bodies from `at` on, a vector of them.
+template <int32_t kFormat, class D>
+HWY_INLINE void write_vector(D d, const BatchArrays& a, size_t at, unsigned char* to, size_t stride) {
+    using V = hn::Vec<D>;
+    const auto load = [&](size_t field) HWY_ATTR { return hn::Load(d, a.field[field] + at); };
+    const V x = load(field_x), y = load(field_y), z = load(field_z);
+    const V qx = load(field_qx), qy = load(field_qy), qz = load(field_qz), qw = load(field_qw);
+    if constexpr (kFormat == LR_TRANSFORM_POSITION_QUATERNION) {
+        V row[2][4];
+        turn(x, y, z, qx, row[0]);
+        turn(qx, qy, qz, qw, row[1]);
+        put<2, true>(d, row, to, stride);
+        return;
+    }
+    const V s = load(field_scale);
+    if constexpr (kFormat == LR_TRANSFORM_POSITION_QUATERNION_SCALE) {
+        V row[2][4];
+        turn(x, y, z, qx, row[0]);
+        turn(qy, qz, qw, s, row[1]);
+        put<2, false>(d, row, to, stride);
+        return;
+    }
+    const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+    const V x2 = hn::Add(qx, qx), y2 = hn::Add(qy, qy), z2 = hn::Add(qz, qz);
+    const V xx = hn::Mul(qx, x2), yy = hn::Mul(qy, y2), zz = hn::Mul(qz, z2);
+    const V xy = hn::Mul(qx, y2), xz = hn::Mul(qx, z2), yz = hn::Mul(qy, z2);
+    const V wx = hn::Mul(qw, x2), wy = hn::Mul(qw, y2), wz = hn::Mul(qw, z2);
+    const auto diagonal = [&](V p, V q) HWY_ATTR { return hn::Mul(s, hn::Sub(one, hn::Add(p, q))); };
+    const V r00 = diagonal(yy, zz), r11 = diagonal(xx, zz), r22 = diagonal(xx, yy);
+    const V r01 = hn::Mul(s, hn::Sub(xy, wz)), r10 = hn::Mul(s, hn::Add(xy, wz));
+    const V r02 = hn::Mul(s, hn::Add(xz, wy)), r20 = hn::Mul(s, hn::Sub(xz, wy));
+    const V r12 = hn::Mul(s, hn::Sub(yz, wx)), r21 = hn::Mul(s, hn::Add(yz, wx));
+    constexpr bool four = kFormat == LR_TRANSFORM_4X4_ROW_MAJOR || kFormat == LR_TRANSFORM_4X4_COLUMN_MAJOR;
+    V row[four ? 4 : 3][4];
+    if constexpr (kFormat == LR_TRANSFORM_3X4_ROW_MAJOR || kFormat == LR_TRANSFORM_4X4_ROW_MAJOR) {
+        turn(r00, r01, r02, x, row[0]);
+        turn(r10, r11, r12, y, row[1]);
+        turn(r20, r21, r22, z, row[2]);
+        if constexpr (four) turn(zero, zero, zero, one, row[3]);
+    } else if constexpr (kFormat == LR_TRANSFORM_3X4_COLUMN_MAJOR) {
+        turn(r00, r10, r20, r01, row[0]);
+        turn(r11, r21, r02, r12, row[1]);
+        turn(r22, x, y, z, row[2]);
+    } else {
+        turn(r00, r10, r20, zero, row[0]);
+        turn(r01, r11, r21, zero, row[1]);
+        turn(r02, r12, r22, zero, row[2]);
+        turn(x, y, z, one, row[3]);
+    }
+    put<four ? 4 : 3, false>(d, row, to, stride);
+}
+
+template <int32_t kFormat>
+HWY_NOINLINE void write_format(const BatchArrays& a, size_t begin, size_t end, unsigned char* to, uint64_t stride) {
+    const hn::CappedTag<float, lane_block> d;
+    const size_t lanes = hn::Lanes(d);
+    size_t at = begin;
+    for (; end - at >= lanes; at += lanes, to += lanes * stride) write_vector<kFormat>(d, a, at, to, stride);
+    if (at == end) return;
+    // The last bodies by way of a vector's worth of elements: nothing is written behind them.
+    alignas(64) unsigned char rest[lane_block * 64];
+    const uint32_t bytes = transform_bytes(kFormat);
+    write_vector<kFormat>(d, a, at, rest, bytes);
+    for (uint32_t i = 0; at < end; ++i, ++at, to += stride) std::memcpy(to, rest + i * bytes, bytes);
+}
+
+// Elements without gaps, past the caches: whole cache lines, one after the other, by way of a piece that stays in the
+// first-level cache.
+template <int32_t kFormat> HWY_NOINLINE void stream_format(const BatchArrays& a, size_t count, unsigned char* to) {
+    constexpr size_t piece = 128, line = 64;
+    const hn::CappedTag<float, lane_block> d;
+    const size_t bytes = transform_bytes(kFormat), step = hn::Lanes(d) * sizeof(float);
+    alignas(line) unsigned char stage[line + piece * 64];
+    // What is staged begins at a line of the output; of the first of all, `hole` bytes are not ours.
+    size_t hole = reinterpret_cast<uintptr_t>(to) % line, staged = hole;
+    to -= hole;
+    for (size_t at = 0; at < count; at += std::min(piece, count - at)) {
+        const size_t here = std::min(piece, count - at);
+        write_format<kFormat>(a, at, at + here, stage + staged, bytes);
+        staged += here * bytes;
+        const size_t whole = staged / line * line;
+        size_t from = 0;
+        if (hole != 0 && whole != 0) {
+            std::memcpy(to + hole, stage + hole, line - hole);
+            hole = 0;
+            from = line;
+        }
+        for (; from < whole; from += step)
+            hn::Stream(hn::Load(d, reinterpret_cast<const float*>(stage + from)), d,
+                       reinterpret_cast<float*>(to + from));
+        to += whole;
+        staged -= whole;
+        std::memmove(stage, stage + whole, staged);
+    }
+    std::memcpy(to + hole, stage + hole, staged - hole);
+    hwy::FlushStream();
+}
+
+void write_range(const BatchArrays& a, uint32_t count, int32_t format, unsigned char* to, uint64_t stride,
+                 bool stream) {
+    const auto write = [&]<int32_t kFormat>() {
+        if (stream)
+            stream_format<kFormat>(a, count, to);
+        else
+            write_format<kFormat>(a, 0, count, to, stride);
+    };
+    switch (format) {
+    case LR_TRANSFORM_POSITION_QUATERNION:
+        return write.operator()<LR_TRANSFORM_POSITION_QUATERNION>();
+    case LR_TRANSFORM_POSITION_QUATERNION_SCALE:
+        return write.operator()<LR_TRANSFORM_POSITION_QUATERNION_SCALE>();
+    case LR_TRANSFORM_3X4_ROW_MAJOR:
+        return write.operator()<LR_TRANSFORM_3X4_ROW_MAJOR>();
+    case LR_TRANSFORM_3X4_COLUMN_MAJOR:
+        return write.operator()<LR_TRANSFORM_3X4_COLUMN_MAJOR>();
+    case LR_TRANSFORM_4X4_ROW_MAJOR:
+        return write.operator()<LR_TRANSFORM_4X4_ROW_MAJOR>();
+    default:
+        return write.operator()<LR_TRANSFORM_4X4_COLUMN_MAJOR>();
+    }
+}
+
+} // namespace lr::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "hwy/targets.h"
 
 namespace lr {
 namespace {
 
-struct Pose {
-    float x, y, z, qx, qy, qz, qw, scale;
+// Elements of more than this are written past the caches: they would not stay there until they are drawn, and to fetch
+// the lines that are about to be overwritten would take as long as writing them.
+constexpr uint64_t stream_bytes = 8u << 20;
+
+using WriteFunction = void (*)(const BatchArrays&, uint32_t, int32_t, unsigned char*, uint64_t, bool);
+struct Target {
+    int32_t simd;
+    WriteFunction write;
 };
-
-struct Matrix {
-    float r[3][3]; // rotation times scale, r[row][column]
+constexpr Target targets[] = {
+#if HWY_TARGETS & HWY_AVX3
+    {LR_SIMD_AVX512, &N_AVX3::write_range},
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    {LR_SIMD_AVX2, &N_AVX2::write_range},
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    {LR_SIMD_SSE4, &N_SSE4::write_range},
+#endif
+#if HWY_TARGETS & HWY_SSSE3
+    {LR_SIMD_SSSE3, &N_SSSE3::write_range},
+#endif
+#if HWY_TARGETS & HWY_NEON
+    {LR_SIMD_NEON, &N_NEON::write_range},
+#endif
+#if HWY_TARGETS & HWY_WASM
+    {LR_SIMD_WASM, &N_WASM::write_range},
+#endif
+#if HWY_TARGETS & HWY_EMU128
+    {LR_SIMD_EMULATED, &N_EMU128::write_range},
+#endif
+#if HWY_TARGETS & HWY_SCALAR
+    {LR_SIMD_EMULATED, &N_SCALAR::write_range},
+#endif
 };
-
-Matrix matrix(const Pose& p) {
-    const float x2 = p.qx + p.qx, y2 = p.qy + p.qy, z2 = p.qz + p.qz;
-    const float xx = p.qx * x2, yy = p.qy * y2, zz = p.qz * z2;
-    const float xy = p.qx * y2, xz = p.qx * z2, yz = p.qy * z2;
-    const float wx = p.qw * x2, wy = p.qw * y2, wz = p.qw * z2;
-    const float s = p.scale;
-    return {{{s * (1.0f - (yy + zz)), s * (xy - wz), s * (xz + wy)},
-             {s * (xy + wz), s * (1.0f - (xx + zz)), s * (yz - wx)},
-             {s * (xz - wy), s * (yz + wx), s * (1.0f - (xx + yy))}}};
-}
-
-template <int32_t kFormat> void write_pose(const Pose& p, float* out) {
-    if constexpr (kFormat == LR_TRANSFORM_POSITION_QUATERNION || kFormat == LR_TRANSFORM_POSITION_QUATERNION_SCALE) {
-        out[0] = p.x, out[1] = p.y, out[2] = p.z;
-        out[3] = p.qx, out[4] = p.qy, out[5] = p.qz, out[6] = p.qw;
-        if constexpr (kFormat == LR_TRANSFORM_POSITION_QUATERNION_SCALE) out[7] = p.scale;
-    } else {
-        const Matrix m = matrix(p);
-        const float t[3] = {p.x, p.y, p.z};
-        constexpr bool four = kFormat == LR_TRANSFORM_4X4_ROW_MAJOR || kFormat == LR_TRANSFORM_4X4_COLUMN_MAJOR;
-        if constexpr (kFormat == LR_TRANSFORM_3X4_ROW_MAJOR || kFormat == LR_TRANSFORM_4X4_ROW_MAJOR) {
-            for (int i = 0; i < 3; ++i) {
-                for (int j = 0; j < 3; ++j) out[4 * i + j] = m.r[i][j];
-                out[4 * i + 3] = t[i];
-            }
-            if constexpr (four) out[12] = out[13] = out[14] = 0.0f, out[15] = 1.0f;
-        } else {
-            constexpr int rows = four ? 4 : 3;
-            for (int j = 0; j < 3; ++j)
-                for (int i = 0; i < 3; ++i) out[rows * j + i] = m.r[i][j];
-            for (int i = 0; i < 3; ++i) out[3 * rows + i] = t[i];
-            if constexpr (four) out[3] = out[7] = out[11] = 0.0f, out[15] = 1.0f;
-        }
-    }
-}
-
-template <int32_t kFormat> void write_all(const BatchArrays& a, uint32_t count, void* to, uint64_t stride) {
-    auto* at = static_cast<unsigned char*>(to);
-    for (uint32_t i = 0; i < count; ++i, at += stride) {
-        const Pose p{a.field[field_x][i],  a.field[field_y][i],  a.field[field_z][i],  a.field[field_qx][i],
-                     a.field[field_qy][i], a.field[field_qz][i], a.field[field_qw][i], a.field[field_scale][i]};
-        write_pose<kFormat>(p, reinterpret_cast<float*>(at));
-    }
-}
 
 } // namespace
 
@@ -77,21 +269,11 @@ uint32_t transform_bytes(int32_t format) {
     }
 }
 
-void write_transforms(const BatchArrays& a, uint32_t count, int32_t format, void* to, uint64_t stride) {
-    switch (format) {
-    case LR_TRANSFORM_POSITION_QUATERNION:
-        return write_all<LR_TRANSFORM_POSITION_QUATERNION>(a, count, to, stride);
-    case LR_TRANSFORM_POSITION_QUATERNION_SCALE:
-        return write_all<LR_TRANSFORM_POSITION_QUATERNION_SCALE>(a, count, to, stride);
-    case LR_TRANSFORM_3X4_ROW_MAJOR:
-        return write_all<LR_TRANSFORM_3X4_ROW_MAJOR>(a, count, to, stride);
-    case LR_TRANSFORM_3X4_COLUMN_MAJOR:
-        return write_all<LR_TRANSFORM_3X4_COLUMN_MAJOR>(a, count, to, stride);
-    case LR_TRANSFORM_4X4_ROW_MAJOR:
-        return write_all<LR_TRANSFORM_4X4_ROW_MAJOR>(a, count, to, stride);
-    default:
-        return write_all<LR_TRANSFORM_4X4_COLUMN_MAJOR>(a, count, to, stride);
-    }
+void write_transforms(int32_t simd, const BatchArrays& a, uint32_t count, int32_t format, void* to, uint64_t stride) {
+    const bool stream = stride == transform_bytes(format) && uint64_t{count} * stride >= stream_bytes;
+    for (const Target& target : targets)
+        if (target.simd == simd) return target.write(a, count, format, static_cast<unsigned char*>(to), stride, stream);
 }
 
 } // namespace lr
+#endif

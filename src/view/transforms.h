@@ -10,7 +10,9 @@ namespace lr {
 // Bytes of one element of an LR_TRANSFORM_* format; 0 for an unknown one.
 uint32_t transform_bytes(int32_t format);
 
-// `count` elements, `stride` bytes apart. The format is a known one.
-void write_transforms(const BatchArrays& arrays, uint32_t count, int32_t format, void* to, uint64_t stride);
+// `count` elements, `stride` bytes apart. The format is a known one. Arrays are aligned to, and readable in, whole lane
+// blocks. simd: LR_SIMD_*, of a target that this processor has; all write the same bits.
+void write_transforms(int32_t simd, const BatchArrays& arrays, uint32_t count, int32_t format, void* to,
+                      uint64_t stride);
 
 } // namespace lr

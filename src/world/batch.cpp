@@ -60,34 +60,35 @@ Batch::~Batch() {
 
 bool Batch::allocate(uint32_t capacity) {
     const size_t lanes = padded(capacity);
-    if (!fields_.allocate(*allocator_, field_count * lanes) || !keys_.allocate(*allocator_, lanes) ||
+    if (!fields_.allocate(*allocator_, fields() * lanes) || !keys_.allocate(*allocator_, lanes) ||
         !ids_.allocate(*allocator_, capacity) || !dense_.allocate(*allocator_, capacity) ||
-        !generations_.allocate(*allocator_, capacity) || !free_.allocate(*allocator_, capacity))
+        !generations_.allocate(*allocator_, capacity))
         return false;
     capacity_ = capacity;
-    for (size_t f = 0; f < field_count; ++f) arrays_.field[f] = fields_.data() + f * lanes;
+    for (size_t f = 0; f < fields(); ++f) arrays_.field[f] = fields_.data() + f * lanes;
     arrays_.key = keys_.data();
     for (uint32_t i = 0; i < lanes; ++i) clear_lane(i);
     for (uint32_t i = 0; i < capacity; ++i) {
         ids_[i] = 0;
-        dense_[i] = max_capacity;
+        dense_[i] = free_bit | (i + 1);
         generations_[i] = first_generation_;
-        free_[i] = i;
     }
+    free_first_ = 0;
+    free_last_ = capacity - 1;
     return true;
 }
 
 // Lanes without a body are stepped along with the others: they must stay finite.
 void Batch::clear_lane(uint32_t index) {
-    for (size_t f = 0; f < field_count; ++f) arrays_.field[f][index] = 0.0f;
+    for (size_t f = 0; f < fields(); ++f) arrays_.field[f][index] = 0.0f;
     arrays_.field[field_qw][index] = 1.0f;
     arrays_.field[field_scale][index] = 1.0f;
     arrays_.key[index] = 0;
 }
 
 lr_body Batch::add(const BodyState& state) {
-    const uint32_t slot = free_[free_head_];
-    free_head_ = free_head_ + 1 == capacity_ ? 0 : free_head_ + 1;
+    const uint32_t slot = free_first_;
+    free_first_ = dense_[slot] & ~free_bit;
     const uint32_t index = count_++;
     const uint32_t generation = generations_[slot];
     last_generation_ = std::max(last_generation_, generation);
@@ -101,13 +102,15 @@ lr_body Batch::add(const BodyState& state) {
 void Batch::remove(lr_body body) {
     const uint32_t slot = unpack(body).slot;
     const uint32_t index = dense_[slot], last = count_ - 1;
-    const uint32_t free_count = capacity_ - count_;
-    const uint64_t tail = static_cast<uint64_t>(free_head_) + free_count;
-    free_[static_cast<uint32_t>(tail % capacity_)] = slot;
+    if (count_ == capacity_)
+        free_first_ = slot;
+    else
+        dense_[free_last_] = free_bit | slot;
+    free_last_ = slot;
     generations_[slot] = next_generation(generations_[slot]);
-    dense_[slot] = max_capacity;
+    dense_[slot] = free_bit;
     if (index != last) {
-        for (size_t f = 0; f < field_count; ++f) arrays_.field[f][index] = arrays_.field[f][last];
+        for (size_t f = 0; f < fields(); ++f) arrays_.field[f][index] = arrays_.field[f][last];
         arrays_.key[index] = arrays_.key[last];
         ids_[index] = ids_[last];
         dense_[unpack(ids_[index]).slot] = index;
@@ -140,14 +143,14 @@ void Batch::unmark(uint32_t index) {
 }
 
 BodyState Batch::read(uint32_t index) const {
-    BodyState s;
-    for (size_t f = 0; f < field_count; ++f) s.value[f] = arrays_.field[f][index];
+    BodyState s{};
+    for (size_t f = 0; f < fields(); ++f) s.value[f] = arrays_.field[f][index];
     s.key = arrays_.key[index];
     return s;
 }
 
 void Batch::write(uint32_t index, const BodyState& state) {
-    for (size_t f = 0; f < field_count; ++f) arrays_.field[f][index] = state.value[f];
+    for (size_t f = 0; f < fields(); ++f) arrays_.field[f][index] = state.value[f];
 }
 
 uint32_t Batch::padded_count() const {

@@ -38,6 +38,8 @@ struct TableView {
 
 class Batch {
 public:
+    static constexpr uint32_t free_bit = 1u << 31; // above every dense index
+
     // Null after an error: LR_ERROR_OUT_OF_MEMORY or LR_ERROR_INTERNAL.
     static Batch* create(Allocator& allocator, const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
                          uint32_t index, uint32_t first_generation, lr_status& status);
@@ -81,8 +83,10 @@ public:
     Lifecycle* lifecycle() const { return lifecycle_; } // null before the first rules or emitter
     bool reserve_lifecycle();                           // false when out of memory
 
-    StepInput step;           // constants of the shape, filled up by World::step
-    uint32_t first_chunk = 0; // set by World::step
+    StepInput step; // constants of the shape, filled up by World::step
+
+    // Arrays of BatchArrays::field that it has: the last three are those of AERODYNAMIC loads.
+    size_t fields() const { return is_aerodynamic(settings_.loads) ? field_count : field_gust_x; }
 
 private:
     friend class SnapshotAccess;
@@ -100,13 +104,13 @@ private:
     uint32_t capacity_ = 0, count_ = 0;
     uint32_t first_generation_ = 1, last_generation_ = 0;
     BatchArrays arrays_{};
-    Buffer<float> fields_; // field_count arrays of padded capacity
+    Buffer<float> fields_; // arrays of padded capacity
     Buffer<uint32_t> keys_;
     Buffer<lr_body> ids_;          // by dense index
-    Buffer<uint32_t> dense_;       // by slot; max_capacity when free
+    Buffer<uint32_t> dense_;       // by slot: the body's dense index, or free_bit and the next free slot
     Buffer<uint32_t> generations_; // by slot: of the body in it, or of the next
-    Buffer<uint32_t> free_;        // ring of free slots, oldest first, so that a slot rests long before its next life
-    uint32_t free_head_ = 0;
+    // A queue, so that a slot rests long before its next life. Without meaning when all slots are in use.
+    uint32_t free_first_ = 0, free_last_ = 0;
     Buffer<float> table_; // alpha, then beta^2
     AerodynamicData aerodynamics_;
     WaterBody water_{};

@@ -39,14 +39,14 @@ void ExternalForces::set_batch(const float (&force)[force_components]) {
     on_batch_ = std::any_of(force, force + force_components, [](float f) { return f != 0.0f; });
 }
 
-ExternalInput ExternalForces::input() {
-    ExternalInput in{};
+void ExternalForces::fill(ExternalInput& in) {
     in.any = on_batch_ || pending();
+    in.used = used_;
+    if (!in.any) return; // and the rest is not looked at
+    in.clear = true;
     std::copy(batch_, batch_ + force_components, in.batch);
     in.bodies = bodies_.data();
-    in.used = used_;
     in.stride = stride_;
-    return in;
 }
 
 Kick impulse_response(const BodyConstants& body, double scale, const double linear[3], const double angular[3]) {

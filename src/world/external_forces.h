@@ -25,7 +25,7 @@ public:
     const float* bodies() const { return bodies_.data(); }
     size_t stride() const { return stride_; }
 
-    ExternalInput input();
+    void fill(ExternalInput& in);                    // for a step
     void stepped() { used_ = 0; }                    // the kernel has left zeros
     void restored_pending() { used_ = all_vectors; } // bodies() has been filled
 

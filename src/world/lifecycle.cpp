@@ -13,8 +13,7 @@ Lifecycle* Lifecycle::create(Allocator& allocator, uint32_t capacity, uint32_t l
     void* const memory = allocator.allocate(sizeof(Lifecycle));
     if (!memory) return nullptr;
     auto* const made = new (memory) Lifecycle();
-    if (made->cause_.allocate(allocator, lanes) &&
-        made->chunk_has_ended_.allocate(allocator, (lanes + chunk_bodies - 1) / chunk_bodies) &&
+    if (made->cause_.allocate(allocator, lanes) && made->cut_has_ended_.allocate(allocator, cut_count(lanes)) &&
         made->life_.allocate(allocator, capacity) && made->ended_ids_.allocate(allocator, capacity) &&
         made->born_ids_.allocate(allocator, capacity)) {
         std::fill_n(made->life_.data(), capacity, 0u);
@@ -52,7 +51,10 @@ void Lifecycle::set_emitter(const lr_emitter_desc* emitter) {
 }
 
 void Lifecycle::judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end) {
-    if (has_rules_) chunk_has_ended_[begin / chunk_bodies] = ended(rules_, arrays, begin, end, cause_.data()) ? 1 : 0;
+    if (!has_rules_) return;
+    for (uint32_t at = begin; at < end; at += cut_bodies)
+        cut_has_ended_[at / cut_bodies] =
+            ended(rules_, arrays, at, std::min(at + cut_bodies, end), cause_.data()) ? 1 : 0;
 }
 
 void Lifecycle::finish(Batch& batch, lr_world& world, double dt) {
@@ -66,10 +68,10 @@ void Lifecycle::finish(Batch& batch, lr_world& world, double dt) {
 // From the last to the first: a body that moves into the place of one that ends has been judged already. What becomes of
 // a body depends on its key and life alone, so that the order does not matter.
 void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
-    for (uint32_t chunk = chunk_count(batch); chunk-- > 0;) {
-        if (chunk_has_ended_[chunk] == 0) continue;
-        const uint32_t begin = chunk * chunk_bodies;
-        for (uint32_t i = std::min(begin + chunk_bodies, batch.count()); i-- > begin;) {
+    for (uint32_t cut = cut_count(batch.padded_count()); cut-- > 0;) {
+        if (cut_has_ended_[cut] == 0) continue;
+        const uint32_t begin = cut * cut_bodies;
+        for (uint32_t i = std::min(begin + cut_bodies, batch.count()); i-- > begin;) {
             if (cause_[i] == cause_none) continue;
             ++by_cause_[cause_[i]];
             ended_ids_[ended_++] = batch.ids()[i];

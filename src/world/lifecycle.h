@@ -25,7 +25,7 @@ public:
     bool has_emitter() const { return has_emitter_; }
     bool respawns() const { return has_rules_ && rules_.action == LR_END_RESPAWN; }
 
-    // A step: judge() for every chunk of bodies, from any threads; then finish() once.
+    // A step: judge() for all bodies, from any threads, each for whole cuts (world/step_chunks.h); then finish() once.
     void judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end);
     void finish(Batch& batch, lr_world& world, double dt);
 
@@ -68,7 +68,7 @@ private:
     Emitter emitter_;
     double due_ = 0.0, burst_clock_ = 0.0; // bodies; s since the last burst
     Buffer<uint32_t> cause_;               // by dense index, of the step
-    Buffer<uint8_t> chunk_has_ended_;
+    Buffer<uint8_t> cut_has_ended_;
     Buffer<uint32_t> life_;     // by dense index: how often a body has respawned
     Buffer<lr_body> ended_ids_; // of the last step
     Buffer<lr_body> born_ids_;

@@ -15,7 +15,7 @@ namespace lr {
 namespace {
 
 constexpr uint64_t magic = 0x31304e53444c524cull; // "LRLDSN01", little-endian
-constexpr uint32_t version = 3;
+constexpr uint32_t version = 4;
 
 struct Header {
     uint64_t magic;
@@ -38,11 +38,12 @@ struct BatchHeader {
     uint32_t count;
     uint32_t generation, body_generation; // of the slot
     uint32_t first_generation, last_generation;
-    uint32_t free_head;
+    uint32_t free_first, free_last;
     uint32_t table_count;
     float inverse_dt;
     float speed_alpha, speed_beta;
-    uint32_t parts; // SnapshotPart
+    uint32_t parts;  // SnapshotPart
+    uint32_t fields; // Batch::fields
     Gains gains;
     TurbulenceSample stationary;
     AerodynamicData aerodynamics;
@@ -69,9 +70,9 @@ uint64_t even(uint64_t words) {
 } // 32-bit words, kept to 8 bytes
 
 // Without the parts that only some batches have, which follow.
-uint64_t batch_bytes(uint32_t capacity, uint32_t count, uint32_t table_count) {
-    const uint64_t bodies = (field_count + 1) * even(count) + 2 * uint64_t{count};
-    return 4 * (bodies + 3 * even(capacity) + 2 * even(table_count));
+uint64_t batch_bytes(const BatchHeader& h) {
+    const uint64_t bodies = (uint64_t{h.fields} + 1) * even(h.count) + 2 * uint64_t{h.count};
+    return 4 * (bodies + 2 * even(h.capacity) + 2 * even(h.table_count));
 }
 
 } // namespace
@@ -90,7 +91,9 @@ public:
         h.count = b.count_;
         h.first_generation = b.first_generation_;
         h.last_generation = b.last_generation_;
-        h.free_head = b.free_head_;
+        h.free_first = b.free_first_;
+        h.free_last = b.free_last_;
+        h.fields = static_cast<uint32_t>(b.fields());
         h.table_count = static_cast<uint32_t>(b.table_.size() / 2);
         h.inverse_dt = b.step.table.inverse_dt;
         h.speed_alpha = b.step.body.speed_alpha;
@@ -103,29 +106,26 @@ public:
     }
 
     template <class Visit> static void visit(Batch& b, uint32_t count, Buffer<float>& table, Visit&& visit) {
-        for (size_t f = 0; f < field_count; ++f) visit(b.arrays_.field[f], count);
+        for (size_t f = 0; f < b.fields(); ++f) visit(b.arrays_.field[f], count);
         visit(b.arrays_.key, count);
         visit(b.ids_.data(), 2 * uint64_t{count});
         visit(b.dense_.data(), b.capacity_);
         visit(b.generations_.data(), b.capacity_);
-        visit(b.free_.data(), b.capacity_);
         visit(table.data(), table.size() / 2);
         visit(table.data() + table.size() / 2, table.size() / 2);
     }
     static Buffer<float>& table(Batch& b) { return b.table_; }
 
-    // The slots, ids and ring of a snapshot must describe one and the same set of bodies.
-    // `seen`: at least a bit a slot, zero.
-    static bool consistent(const BatchHeader& h, uint32_t batch_index, const unsigned char* body,
-                           Buffer<uint32_t>& seen) {
+    // The slots, ids and queue of a snapshot must describe one and the same set of bodies.
+    static bool consistent(const BatchHeader& h, uint32_t batch_index, const unsigned char* body) {
         const auto word = [&](uint64_t at) {
             uint32_t w;
             std::memcpy(&w, body + 4 * at, 4);
             return w;
         };
-        const uint64_t ids = (field_count + 1) * even(h.count), dense = ids + 2 * uint64_t{h.count};
-        const uint64_t generations = dense + even(h.capacity), ring = generations + even(h.capacity);
-        if (h.free_head >= h.capacity) return false;
+        const uint64_t ids = (uint64_t{h.fields} + 1) * even(h.count), dense = ids + 2 * uint64_t{h.count};
+        const uint64_t generations = dense + even(h.capacity), table = generations + even(h.capacity);
+        if (h.free_first > h.capacity || h.free_last >= h.capacity) return false;
         for (uint32_t i = 0; i < h.count; ++i) {
             uint64_t id;
             std::memcpy(&id, body + 4 * (ids + 2 * uint64_t{i}), 8);
@@ -136,18 +136,18 @@ public:
         }
         uint32_t used = 0;
         for (uint32_t s = 0; s < h.capacity; ++s) {
-            if (word(dense + s) != max_capacity) ++used;
+            if ((word(dense + s) & Batch::free_bit) == 0) ++used;
             const uint32_t generation = word(generations + s);
             if (generation == 0 || generation > max_generation) return false;
         }
         if (used != h.count || h.first_generation > max_generation || h.last_generation > max_generation) return false;
-        for (uint32_t i = 0; i < h.capacity - h.count; ++i) {
-            const uint32_t slot = word(ring + (uint64_t{h.free_head} + i) % h.capacity);
-            if (slot >= h.capacity || word(dense + slot) != max_capacity || (seen[slot / 32] >> slot % 32 & 1u))
-                return false;
-            seen[slot / 32] |= 1u << slot % 32;
+        // As many different slots as are free: from the first on none comes twice, or the last would not come last.
+        uint32_t slot = h.free_first;
+        for (uint32_t i = h.count; i < h.capacity; ++i) {
+            if (slot >= h.capacity || (word(dense + slot) & Batch::free_bit) == 0) return false;
+            if ((slot == h.free_last) != (i + 1 == h.capacity)) return false;
+            slot = word(dense + slot) & ~Batch::free_bit;
         }
-        const uint64_t table = ring + even(h.capacity);
         for (uint64_t i = 0; i < 2 * even(h.table_count); ++i) {
             float v; // alpha or beta^2, or the padding after them
             std::memcpy(&v, body + 4 * (table + i), 4);
@@ -173,7 +173,8 @@ public:
         b.count_ = h.count;
         b.first_generation_ = h.first_generation;
         b.last_generation_ = h.last_generation;
-        b.free_head_ = h.free_head;
+        b.free_first_ = h.free_first;
+        b.free_last_ = h.free_last;
         if (new_table.size() != 0) b.table_.swap(new_table);
         visit(b, h.count, b.table_, [&](auto* to, uint64_t words) {
             if (words != 0) std::memcpy(to, body, 4 * words);
@@ -205,7 +206,7 @@ uint64_t snapshot_size(const lr_world& w) {
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         size += sizeof(BatchHeader);
-        if (h.capacity != 0) size += batch_bytes(h.capacity, h.count, h.table_count) + parts_bytes(h.parts, h.count);
+        if (h.capacity != 0) size += batch_bytes(h) + parts_bytes(h.parts, h.count);
     }
     return size;
 }
@@ -296,17 +297,15 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
             if (!batch) continue;
             if (h.capacity != batch->capacity() || h.content_hash != batch->asset().content_hash)
                 return LR_ERROR_SNAPSHOT_MISMATCH;
+            if (h.fields != batch->fields()) return LR_ERROR_SNAPSHOT_MISMATCH;
             if (h.count > h.capacity || h.table_count == 0 || h.table_count > 65536 || !(h.inverse_dt > 0.0f) ||
                 !std::isfinite(h.inverse_dt) || !std::isfinite(h.speed_alpha) || !std::isfinite(h.speed_beta) ||
                 h.speed_alpha < 0.0f || h.speed_beta < 0.0f || (h.parts & ~all_parts) != 0 ||
                 !SnapshotAccess::usable_loads(h, *batch))
                 return LR_ERROR_SNAPSHOT_FORMAT;
-            const uint64_t bytes = batch_bytes(h.capacity, h.count, h.table_count);
-            Buffer<uint32_t> seen;
-            if (!seen.allocate(w.allocator, h.capacity / 32 + 1)) return LR_ERROR_OUT_OF_MEMORY;
-            std::memset(seen.data(), 0, seen.size() * sizeof(uint32_t));
+            const uint64_t bytes = batch_bytes(h);
             const uint64_t parts = parts_bytes(h.parts, h.count);
-            if (header.size - at < bytes + parts || !SnapshotAccess::consistent(h, i, begin + at, seen) ||
+            if (header.size - at < bytes + parts || !SnapshotAccess::consistent(h, i, begin + at) ||
                 !parts_consistent(h.parts, h.count, begin + at + bytes))
                 return LR_ERROR_SNAPSHOT_FORMAT;
             at += bytes + parts;
@@ -332,7 +331,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
                 continue;
             }
             SnapshotAccess::restore(w.batches[i], h, at, tables[i]);
-            at += batch_bytes(h.capacity, h.count, h.table_count);
+            at += batch_bytes(h);
             restore_parts(*w.batches[i].batch, h.parts, h.count, at);
             at += parts_bytes(h.parts, h.count);
         }

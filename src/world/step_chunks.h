@@ -1,51 +1,62 @@
 // How the bodies of a world are cut into pieces of work.
 #pragma once
 
-#include "field/field_step.h"
-#include "world/lifecycle.h"
-#include "world/world.h"
+#include "kernel/step.h"
+#include "langevin_rigid.h"
 
-#include <algorithm>
+#include <cstdint>
+
+struct lr_world;
 
 namespace lr {
 
-// Bodies in a chunk: 64 KiB of state, well inside a second-level cache, and tens of microseconds of work.
-inline constexpr uint32_t chunk_bodies = 1024;
+class Batch;
+struct FieldSlice;
+struct SurfaceStep;
 
-inline uint32_t chunk_count(const Batch& batch) {
-    return (batch.padded_count() + chunk_bodies - 1) / chunk_bodies;
+// Batches are cut at multiples of this only. Rules note where bodies have ended by such cuts, each written by one thread.
+inline constexpr uint32_t cut_bodies = 256;
+// Of a chunk in a large world. Shorter ones cost nothing down to a cut, but longer ones would make the caller wait for the
+// last of them, the more so if its thread is not alone on its core.
+inline constexpr uint32_t most_chunk_bodies = 1024;
+inline constexpr uint32_t most_chunk_work = 8192; // body-substeps
+// Body-substeps for which another thread is called: tens of microseconds, when waking it takes up to ten.
+inline constexpr uint64_t helper_work = 4096;
+
+inline uint32_t cut_count(uint32_t lanes) {
+    return (lanes + cut_bodies - 1) / cut_bodies;
 }
 
-struct StepChunks {
-    const lr_world* world;
-    uint32_t count;
-    const FieldSlice* slice;    // null where there is no wind but a uniform one
-    const SurfaceStep* surface; // null without one
+// A batch that has bodies, on the line of all lane blocks of a step.
+struct StepItem {
+    Batch* batch;
+    lr_batch handle;
+    uint64_t begin; // its first lane block
+};
 
-    static void run(void* context, uint32_t chunk) {
-        const StepChunks& chunks = *static_cast<const StepChunks*>(context);
-        const lr_world& w = *chunks.world;
-        // The last batch that begins at or before this chunk and has any.
-        for (uint32_t i = w.batch_slots; i-- > 0;) {
-            const Batch* const batch = w.batches[i].batch;
-            if (!batch || batch->first_chunk > chunk || batch->count() == 0) continue;
-            const uint32_t begin = (chunk - batch->first_chunk) * chunk_bodies;
-            const uint32_t end = std::min(begin + chunk_bodies, batch->padded_count());
-            bool last = true;
-            const lr_batch handle = pack(BatchHandle{i, w.batches[i].generation});
-            if (chunks.slice) {
-                step_in_field(*chunks.slice, batch->step, batch->arrays(), handle, batch->count(), begin, end);
-                last = chunks.slice->first + chunks.slice->count == chunks.slice->time.substeps;
-            } else if (chunks.surface && batch->step.water) {
-                step_at_surface(*chunks.surface, batch->step, batch->arrays(), handle, batch->count(), begin, end);
-            } else {
-                w.target->step(batch->step, batch->arrays(), begin, end);
-            }
-            // While the chunk is still in the cache.
-            if (last && batch->lifecycle()) batch->lifecycle()->judge(w.target->ended, batch->arrays(), begin, end);
-            return;
-        }
-    }
+// Chunks are equal lengths of that line, their ends moved back to the last cut: a chunk is part of a large batch, or many
+// small ones.
+class StepChunks {
+public:
+    StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks,
+               uint32_t substeps, uint32_t helpers);
+
+    const FieldSlice* slice = nullptr;    // null where there is no wind but a uniform one
+    const SurfaceStep* surface = nullptr; // null without one
+
+    uint32_t count() const { return static_cast<uint32_t>((blocks_ + chunk_ - 1) / chunk_); }
+    uint32_t helpers() const { return helpers_; } // threads besides the caller that are worth their waking
+    static void run(void* chunks, uint32_t chunk);
+
+private:
+    void step(const StepItem& item, uint32_t begin, uint32_t end) const;
+
+    const lr_world* world_;
+    const StepItem* items_;
+    uint32_t item_count_;
+    uint32_t helpers_;
+    uint64_t blocks_;
+    uint64_t chunk_; // lane blocks in each
 };
 
 } // namespace lr

@@ -1,7 +1,7 @@
 #include "world/world.h"
 
+#include "field/field_step.h"
 #include "world/lifecycle.h"
-#include "world/step_chunks.h"
 
 #include <algorithm>
 #include <bit>
@@ -31,7 +31,7 @@ lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
     world->fluid_viscosity = desc.fluid_viscosity;
     world->log_callback = desc.log;
     world->log_user = desc.log_user;
-    if (!world->pool.start(desc.worker_count)) {
+    if (!world->crew.start(desc.worker_count, desc.jobs)) {
         status = LR_ERROR_THREADS;
         destroy(world);
         return nullptr;
@@ -48,7 +48,7 @@ void lr_world::destroy(lr_world* world) {
 }
 
 lr_world::~lr_world() {
-    pool.stop();
+    crew.stop();
     for (uint32_t i = 0; i < batch_slots; ++i) Batch::destroy(batches[i].batch);
 }
 
@@ -67,9 +67,12 @@ Batch* lr_world::find(lr_body body, uint32_t& index) const {
 
 bool lr_world::grow_batches() {
     lr::Buffer<BatchSlot> larger;
-    if (!larger.allocate(allocator, std::max<size_t>(8, 2 * batches.size()))) return false;
+    lr::Buffer<lr::StepItem> more_items;
+    const size_t size = std::max<size_t>(8, 2 * batches.size());
+    if (!larger.allocate(allocator, size) || !more_items.allocate(allocator, size)) return false;
     std::copy(batches.data(), batches.data() + batch_slots, larger.data());
     batches.swap(larger);
+    items.swap(more_items);
     return true;
 }
 
@@ -119,49 +122,57 @@ uint32_t lr_world::take_key() {
     return key;
 }
 
-void lr_world::step(float dt, uint32_t substeps) {
+void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     const double h = static_cast<double>(dt) / substeps;
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     lr::UniformWind& uniform = wind.uniform;
     if (substep_count == 0) std::copy(uniform.wind, uniform.wind + 3, uniform.before);
     const bool field = wind.active();
     const lr::SurfaceStep at_surface{target, &surface, {time, h, substeps}, gravity};
-    lr::StepChunks chunks{};
+    const bool wind_changes = !field && !std::equal(uniform.wind, uniform.wind + 3, uniform.before);
+    if (h != roots.h) {
+        const double sqrt_h = std::sqrt(h);
+        roots = {h, static_cast<float>(sqrt_h), static_cast<float>(1.0 / sqrt_h)};
+    }
+    uint32_t item_count = 0;
+    uint64_t blocks = 0;
     bool unfit = false;
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
-        if (!batch) continue;
-        batch->first_chunk = chunks.count;
-        chunks.count += lr::chunk_count(*batch);
+        if (!batch || batch->count() == 0) continue;
+        items[item_count++] = {batch, lr::pack(lr::BatchHandle{i, batches[i].generation}), blocks};
+        blocks += batch->padded_count() / lr::lane_block;
         lr::StepInput& in = batch->step;
         in.seed = seed;
         in.first_substep = substep_count;
         in.substeps = substeps;
         in.h = static_cast<float>(h);
-        in.sqrt_h = static_cast<float>(std::sqrt(h));
-        in.inverse_sqrt_h = static_cast<float>(1.0 / std::sqrt(h));
+        in.sqrt_h = roots.sqrt;
+        in.inverse_sqrt_h = roots.inverse_sqrt;
         std::copy(gravity, gravity + 3, in.gravity);
-        in.external = batch->external.input();
+        batch->external.fill(in.external);
         in.water = surface.present() ? batch->water_body(surface.desc(), unfit) : nullptr;
         std::copy(uniform.before, uniform.before + 3, in.wind_begin);
         std::copy(uniform.wind, uniform.wind + 3, in.wind);
-        in.wind_changes = !field && !std::equal(uniform.wind, uniform.wind + 3, uniform.before);
-        if (!in.wind_changes) continue;
+        in.wind_changes = wind_changes;
+        if (!wind_changes) continue;
         // In a fluid that accelerates as a whole, bodies move as if gravity were less by it. Above the limit, which only
         // steps of microseconds reach, the product with the step could overflow.
         for (size_t k = 0; k < 3; ++k)
             in.gravity[k] -= std::clamp((uniform.wind[k] - uniform.before[k]) / dt, -1e9f, 1e9f);
     }
-    chunks.world = this;
+    // In a field the workers are called for each slice of the step.
+    const uint32_t at_a_time = field ? std::min(substeps, lr::WindField::slice) : substeps;
+    lr::StepChunks chunks(*this, items.data(), item_count, blocks, at_a_time, crew.helpers());
     if (surface.present()) chunks.surface = &at_surface;
     if (field)
-        step_through_field({time, h, substeps}, chunks);
+        step_through_field({time, h, substeps}, chunks, mode);
     else
-        pool.run(chunks.count, &lr::StepChunks::run, &chunks);
+        crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
     wind.end_step(dt);
     if (unfit)
         log(LR_LOG_WARNING, "surface", "a batch's mass matrix is singular in its fluid, which is not there for it");
-    if (surface.take_blame())
+    if (surface.present() && surface.take_blame())
         log(LR_LOG_WARNING, "surface callback", "a value was no surface's, and the plane was taken instead");
     substep_count += substeps;
     time += static_cast<double>(dt);
@@ -173,13 +184,13 @@ void lr_world::step(float dt, uint32_t substeps) {
     }
 }
 
-void lr_world::step_through_field(const lr::StepTime& t, lr::StepChunks& chunks) {
+void lr_world::step_through_field(const lr::StepTime& t, lr::StepChunks& chunks, const lr::FloatMode& mode) {
     lr::FieldSlice slice{target, &wind, t, 0, 0, chunks.surface};
     chunks.slice = &slice;
     for (; slice.first < t.substeps; slice.first += slice.count) {
         slice.count = std::min(lr::WindField::slice, t.substeps - slice.first);
         wind.prepare(t, slice.first, slice.count, seed);
-        pool.run(chunks.count, &lr::StepChunks::run, &chunks);
+        crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
     }
     chunks.slice = nullptr;
     if (wind.take_blame())

@@ -6,13 +6,10 @@
 #include "langevin_rigid.h"
 #include "world/allocator.h"
 #include "world/batch.h"
-#include "world/worker_pool.h"
+#include "world/crew.h"
+#include "world/step_chunks.h"
 
 #include <cstdint>
-
-namespace lr {
-struct StepChunks;
-}
 
 struct lr_world {
     // Null after an error. The desc has been checked.
@@ -29,14 +26,15 @@ struct lr_world {
 
     uint32_t take_key(); // that tells the next body from all others
 
-    void step(float dt, uint32_t substeps);
+    // mode: what the caller's floating-point mode is kept in.
+    void step(float dt, uint32_t substeps, const lr::FloatMode& mode);
     void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
 
     void log(int32_t level, const char* function, const char* message) const;
 
+    lr::Crew crew; // first: it is aligned to cache lines
     mutable lr::Allocator allocator;
-    lr::WorkerPool pool;
     const lr::KernelTarget* target = nullptr;
     uint64_t seed = 0;
     float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2
@@ -54,13 +52,21 @@ struct lr_world {
         uint32_t body_generation; // that bodies of the next batch begin with
     };
     lr::Buffer<BatchSlot> batches;
-    uint32_t batch_slots = 0; // used part of `batches`
+    uint32_t batch_slots = 0;       // used part of `batches`
+    lr::Buffer<lr::StepItem> items; // room for as many, for the length of a step
 
     lr_log_fn log_callback = nullptr;
     void* log_user = nullptr;
 
 private:
-    void step_through_field(const lr::StepTime& time, lr::StepChunks& chunks);
+    // Of the last substep's length: a few per cent of the step of one body.
+    struct Roots {
+        double h;
+        float sqrt, inverse_sqrt;
+    };
+    Roots roots{0.0, 0.0f, 0.0f};
+
+    void step_through_field(const lr::StepTime& time, lr::StepChunks& chunks, const lr::FloatMode& mode);
     explicit lr_world(const lr::Allocator& from) : allocator(from) {}
     ~lr_world();
     bool grow_batches();

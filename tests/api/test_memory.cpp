@@ -231,3 +231,28 @@ TEST_CASE("operator new fails anywhere inside the library: a status, and nothing
         CHECK(failures > 0);
     }
 }
+
+TEST_CASE("a body takes 84 bytes with LANGEVIN loads, 64 of them its state, and 96 with AERODYNAMIC ones") {
+    const Asset asset = leaf();
+    const auto bytes_a_body = [&](int32_t loads) {
+        constexpr uint32_t small = 16000, large = 160000;
+        uint64_t bytes[2] = {};
+        for (uint32_t capacity : {small, large}) {
+            const World world = make(world_desc());
+            lr_batch_desc d = batch_desc();
+            d.load_model = loads;
+            const lr_batch batch = add_batch(world, d, asset, capacity);
+            bytes[capacity == large] = info_of(world).memory_bytes;
+            // Nor more when it is full and has been stepped.
+            const std::vector<lr_body_desc> bodies(capacity, body_desc());
+            REQUIRE(lr_body_create(world.get(), batch, bodies.data(), capacity, nullptr) == LR_OK);
+            steps(world, 1, 0.01f);
+            CHECK(info_of(world).memory_bytes == bytes[capacity == large]);
+        }
+        REQUIRE((bytes[1] - bytes[0]) % (large - small) == 0);
+        return (bytes[1] - bytes[0]) / (large - small);
+    };
+    CHECK(bytes_a_body(LR_LOADS_NONE) == 84);
+    CHECK(bytes_a_body(LR_LOADS_LANGEVIN) == 84);
+    CHECK(bytes_a_body(LR_LOADS_AERODYNAMIC) == 96);
+}

@@ -92,7 +92,7 @@ TEST_CASE("initial values are those of the header") {
     const lr_world_desc w = world_desc();
     CHECK((w.gravity[0] == 0.0f && w.gravity[1] == -9.81f && w.gravity[2] == 0.0f));
     CHECK((w.worker_count == 0 && w.seed == 0 && w.fluid_density == 0.0f && w.simd_target == LR_SIMD_AUTO));
-    CHECK((!w.allocator.allocate && !w.allocator.release && !w.log));
+    CHECK((!w.allocator.allocate && !w.allocator.release && !w.log && !w.jobs.enqueue && !w.jobs.finish));
     const lr_batch_desc b = batch_desc();
     CHECK((b.load_model == LR_LOADS_DEFAULT && b.clock == LR_CLOCK_SPEED && b.table_end == LR_TABLE_CLAMP &&
            b.integrator == LR_INTEGRATOR_DEFAULT && b.tensor == LR_TENSOR_AUTO));
@@ -235,4 +235,33 @@ TEST_CASE("the struct_size of an array of body descs is its stride") {
     descs[2].tail[5] = 1;
     CHECK(lr_body_create(world.get(), batch, &descs[0].value, 3, ids) == LR_ERROR_STRUCT_SIZE);
     CHECK(info_of(world).body_count == 3);
+}
+
+// A program that was built before there were job systems.
+TEST_CASE("the first released size of a world's desc is taken, and nothing behind it is read or written") {
+    constexpr uint32_t first = offsetof(lr_world_desc, jobs);
+    lr_world_desc d;
+    std::memset(static_cast<void*>(&d), 0x5a, sizeof d);
+    const lr_world_desc garbage = d;
+    for (uint32_t size = first + 1; size < sizeof d; ++size)
+        CHECK(lr_world_desc_init(&d, size) == LR_ERROR_STRUCT_SIZE);
+    CHECK(lr_world_desc_init(&d, first - 1) == LR_ERROR_STRUCT_SIZE);
+    REQUIRE(lr_world_desc_init(&d, first) == LR_OK);
+    CHECK(std::memcmp(&d.jobs, &garbage.jobs, sizeof d.jobs) == 0);
+    d.worker_count = 1;
+    lr_world* raw = nullptr;
+    REQUIRE(lr_world_create(&d, &raw) == LR_OK);
+    const World world(raw);
+    CHECK(info_of(world).worker_count == 1);
+    const Asset asset = leaf();
+    const lr_batch batch = add_batch(world, asset, 8000);
+    const std::vector<lr_body_desc> bodies(8000, body_desc());
+    REQUIRE(lr_body_create(raw, batch, bodies.data(), 8000, nullptr) == LR_OK);
+    steps(world, 2, 0.01f, 4); // by its own thread: what lies behind the struct is no callback
+    for (uint32_t size : {first - 1, first + 1, first + 8, first + 16}) {
+        lr_world_desc cut = world_desc();
+        cut.struct_size = size;
+        CHECK(lr_world_create(&cut, &raw) == LR_ERROR_STRUCT_SIZE);
+        CHECK(raw == nullptr);
+    }
 }

@@ -24,7 +24,7 @@ constexpr float frame_dt = 1.0f / 60.0f; // not computed in the mode under test
 // A scene in which only the steps run in another mode.
 template <class Change> uint64_t stepped_in(Change&& change, uint32_t workers) {
     PlayedScene scene = played_scenes()[0];
-    scene.bodies = 1500; // several chunks, also for the workers
+    scene.bodies = 4000; // several chunks, also for the workers
     Play play(scene, {.workers = workers});
     for (int frame = 0; frame < 10; ++frame) {
         lr_status status = LR_OK;

@@ -80,6 +80,7 @@ struct Circumstances {
     uint32_t workers = 0;
     bool permuted = false;         // bodies lie in another order
     bool through_snapshot = false; // half-way into a new world
+    lr_job_system jobs{};
 };
 
 class Play {
@@ -123,6 +124,7 @@ private:
         wd.seed = 0x1234567890abcdefull;
         wd.simd_target = how_.simd;
         wd.worker_count = how_.workers;
+        wd.jobs = how_.jobs;
         world = make(wd);
         for (size_t b = 0; b < 2; ++b) {
             lr_batch_desc bd = batch_desc();

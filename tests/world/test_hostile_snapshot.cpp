@@ -99,15 +99,44 @@ TEST_CASE("a snapshot that was changed and sealed is refused, or restores a worl
     CHECK(refused > 100);
 }
 
-// Two bodies must never share a slot: an id would name both. The ring of free slots is the last thing before the table.
-TEST_CASE("a free slot listed twice is refused") {
+// Two bodies must never share a slot: an id would name both; and none may be lost.
+TEST_CASE("a queue of free slots that is not one of all of them is refused") {
     const Scene scene;
-    std::vector<unsigned char> bytes = snapshot_of(scene.world);
-    // One table sample, padded to 8 bytes, twice; before it 12 words of ring, of which the head is at 7.
-    unsigned char* const ring = bytes.data() + bytes.size() - 16 - 4 * 12;
-    std::memcpy(ring + 4 * 8, ring + 4 * 7, 4);
-    seal(bytes);
-    CHECK(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) == LR_ERROR_SNAPSHOT_FORMAT);
+    const std::vector<unsigned char> good = snapshot_of(scene.world);
+    // One table sample, padded to 8 bytes, twice; before it 12 generations, and before those what each slot holds: free
+    // are 7, 8, 9, 10, 11, 2, in this order.
+    const size_t slots = good.size() - 16 - 4 * 12 - 4 * 12;
+    const auto next_of = [&](const std::vector<unsigned char>& bytes, size_t slot) {
+        uint32_t word = 0;
+        std::memcpy(&word, bytes.data() + slots + 4 * slot, 4);
+        return word;
+    };
+    constexpr uint32_t free_bit = 1u << 31;
+    REQUIRE(next_of(good, 7) == (free_bit | 8));
+    REQUIRE(next_of(good, 11) == (free_bit | 2));
+    const struct {
+        size_t slot;
+        uint32_t next;
+    } forgeries[] = {
+        {8, 7},                      // comes back
+        {8, 8},                      // stays
+        {7, 9},                      // leaves one out
+        {9, 2},                      // comes to the last too early
+        {11, 3},                     // goes on to a slot with a body
+        {10, 12}, {10, 0x7fffffffu}, // goes outside
+    };
+    for (const auto& forged : forgeries) {
+        CAPTURE(forged.slot);
+        CAPTURE(forged.next);
+        std::vector<unsigned char> bytes = good;
+        const uint32_t word = free_bit | forged.next;
+        std::memcpy(bytes.data() + slots + 4 * forged.slot, &word, 4);
+        seal(bytes);
+        CHECK(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) == LR_ERROR_SNAPSHOT_FORMAT);
+    }
+    std::vector<unsigned char> same = good;
+    seal(same);
+    CHECK(lr_world_snapshot_restore(scene.world.get(), same.data(), same.size()) == LR_OK);
 }
 
 // The next batch in its place would begin with generation 0, and with a body whose id is 0.

@@ -1,0 +1,67 @@
+#include "world/step_chunks.h"
+
+#include "field/field_step.h"
+#include "world/lifecycle.h"
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace lr {
+namespace {
+
+constexpr uint64_t cut_blocks = cut_bodies / lane_block;
+constexpr uint64_t chunks_a_thread = 8; // so that none waits long for the last
+constexpr uint64_t most_chunks = 1u << 24;
+
+} // namespace
+
+StepChunks::StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks,
+                       uint32_t substeps, uint32_t helpers)
+    : world_(&world), items_(items), item_count_(item_count), blocks_(lane_blocks) {
+    const uint64_t work = lane_blocks * lane_block * substeps;
+    helpers_ = static_cast<uint32_t>(std::min<uint64_t>(helpers, work / helper_work));
+    if (helpers_ == 0) {
+        chunk_ = std::max<uint64_t>(lane_blocks, 1);
+        return;
+    }
+    const uint64_t even = lane_blocks / (chunks_a_thread * (helpers_ + 1)) / cut_blocks * cut_blocks;
+    const uint32_t most_bodies = std::clamp(most_chunk_work / substeps, cut_bodies, most_chunk_bodies);
+    chunk_ = std::max(std::clamp(even, cut_blocks, most_bodies / lane_block / cut_blocks * cut_blocks),
+                      lane_blocks / most_chunks);
+}
+
+void StepChunks::run(void* context, uint32_t chunk) {
+    const StepChunks& c = *static_cast<const StepChunks*>(context);
+    const uint64_t from = chunk * c.chunk_, to = std::min(from + c.chunk_, c.blocks_);
+    // The last batch that begins at `from` or before.
+    const StepItem* const end = c.items_ + c.item_count_;
+    const StepItem* item =
+        c.item_count_ == 1
+            ? c.items_
+            : std::upper_bound(c.items_, end, from, [](uint64_t at, const StepItem& i) { return at < i.begin; }) - 1;
+    const auto cut = [](uint64_t blocks) { return static_cast<uint32_t>(blocks / cut_blocks * cut_bodies); };
+    for (; item != end && item->begin < to; ++item) {
+        const uint32_t lanes = item->batch->padded_count();
+        const uint32_t first = from <= item->begin ? 0 : cut(from - item->begin);
+        const uint32_t last = to - item->begin >= lanes / lane_block ? lanes : cut(to - item->begin);
+        if (first < last) c.step(*item, first, last);
+    }
+}
+
+void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const {
+    Batch& batch = *item.batch;
+    const BatchArrays& arrays = batch.arrays();
+    bool last = true;
+    if (slice) {
+        step_in_field(*slice, batch.step, arrays, item.handle, batch.count(), begin, end);
+        last = slice->first + slice->count == slice->time.substeps;
+    } else if (surface && batch.step.water) {
+        step_at_surface(*surface, batch.step, arrays, item.handle, batch.count(), begin, end);
+    } else {
+        world_->target->step(batch.step, arrays, begin, end);
+    }
+    // While the bodies are still in the cache.
+    if (last && batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, arrays, begin, end);
+}
+
+} // namespace lr
