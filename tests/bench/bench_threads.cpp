@@ -2,7 +2,7 @@
 // are body-substeps; `hash` has to be the same for any number of workers. Two runs of a world have to have as many steps to
 // be compared:
 //     bench_threads --benchmark_counters_tabular=true
-#include "langevin_rigid.h"
+#include "bench/leaf_asset.h"
 
 #include <benchmark/benchmark.h>
 
@@ -48,15 +48,12 @@ struct Scene {
     lr_world* world = nullptr;
 
     bool make(uint32_t batches, uint32_t bodies, uint32_t workers, int32_t loads) {
-        lr_ellipsoid_desc shape;
-        lr_ellipsoid_desc_init(&shape, sizeof shape);
-        shape.semi_axes[0] = 0.04, shape.semi_axes[1] = 0.01, shape.semi_axes[2] = 0.00005;
-        shape.density = 800.0;
         lr_world_desc wd;
         lr_world_desc_init(&wd, sizeof wd);
         wd.worker_count = workers;
         pin(false);
-        const bool made = lr_asset_create_ellipsoid(&shape, &asset) == LR_OK && lr_world_create(&wd, &world) == LR_OK;
+        asset = bench::leaf_asset();
+        const bool made = asset && lr_world_create(&wd, &world) == LR_OK;
         pin(true);
         if (!made) return false;
         lr_batch_desc bd;

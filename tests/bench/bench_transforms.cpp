@@ -2,7 +2,7 @@
 // other, medians of turns that alternate, so that other work on the machine meets both. With 64-byte elements a body's
 // 32 bytes are read and 64 written, of which memcpy reads 64.
 //     bench_transforms --benchmark_min_time=0.001 --benchmark_counters_tabular=true
-#include "langevin_rigid.h"
+#include "bench/leaf_asset.h"
 
 #include <benchmark/benchmark.h>
 
@@ -34,19 +34,14 @@ void transforms(benchmark::State& state) {
     const auto bodies = static_cast<uint32_t>(state.range(0));
     const auto format = static_cast<int32_t>(state.range(1));
     const uint64_t size = sizes[format], stride = size + static_cast<uint64_t>(state.range(2));
-    lr_ellipsoid_desc shape;
-    lr_ellipsoid_desc_init(&shape, sizeof shape);
-    shape.semi_axes[0] = 0.04, shape.semi_axes[1] = 0.01, shape.semi_axes[2] = 0.00005;
-    shape.density = 800.0;
     lr_world_desc wd;
     lr_world_desc_init(&wd, sizeof wd);
     lr_batch_desc bd;
     lr_batch_desc_init(&bd, sizeof bd);
-    lr_asset* asset = nullptr;
+    lr_asset* const asset = bench::leaf_asset();
     lr_world* world = nullptr;
     lr_batch batch = 0;
-    if (lr_asset_create_ellipsoid(&shape, &asset) != LR_OK || lr_world_create(&wd, &world) != LR_OK)
-        return state.SkipWithError("world");
+    if (!asset || lr_world_create(&wd, &world) != LR_OK) return state.SkipWithError("world");
     bd.asset = asset;
     bd.capacity = bodies;
     lr_emitter_desc e;
