@@ -9,8 +9,13 @@
 
 namespace lr {
 
-// Bodies in a chunk: 64 KiB of state, well inside a second-level cache, and tens of microseconds of work.
-inline constexpr uint32_t chunk_bodies = 1024;
+// Bodies in a chunk: 64 KiB of state, well inside a second-level cache, and tens of microseconds of work. Tests build it
+// with other lengths (-DLR_CHUNK_BODIES): motion must not depend on it.
+#if !defined(LR_CHUNK_BODIES)
+#define LR_CHUNK_BODIES 1024
+#endif
+inline constexpr uint32_t chunk_bodies = LR_CHUNK_BODIES;
+static_assert(chunk_bodies > 0 && chunk_bodies % lane_block == 0);
 
 inline uint32_t chunk_count(const Batch& batch) {
     return (batch.padded_count() + chunk_bodies - 1) / chunk_bodies;
