@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test]      build: library, baker, samples; test: that and what only tests use
+#   scripts/setup.sh [build|test] [arm64]   build: library, baker, samples; test: that and what only tests use;
+#                                           arm64: also a cross compiler and an emulator of 64-bit ARM
 set -euo pipefail
 
 packages=(
@@ -14,6 +15,9 @@ packages=(
 )
 if [ "${1:-build}" = test ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
+fi
+if [[ " $* " == *" arm64 "* ]]; then
+    packages+=(g++-aarch64-linux-gnu qemu-user-static)
 fi
 
 missing=()
