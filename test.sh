@@ -13,7 +13,7 @@ configure() { # directory, arguments
 }
 
 step "Set-up"
-scripts/setup.sh test
+scripts/setup.sh test ${CI:+arm64}
 
 step "Formatting"
 find include src samples tests \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) -print0 |
@@ -48,6 +48,14 @@ python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples
 python3 tests/samples/check_paper_figures.py build/samples/paper_figures "$prefix/bin/lr_bake" . build/samples
 
 if [ "${1:-}" != --quick ]; then
+    step "Determinism: the same bits from clang, and on 64-bit ARM"
+    scripts/check_determinism.sh clang-O2
+    if command -v aarch64-linux-gnu-g++ >/dev/null && command -v qemu-aarch64-static >/dev/null; then
+        scripts/check_determinism.sh arm64
+    else
+        echo "SKIPPED: 64-bit ARM, for want of a cross compiler and qemu: scripts/setup.sh test arm64"
+    fi
+
     step "AddressSanitizer and UndefinedBehaviorSanitizer"
     configure build/asan --preset asan
     cmake --build build/asan
@@ -62,7 +70,7 @@ if [ "${1:-}" != --quick ]; then
 
     step "Fuzzers: the loader 20 s, the baker's readers and checks of meshes and cards 60 s each"
     configure build/fuzz --preset fuzz
-    cmake --build build/fuzz
+    cmake --build build/fuzz --target fuzz_asset fuzz_mesh fuzz_card
     declare -A running
     for run in asset:20 mesh:60 card:60; do
         target=${run%:*}

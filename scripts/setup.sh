@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test|battery]   build: library, baker, samples; test: that and what only tests use;
-#                                           battery: build and what scripts/noise_battery.sh runs
+#   scripts/setup.sh [build|test|battery] [arm64]   build: library, baker, samples; test: that and what only tests use;
+#                                                   battery: build and what scripts/noise_battery.sh runs;
+#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM
 set -euo pipefail
 
 packages=(
@@ -18,6 +19,9 @@ if [ "${1:-build}" = test ]; then
 fi
 if [ "${1:-build}" = battery ]; then
     packages+=(dieharder)
+fi
+if [[ " $* " == *" arm64 "* ]]; then
+    packages+=(g++-aarch64-linux-gnu qemu-user-static)
 fi
 
 missing=()

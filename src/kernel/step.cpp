@@ -158,7 +158,7 @@ const KernelTarget* built_targets(size_t& count) {
 }
 
 const KernelTarget* find_target(int32_t simd) {
-    const int64_t supported = hwy::SupportedTargets();
+    const int64_t supported = HWY_SUPPORTED_TARGETS; // needs Highway's library only where there is a choice
     size_t count = 0;
     const KernelTarget* const targets = built_targets(count);
     for (size_t i = 0; i < count; ++i) {

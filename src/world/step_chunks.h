@@ -13,12 +13,17 @@ namespace lr {
 class Batch;
 struct FieldSlice;
 struct SurfaceStep;
+// Tests build it with other lengths (-DLR_CHUNK_BODIES): motion must not depend on it.
+#if !defined(LR_CHUNK_BODIES)
+#define LR_CHUNK_BODIES 1024
+#endif
+static_assert(LR_CHUNK_BODIES > 0 && LR_CHUNK_BODIES % lane_block == 0);
 
 // Batches are cut at multiples of this only. Rules note where bodies have ended by such cuts, each written by one thread.
-inline constexpr uint32_t cut_bodies = 256;
+inline constexpr uint32_t cut_bodies = LR_CHUNK_BODIES < 256 ? LR_CHUNK_BODIES : 256;
 // Of a chunk in a large world. Shorter ones cost nothing down to a cut, but longer ones would make the caller wait for the
 // last of them, the more so if its thread is not alone on its core.
-inline constexpr uint32_t most_chunk_bodies = 1024;
+inline constexpr uint32_t most_chunk_bodies = LR_CHUNK_BODIES;
 inline constexpr uint32_t most_chunk_work = 8192; // body-substeps
 // Body-substeps for which another thread is called: tens of microseconds, when waking it takes up to ten.
 inline constexpr uint64_t helper_work = 4096;

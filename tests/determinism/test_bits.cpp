@@ -17,6 +17,16 @@ TEST_CASE("every scene ends in the same bits on every instruction set") {
     }
 }
 
+TEST_CASE("every instruction set is named") {
+    std::string names;
+    for (int32_t target : simd_targets()) {
+        CHECK(std::string(lr_simd_target_name(target)) != "unknown");
+        names += std::string(names.empty() ? "" : ", ") + lr_simd_target_name(target);
+    }
+    MESSAGE("instruction sets: " << names); // scripts/check_determinism.sh reports them
+    CHECK(!names.empty());
+}
+
 TEST_CASE("every scene ends in the same bits with any number of workers") {
     for (const PlayedScene& scene : played_scenes()) {
         CAPTURE(std::string(scene.name));

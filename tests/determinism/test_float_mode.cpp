@@ -106,6 +106,38 @@ TEST_CASE("flushed denormals and unmasked traps of the caller change no bit eith
 }
 #endif
 
+#if defined(__aarch64__)
+namespace {
+
+constexpr uint64_t flush_to_zero = 1u << 24, upward = 1u << 22;
+
+uint64_t control_word() {
+    uint64_t word = 0;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(word));
+    return word;
+}
+void set_control_word(uint64_t word) {
+    __asm__ volatile("msr fpcr, %0" : : "r"(word));
+}
+
+} // namespace
+
+TEST_CASE("flushed denormals of the caller change no bit either") {
+    const uint64_t expected = stepped_in([] {}, 0);
+    for (uint32_t workers : {0u, 2u})
+        CHECK(stepped_in([] { set_control_word(control_word() | flush_to_zero); }, workers) == expected);
+
+    const World world = make(world_desc());
+    const uint64_t saved = control_word();
+    set_control_word(saved | flush_to_zero | upward);
+    const lr_status status = lr_world_step(world.get(), 0.01f, 2);
+    const uint64_t after = control_word();
+    set_control_word(saved);
+    CHECK(status == LR_OK);
+    CHECK(after == (saved | flush_to_zero | upward));
+}
+#endif
+
 TEST_CASE("wind is made, sampled, updated and restored alike in any rounding mode of the caller") {
     const std::vector<float> samples = grid_samples();
     const std::vector<lr_wind_source_desc> sources = one_of_each(samples);

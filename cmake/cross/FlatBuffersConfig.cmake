@@ -1,0 +1,5 @@
+# Headers, and the compiler of the machine that builds.
+find_program(LR_FLATC flatc REQUIRED)
+add_library(flatbuffers::flatbuffers INTERFACE IMPORTED)
+add_executable(flatbuffers::flatc IMPORTED)
+set_target_properties(flatbuffers::flatc PROPERTIES IMPORTED_LOCATION "${LR_FLATC}")

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# The runtime built by several compilers, at several levels of optimisation, for several instruction sets and cut into other
+# chunks: all must move bodies to the very hashes in tests/determinism/golden.txt. docs/determinism.md has the results.
+#   scripts/check_determinism.sh             GCC and clang at -O1, -O2 and -O3: about ten minutes on two cores
+#   scripts/check_determinism.sh clang-O2    the builds that are named
+#   scripts/check_determinism.sh arm64       64-bit ARM, run by qemu (scripts/setup.sh arm64)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# Name, -O, chunk (0: the library's own), instruction sets left out. The emulated one is in each but ARM's; with GCC 12 it
+# has one lane, with clang four. Between them the six have every other twice.
+builds=(
+    "gcc-O1   1 64   HWY_SSE4;HWY_AVX3"
+    "gcc-O2   2 256  HWY_SSSE3;HWY_AVX2"
+    "gcc-O3   3 4096 HWY_SSSE3;HWY_AVX3"
+    "clang-O1 1 256  HWY_SSSE3;HWY_AVX2"
+    "clang-O2 2 64   HWY_SSSE3;HWY_SSE4;HWY_AVX2"
+    "clang-O3 3 4096 HWY_SSE4;HWY_AVX3"
+    "arm64    2 64   HWY_SVE;HWY_SVE2;HWY_SVE_256;HWY_SVE2_128"
+)
+wanted=("$@")
+[ ${#wanted[@]} -gt 0 ] || wanted=(gcc-O1 gcc-O2 gcc-O3 clang-O1 clang-O2 clang-O3)
+
+find_program() { # candidates
+    local candidate
+    for candidate; do command -v "$candidate" && return; done
+    echo "none of these is installed: $*" >&2
+    return 1
+}
+# Names of the instruction sets that the build has, as the library gives them.
+targets() { # directory, emulator
+    "${@:2}" "$1/tests/tests_determinism" --test-case="every instruction set is named" --success |
+        sed -n 's/.*instruction sets: //p'
+}
+
+failed=()
+for name in "${wanted[@]}"; do
+    entry=
+    for candidate in "${builds[@]}"; do [ "${candidate%% *}" != "$name" ] || entry=$candidate; done
+    [ -n "$entry" ] || { echo "no such build: $name" >&2; exit 2; }
+    read -r name level chunk disabled <<<"$entry"
+    dir=build/determinism/$name
+    emulator=()
+    case $name in
+    gcc-*) compilers=(-DCMAKE_C_COMPILER="$(find_program gcc)" -DCMAKE_CXX_COMPILER="$(find_program g++)") ;;
+    clang-*) compilers=(-DCMAKE_C_COMPILER="$(find_program clang-14 clang)" -DCMAKE_CXX_COMPILER="$(find_program clang++-14 clang++)") ;;
+    arm64)
+        compilers=(-DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64-linux-gnu.cmake")
+        emulator=(timeout 600 qemu-aarch64-static -L /usr/aarch64-linux-gnu)
+        ;;
+    esac
+    mkdir -p "$dir"
+    start=$SECONDS
+    cmake -S . -B "$dir" -G Ninja "${compilers[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_C_FLAGS_RELEASE=-O$level -DNDEBUG" \
+        "-DCMAKE_CXX_FLAGS_RELEASE=-O$level -DNDEBUG" -DLR_BUILD_BAKER=OFF -DLR_CHUNK_BODIES="$chunk" \
+        "-DLR_DISABLED_TARGETS=$disabled" >"$dir/configure.log" 2>&1 || { cat "$dir/configure.log"; exit 1; }
+    cmake --build "$dir" --target tests_determinism >"$dir/build.log" 2>&1 || { tail -n 60 "$dir/build.log"; exit 1; }
+    # An emulator is slow: all scenes once, and what is the processor's own.
+    cases=()
+    [ ${#emulator[@]} -eq 0 ] || cases=(--test-case="held hashes,every instruction set is named,*rounding*,*flushed*,*sees*")
+    built=$((SECONDS - start))
+    result=equal
+    "${emulator[@]}" "$dir/tests/tests_determinism" "${cases[@]}" >"$dir/tests.log" 2>&1 || { result=DIFFERENT; failed+=("$name"); }
+    printf '%-9s %-9s chunks of %-5s built in %3d s, run in %3d s: %s\n' "$name" "$result" "$chunk" "$built" \
+        $((SECONDS - start - built)) "$(targets "$dir" "${emulator[@]}")"
+    [ "$result" = equal ] || grep -E -A3 'ERROR|scene' "$dir/tests.log" | head -n 40
+done
+[ ${#failed[@]} -eq 0 ] || { echo "not the held hashes: ${failed[*]}" >&2; exit 1; }
