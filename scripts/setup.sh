@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test]      build: library, baker, samples; test: that and what only tests use
+#   scripts/setup.sh [build|test|bench]   build: library, baker, samples; test: that and what only tests use;
+#                                         bench: that and what lr_bench and docs/performance.md are made with
 set -euo pipefail
 
 packages=(
@@ -12,8 +13,13 @@ packages=(
     libcli11-dev nlohmann-json3-dev              # command lines, reports
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
 )
-if [ "${1:-build}" = test ]; then
+group=${1:-build}
+if [ "$group" = test ] || [ "$group" = bench ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
+fi
+if [ "$group" = bench ]; then
+    packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers, each optional
+    packages+=(valgrind python3-matplotlib)              # instructions; the plot
 fi
 
 missing=()
