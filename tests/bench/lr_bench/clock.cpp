@@ -13,7 +13,10 @@ public:
 #elif defined(__aarch64__)
             asm volatile(".rept 16\n\tadd %0, %0, #1\n\t.endr" : "+r"(x));
 #else
-#error "no chain of additions for this processor"
+            for (int k = 0; k < 16; ++k) {
+                ++x;
+                asm volatile("" : "+r"(x));
+            }
 #endif
         }
         chain_ = x;

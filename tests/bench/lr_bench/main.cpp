@@ -12,6 +12,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -147,6 +148,7 @@ int main(int argc, char** argv) {
         Schedule schedule;
         constexpr double usual[] = {40.0, 200.0, 3600.0};
         schedule.budget = seconds > 0.0 ? seconds : usual[static_cast<int>(selection)];
+        schedule.burst = std::min(schedule.burst, schedule.budget / 2000.0);
         return write_csv(csv, selection, schedule);
     }
     if (one || trace) {

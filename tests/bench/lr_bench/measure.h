@@ -25,7 +25,7 @@ struct Measured {
 struct Schedule {
     double budget = 100.0; // s for all groups
     double burst = 0.002;  // s, at least one step
-    unsigned least_rounds = 5, most_rounds = 200;
+    unsigned least_rounds = 3, most_rounds = 200;
 };
 
 // Says on stderr which rows cannot run here. `share` is the part of the budget that this group has.

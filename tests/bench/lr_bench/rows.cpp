@@ -52,6 +52,7 @@ public:
         for (const uint32_t substeps : {1u, 4u})
             for (const char* const target : {"native", "x86-64-v3"})
                 add({"sketch", "langevin-speed", "rk4", "diagonal", target, 0, bodies, substeps});
+        if (bodies >= 1000) add({"sketch", "langevin-speed", "rk4", "diagonal", "native-no-fma", 0, bodies, 4});
     }
     std::vector<Row> take() { return std::move(rows_); }
 

@@ -1,6 +1,7 @@
 // What is timed: ours through the C API, the baseline, or a peer. One row of the table each.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -29,6 +30,13 @@ struct Facts {
     bool hashed = false;
     uint64_t hash = 0;
 };
+
+// Of subjects that are nothing but an array of bodies.
+inline Facts array_facts(size_t bytes_per_body) {
+    Facts f;
+    f.memory_bytes = f.state_bytes = static_cast<double>(bytes_per_body);
+    return f;
+}
 
 class Subject {
 public:

@@ -24,12 +24,12 @@ struct Range {
     uint64_t base = 0, end = 0; // base: where address 0 of the file lies
 };
 
-// Of the shared library in this process; a forked child has the same.
-Range find_library() {
+// Of a file in this process; a forked child has the same.
+Range find_mapped(const char* name) {
     std::ifstream maps("/proc/self/maps");
     Range range;
     for (std::string line; std::getline(maps, line);) {
-        if (line.find("liblangevin_rigid.so") == std::string::npos) continue;
+        if (line.find(name) == std::string::npos) continue;
         uint64_t begin = 0, end = 0;
         char dash = 0;
         std::istringstream(line) >> std::hex >> begin >> dash >> end;
@@ -56,7 +56,7 @@ int write_trace(const Row& row, const char* path) {
         std::fprintf(stderr, "lr_bench: %s: %s\n", why_not.c_str(), row.name().c_str());
         return 1;
     }
-    const Range library = find_library();
+    const Range code = find_mapped(row.ours() ? "/liblangevin_rigid.so" : "/lr_bench");
     const pid_t child = fork();
     if (child == 0) run_child(*subject);
     int status = 0;
@@ -70,7 +70,7 @@ int write_trace(const Row& row, const char* path) {
         if (ended) break;
         user_regs_struct registers;
         if (ptrace(PTRACE_GETREGS, child, nullptr, &registers) != 0) break;
-        if (registers.rip >= library.base && registers.rip < library.end) ++counts[registers.rip - library.base];
+        if (registers.rip >= code.base && registers.rip < code.end) ++counts[registers.rip - code.base];
         if (ptrace(PTRACE_SINGLESTEP, child, nullptr, nullptr) != 0) break;
     }
     if (child > 0 && (WIFSTOPPED(status))) {

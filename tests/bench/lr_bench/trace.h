@@ -1,5 +1,5 @@
-// Which instructions of the library a step runs, and how often: one at a time under ptrace. Works for instruction sets that
-// emulators do not know.
+// Which instructions of the library, or of a peer in this program, a step runs, and how often: one at a time under ptrace.
+// Works for instruction sets that emulators do not know.
 #pragma once
 
 #include "lr_bench/subject.h"

@@ -65,11 +65,7 @@ public:
         for (const State& s : bodies_) count += !(s.x + s.v + s.w).allFinite();
         return count;
     }
-    Facts facts() const override {
-        Facts f;
-        f.memory_bytes = f.state_bytes = sizeof(State);
-        return f;
-    }
+    Facts facts() const override { return array_facts(sizeof(State)); }
 
 private:
     Vector3f gaussians() { return {normal_(generator_), normal_(generator_), normal_(generator_)}; }

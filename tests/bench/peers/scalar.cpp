@@ -106,11 +106,7 @@ public:
         for (const State& s : bodies_) count += !std::isfinite(s.x[0] + s.v[0] + s.w[0]);
         return count;
     }
-    Facts facts() const override {
-        Facts f;
-        f.memory_bytes = f.state_bytes = sizeof(State);
-        return f;
-    }
+    Facts facts() const override { return array_facts(sizeof(State)); }
 
 private:
     static void normalise(float* q) {

@@ -45,11 +45,7 @@ public:
         first_ += static_cast<uint32_t>(substeps_);
         return true;
     }
-    Facts facts() const override {
-        Facts f;
-        f.memory_bytes = f.state_bytes = 13.0 * sizeof(float);
-        return f;
-    }
+    Facts facts() const override { return array_facts(13 * sizeof(float)); }
 
 private:
     SketchStep step_;
@@ -62,9 +58,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<Subject> make_sketch(const Row& row, std::string& why_not) {
+std::unique_ptr<Subject> make_sketch([[maybe_unused]] const Row& row, std::string& why_not) {
 #ifdef LR_BENCH_SKETCH_NATIVE
     if (row.target == "native") return std::make_unique<Sketch>(&sketch_step_native, row);
+    if (row.target == "native-no-fma") return std::make_unique<Sketch>(&sketch_step_native_no_fma, row);
 #endif
 #ifdef LR_BENCH_SKETCH_AVX2
     if (row.target == "x86-64-v3") {

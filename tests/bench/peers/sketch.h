@@ -18,6 +18,7 @@ struct SketchConstants {
 using SketchStep = void (*)(const SketchConstants& p, float* const* state, size_t count, int substeps, uint32_t first,
                             float h);
 void sketch_step_native(const SketchConstants&, float* const*, size_t, int, uint32_t, float);
+void sketch_step_native_no_fma(const SketchConstants&, float* const*, size_t, int, uint32_t, float);
 void sketch_step_avx2(const SketchConstants&, float* const*, size_t, int, uint32_t, float);
 
 } // namespace lr_bench

@@ -2,6 +2,8 @@
 // is that of the first sketch: it is what speed is compared with, and must not become faster or slower.
 #include "peers/sketch.h"
 
+// Whatever the library is built for: this has one target, that of its flags.
+#undef HWY_DISABLED_TARGETS
 #include <hwy/highway.h>
 
 namespace lr_bench {
@@ -20,6 +22,17 @@ constexpr DI di;
 HWY_INLINE F set(float x) {
     return hn::Set(d, x);
 }
+#ifdef LR_SKETCH_NO_FMA
+HWY_INLINE F mul_add(F a, F b, F c) {
+    return hn::Add(hn::Mul(a, b), c);
+}
+HWY_INLINE F neg_mul_add(F a, F b, F c) {
+    return hn::Sub(c, hn::Mul(a, b));
+}
+HWY_INLINE F mul_sub(F a, F b, F c) {
+    return hn::Sub(hn::Mul(a, b), c);
+}
+#else
 HWY_INLINE F mul_add(F a, F b, F c) {
     return hn::MulAdd(a, b, c);
 }
@@ -29,6 +42,7 @@ HWY_INLINE F neg_mul_add(F a, F b, F c) {
 HWY_INLINE F mul_sub(F a, F b, F c) {
     return hn::MulSub(a, b, c);
 }
+#endif
 HWY_INLINE F mul(F a, F b) {
     return hn::Mul(a, b);
 }
