@@ -104,6 +104,18 @@ def goals(rows, mix):
         rate = 1000.0 / wall(two)
         add("1,000,000 bodies x 4 substeps x 60 Hz on two threads: 240 million body-steps/s", 240, rate,
             f"{rate:.0f} million/s, best round {1000.0 / float(two['wall_ns_least']):.0f}", True)
+    for model, limit, handles in (("langevin-speed", 64, 20), ("aerodynamic", 96, 0)):
+        few, many = rows.find(model, bodies=100000), rows.find(model, bodies=1000000)
+        if few and many:
+            bytes_ = (float(many["memory_bytes_per_body"]) * 1e6 - float(few["memory_bytes_per_body"]) * 1e5) / 9e5 - handles
+            what = "of state a body, without the 20 of its handle" if handles else "a body in all"
+            add(f"At most {limit} bytes {what}, {MODELS[model]}", limit, round(bytes_, 1), f"{bytes_:.0f}")
+    for row in rows.all:
+        if row["subject"] == "transforms":
+            copy = next(r for r in rows.all if r["subject"] == "memcpy" and (r["path"], r["bodies"]) == (row["path"], row["bodies"]))
+            size = 16 * int(row["path"][0])
+            add(f"Transforms at 70 % of the speed of memcpy, {row['path']}, {int(row['bodies']):,} bodies", 0.7, cpu(copy) / cpu(row),
+                f"{100 * cpu(copy) / cpu(row):.0f} % ({number(size / cpu(row))} / {number(size / cpu(copy))} GB/s)", True)
     for share, name in bounds(rows, mix):
         if name[:2] == (MODELS["langevin-speed"], "diagonal"):
             add(f"At least 60 % of the bound by the pipes, LANGEVIN, {name[2]}", 0.6, share, f"{100 * share:.0f} %", True)
@@ -161,7 +173,7 @@ def plot(rows, path):
             ends.append([points[-1][1], points[-1], label, color])
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_xlim(0.8, 60 * max(end[1][0] for end in ends))
+    axes.set_xlim(0.8, 200 * max(end[1][0] for end in ends))
     axes.set_xticks([10 ** k for k in range(7)], ["1", "10", "100", "1,000", "10,000", "100,000", "1,000,000"])
     # Labels at the lines' ends, pushed apart where ends of the same column would meet.
     low, high = axes.get_ylim()
@@ -206,7 +218,7 @@ def sections(rows, ports, mix, instructions):
     narrow = [row for row in rest if row["integrator"] == "default" and row["model"] in ("langevin-speed", "aerodynamic")]
     narrow += [row for row in rows.ours if row["target"] == "avx2" and row["bodies"] not in (middle,)]
     yield "Instruction sets", time_table(rows, narrow, ["model", "path", "target", "bodies"])
-    others = [row for row in rows.all if row["subject"] not in ("langevin_rigid", "clock")]
+    others = [row for row in rows.all if row["subject"] not in ("langevin_rigid", "clock", "transforms", "memcpy")]
     yield "The sketch and peers", PEERS + time_table(rows, others, ["subject", "model", "integrator", "target", "bodies", "substeps"])
     if instructions:
         lines = []

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <vector>
 
 namespace lr_bench {
@@ -56,6 +58,11 @@ public:
         return nullptr;
     }
 
+    // Into instances of a renderer: `format` is LR_TRANSFORM_*.
+    bool write(int32_t format, void* to, uint32_t capacity) const {
+        return lr_batch_write_transforms(world_, batch_, format, to, 0, capacity, nullptr) == LR_OK;
+    }
+
     bool step() override { return lr_world_step(world_, dt_, substeps_) == LR_OK; }
     Facts facts() const override { return facts_; }
 
@@ -100,15 +107,54 @@ private:
     Facts facts_;
 };
 
-} // namespace
+struct Layout {
+    const char* name;
+    int32_t format;
+    size_t bytes;
+};
+constexpr Layout layouts[] = {{"3x4", LR_TRANSFORM_3X4_ROW_MAJOR, 48}, {"4x4", LR_TRANSFORM_4X4_ROW_MAJOR, 64}};
 
-std::unique_ptr<Subject> make_ours(const Row& row, std::string& why_not) {
-    auto made = std::make_unique<Ours>();
+// Transforms of all bodies, or a copy of as many bytes by memcpy; the row's path is the layout.
+class Transforms final : public Subject {
+public:
+    const char* make(const Row& row) {
+        for (const Layout& l : layouts)
+            if (row.path == l.name) layout_ = l;
+        if (!layout_.bytes) return "unknown layout";
+        bodies_ = row.bodies;
+        to_.resize(layout_.bytes * bodies_);
+        if (row.subject == "memcpy") return from_.resize(to_.size(), std::byte{1}), nullptr;
+        Row world = row;
+        world.path = "diagonal";
+        return ours_.make(world);
+    }
+    bool step() override {
+        if (from_.empty()) return ours_.write(layout_.format, to_.data(), bodies_);
+        std::memcpy(to_.data(), from_.data(), to_.size());
+        asm volatile("" : : "r"(to_.data()) : "memory"); // or it would be left out
+        return true;
+    }
+
+private:
+    Ours ours_;
+    Layout layout_{};
+    uint32_t bodies_ = 0;
+    std::vector<std::byte> to_, from_;
+};
+
+template <class T> std::unique_ptr<Subject> make(const Row& row, std::string& why_not) {
+    auto made = std::make_unique<T>();
     if (const char* const why = made->make(row)) {
         why_not = why;
         return nullptr;
     }
     return made;
+}
+
+} // namespace
+
+std::unique_ptr<Subject> make_ours(const Row& row, std::string& why_not) {
+    return row.ours() ? make<Ours>(row, why_not) : make<Transforms>(row, why_not);
 }
 
 } // namespace lr_bench

@@ -9,7 +9,7 @@
 namespace lr_bench {
 
 struct Row {
-    std::string subject;    // "langevin_rigid", or a peer's name
+    std::string subject;    // "langevin_rigid", "transforms" and "memcpy", or a peer's name
     std::string model;      // loads
     std::string integrator; //
     std::string path;       // "diagonal", "full"

@@ -38,7 +38,7 @@ std::vector<Row> peer_rows(uint32_t most, [[maybe_unused]] std::vector<std::stri
     missing.push_back("Bullet");
 #endif
 #ifdef LR_BENCH_ODE
-    add("ode", "drag", "euler", {1000, 10000});
+    add("ode", "drag", "euler", {1000, 10000, 100000});
 #else
     missing.push_back("ODE");
 #endif
