@@ -270,7 +270,7 @@ Written by `scripts/performance.py` from measurements; made anew by
 Times are ns a body and substep of 1/240 s. All rows of a run are alive at once and timed in turns, a burst of 2 ms or one step each, {rounds} rounds;
 given are the median and the least. *wall* is the time of the wall, *CPU* the processor time of the whole process, which another process on the
 machine does not lengthen. Ratios and verdicts are of CPU medians with one thread, of wall medians with two. *cycles*: CPU time over that of an addition
-that waits for the one before it, timed in the same rounds. *x sketch*: times as fast as the first sketch (native) with as many bodies and substeps,
+that waits for the one before it, timed right after each burst. *x sketch*: times as fast as the first sketch (native) with as many bodies and substeps,
 median of the rounds' ratios. *workers* are threads besides the caller's. *bytes*: all memory that the world took, over its bodies.
 *hash*: `lr_world_hash` after the first four steps; equal for equal scenes, whatever the instruction set and the workers.
 

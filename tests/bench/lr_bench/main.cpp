@@ -149,6 +149,7 @@ int main(int argc, char** argv) {
         constexpr double usual[] = {40.0, 200.0, 3600.0};
         schedule.budget = seconds > 0.0 ? seconds : usual[static_cast<int>(selection)];
         schedule.burst = std::min(schedule.burst, schedule.budget / 2000.0);
+        schedule.least_rounds = schedule.budget < 5.0 ? 3 : 9;
         return write_csv(csv, selection, schedule);
     }
     if (one || trace) {

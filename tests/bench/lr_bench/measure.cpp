@@ -26,7 +26,7 @@ struct Lane {
     Facts facts;
     uint64_t steps = 1; // a burst
     bool warm = true;   // one step before each burst, not timed
-    std::vector<double> wall, cpu;
+    std::vector<double> wall, cpu, cycles;
 };
 
 bool burst(Lane& lane, uint64_t steps, Instant& spent) {
@@ -76,16 +76,16 @@ double over_sketch(const Lane& lane, const std::vector<Lane>& all, const char* t
 } // namespace
 
 std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& schedule, double share) {
-    const double begin = now().wall, budget = schedule.budget * share;
     std::vector<Lane> lanes;
     const auto add = [&](const Row& row, std::unique_ptr<Subject> subject) {
-        Lane lane{row, std::move(subject), {}, 1, true, {}, {}};
+        Lane lane{row, std::move(subject), {}, 1, true, {}, {}, {}};
         lane.facts = lane.subject->facts();
         if (calibrate(lane, schedule.burst))
             lanes.push_back(std::move(lane));
         else
             std::fprintf(stderr, "lr_bench: a step failed: %s\n", row.name().c_str());
     };
+    const auto clock = make_clock();
     add({"clock", "-", "-", "-", "-", 0, clock_chain, 1}, make_clock());
     for (const Row& row : rows) {
         std::string why_not;
@@ -95,6 +95,7 @@ std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& sche
             std::fprintf(stderr, "lr_bench: left out, %s: %s\n", why_not.c_str(), row.name().c_str());
     }
 
+    const double begin = now().wall, budget = schedule.budget * share;
     unsigned rounds = 0;
     while (rounds < schedule.most_rounds && (rounds < schedule.least_rounds || now().wall - begin < budget)) {
         for (Lane& lane : lanes) {
@@ -104,6 +105,12 @@ std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& sche
             const double body_steps = static_cast<double>(lane.steps) * lane.row.bodies * lane.row.substeps;
             lane.wall.push_back(1e9 * spent.wall / body_steps);
             lane.cpu.push_back(1e9 * spent.cpu / body_steps);
+            // The clock is not the same from one burst to the next.
+            constexpr int ticks = 200;
+            const double before = now().cpu;
+            for (int i = 0; i < ticks; ++i) clock->step();
+            const double cycle = (now().cpu - before) / (ticks * clock_chain);
+            lane.cycles.push_back(spent.cpu / body_steps / cycle);
         }
         ++rounds;
     }
@@ -119,7 +126,7 @@ std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& sche
         m.wall_least = *std::min_element(lane.wall.begin(), lane.wall.end());
         m.cpu_median = median(lane.cpu);
         m.cpu_least = *std::min_element(lane.cpu.begin(), lane.cpu.end());
-        m.cycles = ratio_of(lane.cpu, lanes.front().cpu);
+        m.cycles = median(lane.cycles);
         m.over_sketch = over_sketch(lane, lanes, "native");
         m.over_sketch_avx2 = over_sketch(lane, lanes, "x86-64-v3");
         out.push_back(std::move(m));

@@ -16,14 +16,14 @@ struct Measured {
     unsigned rounds = 0;
     // ns a body and substep; of the wall, and of the processor time of the whole process.
     double wall_median = 0, wall_least = 0, cpu_median = 0, cpu_least = 0;
-    double cycles = 0; // processor time in cycles of the same round, of one body and substep
+    double cycles = 0; // processor time in cycles of just after it, of one body and substep
     // Times as fast as the sketch with as many bodies and substeps, median over rounds; of the wall for rows with workers,
     // of processor time for others. 0: no such sketch.
     double over_sketch = 0, over_sketch_avx2 = 0;
 };
 
 struct Schedule {
-    double budget = 100.0; // s for all groups
+    double budget = 100.0; // s for the rounds of all groups
     double burst = 0.002;  // s, at least one step
     unsigned least_rounds = 3, most_rounds = 200;
 };

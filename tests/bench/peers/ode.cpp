@@ -14,7 +14,7 @@ class Ode final : public Subject {
 public:
     explicit Ode(const Row& row) {
         dInitODE2(0);
-        dAllocateODEDataForThread(dAllocateMaskAll);
+        dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
         world_ = dWorldCreate();
         dWorldSetGravity(world_, 0, -9.81, 0);
         dWorldSetAngularDamping(world_, 0.001);
