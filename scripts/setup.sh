@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test|bench]   build: library, baker, samples; test: that and what only tests use;
-#                                         bench: that and what lr_bench and docs/performance.md are made with
+#   scripts/setup.sh [build|test]      build: library, baker, samples; test: that and what only tests use
 set -euo pipefail
 
 packages=(
@@ -13,13 +12,13 @@ packages=(
     libcli11-dev nlohmann-json3-dev              # command lines, reports
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
 )
-group=${1:-build}
-if [ "$group" = test ] || [ "$group" = bench ]; then
-    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
-fi
-if [ "$group" = bench ]; then
-    packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers, each optional
+if [ "${1:-build}" = bench ]; then               # test, and what docs/performance.md is made with
+    packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers of lr_bench, each optional
     packages+=(valgrind python3-matplotlib)              # instructions; the plot
+    set -- test
+fi
+if [ "${1:-build}" = test ]; then
+    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
 fi
 
 missing=()
