@@ -14,6 +14,11 @@ packages=(
     libcli11-dev nlohmann-json3-dev              # command lines, reports
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
 )
+if [ "${1:-build}" = bench ]; then               # test, and what docs/performance.md is made with
+    packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers of lr_bench, each optional
+    packages+=(valgrind python3-matplotlib)              # instructions; the plot
+    set -- test
+fi
 if [ "${1:-build}" = test ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
 fi

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Measures, and writes docs/performance.md and docs/performance.png. lr_bench must be built; nothing is built here.
+#   scripts/performance.sh [--quick] [BUILD [DOCS]]     initially build/release, docs
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+quick=()
+if [ "${1:-}" = --quick ]; then
+    quick=(--quick)
+    shift
+fi
+build=${1:-build/release}
+docs=${2:-docs}
+folder=$build/bench
+bench=$build/tests/bench/lr_bench/lr_bench
+[ -x "$bench" ] || { echo "performance: no $bench: cmake --build $build --target lr_bench" >&2; exit 1; }
+
+mkdir -p "$folder" "$docs"
+rm -f "$folder"/*.csv
+"$bench" --csv "$folder/rows.csv" "${quick[@]}"
+if [ ${#quick[@]} -eq 0 ]; then
+    # Both are extras: not every machine can.
+    scripts/port_bound.py "$build" "$folder" || true
+    scripts/instructions.sh "$build" "$folder/instructions.csv" || true
+fi
+/usr/bin/python3 scripts/performance.py "$folder" "$docs"

@@ -1,0 +1,137 @@
+#include "lr_bench/measure.h"
+#include "lr_bench/rows.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+
+namespace lr_bench {
+namespace {
+
+struct Instant {
+    double wall, cpu;
+};
+
+Instant now() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    const double cpu = static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(), cpu};
+}
+
+struct Lane {
+    Row row;
+    std::unique_ptr<Subject> subject;
+    Facts facts;
+    uint64_t steps = 1; // a burst
+    bool warm = true;   // one step before each burst, not timed
+    std::vector<double> wall, cpu, cycles;
+};
+
+bool burst(Lane& lane, uint64_t steps, Instant& spent) {
+    const Instant begin = now();
+    for (uint64_t i = 0; i < steps; ++i)
+        if (!lane.subject->step()) return false;
+    const Instant end = now();
+    spent = {end.wall - begin.wall, end.cpu - begin.cpu};
+    return true;
+}
+
+// Steps that take a burst's time.
+bool calibrate(Lane& lane, double seconds) {
+    Instant spent{};
+    for (;;) {
+        if (!burst(lane, lane.steps, spent)) return false;
+        if (spent.wall >= 0.5 * seconds || lane.steps > (1u << 24)) break;
+        lane.steps *= 2;
+    }
+    const double step = spent.wall / static_cast<double>(lane.steps);
+    lane.steps = std::max<uint64_t>(1, static_cast<uint64_t>(seconds / step));
+    lane.warm = step < 0.01;
+    return true;
+}
+
+double median(std::vector<double> v) {
+    if (v.empty()) return 0.0;
+    const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
+    std::nth_element(v.begin(), middle, v.end());
+    return *middle;
+}
+
+double ratio_of(const std::vector<double>& above, const std::vector<double>& below) {
+    std::vector<double> ratios;
+    for (size_t i = 0; i < above.size(); ++i) ratios.push_back(above[i] / below[i]);
+    return median(std::move(ratios));
+}
+
+double over_sketch(const Lane& lane, const std::vector<Lane>& all, const char* target) {
+    for (const Lane& s : all)
+        if (s.row.subject == "sketch" && s.row.target == target && s.row.bodies == lane.row.bodies &&
+            s.row.substeps == lane.row.substeps)
+            return lane.row.workers ? ratio_of(s.wall, lane.wall) : ratio_of(s.cpu, lane.cpu);
+    return 0.0;
+}
+
+} // namespace
+
+std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& schedule, double share) {
+    std::vector<Lane> lanes;
+    const auto add = [&](const Row& row, std::unique_ptr<Subject> subject) {
+        Lane lane{row, std::move(subject), {}, 1, true, {}, {}, {}};
+        lane.facts = lane.subject->facts();
+        if (calibrate(lane, schedule.burst))
+            lanes.push_back(std::move(lane));
+        else
+            std::fprintf(stderr, "lr_bench: a step failed: %s\n", row.name().c_str());
+    };
+    const auto clock = make_clock();
+    add({"clock", "-", "-", "-", "-", 0, clock_chain, 1}, make_clock());
+    for (const Row& row : rows) {
+        std::string why_not;
+        if (auto subject = make_subject(row, why_not))
+            add(row, std::move(subject));
+        else
+            std::fprintf(stderr, "lr_bench: left out, %s: %s\n", why_not.c_str(), row.name().c_str());
+    }
+
+    const double begin = now().wall, budget = schedule.budget * share;
+    unsigned rounds = 0;
+    while (rounds < schedule.most_rounds && (rounds < schedule.least_rounds || now().wall - begin < budget)) {
+        for (Lane& lane : lanes) {
+            Instant spent{};
+            if (lane.warm) lane.subject->step();
+            burst(lane, lane.steps, spent);
+            const double body_steps = static_cast<double>(lane.steps) * lane.row.bodies * lane.row.substeps;
+            lane.wall.push_back(1e9 * spent.wall / body_steps);
+            lane.cpu.push_back(1e9 * spent.cpu / body_steps);
+            // The clock is not the same from one burst to the next.
+            constexpr int ticks = 200;
+            const double before = now().cpu;
+            for (int i = 0; i < ticks; ++i) clock->step();
+            const double cycle = (now().cpu - before) / (ticks * clock_chain);
+            lane.cycles.push_back(spent.cpu / body_steps / cycle);
+        }
+        ++rounds;
+    }
+
+    std::vector<Measured> out;
+    for (const Lane& lane : lanes) {
+        Measured m;
+        m.row = lane.row;
+        m.facts = lane.facts;
+        m.lost = lane.subject->lost();
+        m.rounds = rounds;
+        m.wall_median = median(lane.wall);
+        m.wall_least = *std::min_element(lane.wall.begin(), lane.wall.end());
+        m.cpu_median = median(lane.cpu);
+        m.cpu_least = *std::min_element(lane.cpu.begin(), lane.cpu.end());
+        m.cycles = median(lane.cycles);
+        m.over_sketch = over_sketch(lane, lanes, "native");
+        m.over_sketch_avx2 = over_sketch(lane, lanes, "x86-64-v3");
+        out.push_back(std::move(m));
+    }
+    return out;
+}
+
+} // namespace lr_bench
