@@ -169,7 +169,7 @@ TEST_CASE("nobody is called for a small world, nor without workers") {
     };
     CHECK(calls(1, 8, 1) == 0);
     CHECK(calls(1000, 8, 1) == 0);
-    CHECK(calls(1000, 8, 4) == 0);
+    CHECK(calls(1000, 8, 3) == 0);
     CHECK(calls(20000, 0, 4) == 0);
     CHECK(calls(1000, 8, 64) == 1);
     CHECK(calls(20000, 8, 4) == 1);
