@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
@@ -271,8 +272,10 @@ uint32_t transform_bytes(int32_t format) {
 
 void write_transforms(int32_t simd, const BatchArrays& a, uint32_t count, int32_t format, void* to, uint64_t stride) {
     const bool stream = stride == transform_bytes(format) && uint64_t{count} * stride >= stream_bytes;
-    for (const Target& target : targets)
-        if (target.simd == simd) return target.write(a, count, format, static_cast<unsigned char*>(to), stride, stream);
+    // The last one runs anywhere.
+    const Target* target =
+        std::find_if(std::begin(targets), std::end(targets) - 1, [simd](const Target& t) { return t.simd == simd; });
+    target->write(a, count, format, static_cast<unsigned char*>(to), stride, stream);
 }
 
 } // namespace lr
