@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # The runtime built by several compilers, at several levels of optimisation, for several instruction sets and cut into other
 # chunks: all must move bodies to the very hashes in tests/determinism/golden.txt. docs/determinism.md has the results.
-#   scripts/check_determinism.sh             GCC and clang at -O1, -O2 and -O3: about ten minutes on two cores
+#   scripts/check_determinism.sh             GCC and clang at -O1, -O2 and -O3
 #   scripts/check_determinism.sh clang-O2    the builds that are named
 #   scripts/check_determinism.sh arm64       64-bit ARM, run by qemu (scripts/setup.sh arm64)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Name, -O, chunk (0: the library's own), instruction sets left out. The emulated one is in each but ARM's; with GCC 12 it
-# has one lane, with clang four. Between them the six have every other twice.
+# has one lane, with clang four. Between them the six have every other at least twice.
 builds=(
     "gcc-O1   1 64   HWY_SSE4;HWY_AVX3"
     "gcc-O2   2 256  HWY_SSSE3;HWY_AVX2"
