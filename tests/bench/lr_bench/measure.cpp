@@ -20,6 +20,13 @@ Instant now() {
     return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(), cpu};
 }
 
+// Of this thread alone: workers may still be waiting for more.
+double thread_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
 struct Lane {
     Row row;
     std::unique_ptr<Subject> subject;
@@ -107,9 +114,9 @@ std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& sche
             lane.cpu.push_back(1e9 * spent.cpu / body_steps);
             // The clock is not the same from one burst to the next.
             constexpr int ticks = 200;
-            const double before = now().cpu;
+            const double before = thread_seconds();
             for (int i = 0; i < ticks; ++i) clock->step();
-            const double cycle = (now().cpu - before) / (ticks * clock_chain);
+            const double cycle = (thread_seconds() - before) / (ticks * clock_chain);
             lane.cycles.push_back(spent.cpu / body_steps / cycle);
         }
         ++rounds;
