@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test|battery] [arm64]   build: library, baker, samples; test: that and what only tests use;
+#   scripts/setup.sh [build|test|bench|battery] [arm64]   build: library, baker, samples; test: that and what only tests use;
 #                                                   battery: build and what scripts/noise_battery.sh runs;
 #                                                   arm64: also a cross compiler and an emulator of 64-bit ARM
 set -euo pipefail
@@ -17,7 +17,7 @@ packages=(
 if [ "${1:-build}" = bench ]; then               # test, and what docs/performance.md is made with
     packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers of lr_bench, each optional
     packages+=(valgrind python3-matplotlib)              # instructions; the plot
-    set -- test
+    set -- test "${@:2}"
 fi
 if [ "${1:-build}" = test ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
