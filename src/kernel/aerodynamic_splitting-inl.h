@@ -33,11 +33,27 @@ HWY_INLINE Vec3 each(VF (*f)(VF, VF, VF), Vec3 y, Vec3 x, Vec3 tau_f) {
 
 // Drag opposes the velocity with one factor in all directions, so that the modes of the mobility P M^-1 P^T decay on
 // their own, each towards its terminal velocity.
-template <bool kFull, class C>
-HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Twist applied, Body& b) {
+// The full path's halves are not inlined: each is there twice, and a substep would not fit into the instruction cache.
+template <class C>
+HWY_NOINLINE void drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, const Twist& applied,
+                                 Body& b) {
     const auto& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);
+    const Twist pull = scale(tau, acceleration<true>(c, applied));
+    const Vec3 v = centre_velocity<true>(a, b.t), rate = broadcast(a.rate);
+    const Vec3 y = columns(a.modes, v), push = columns(a.modes, centre_velocity<true>(a, pull));
+    const Vec3 r = add_scaled(y, half, push);
+    const Vec3 x = scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, rows(a.modes, r))), rate);
+    const Vec3 middle = rows(a.modes, relax_middle(r, x));
+    const Vec3 after =
+        each(relax_second, y, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, middle)), rate), push);
+    b.t = add(b.t, add(pull, rows6(a.from_modes, sub(sub(after, y), push))));
+}
+template <bool kFull, class C>
+HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, VF nu, const Twist& applied, Body& b) {
     if constexpr (!kFull) {
+        const auto& a = c.aerodynamics;
+        const VF tau = constant(0.5f * in.h), half = constant(0.5f);
         const Vec3 rate = broadcast(c.inverse_mass);
         const Vec3 pull = scale(tau, times(rate, applied.v));
         const Vec3 r = add_scaled(b.t.v, half, pull);
@@ -45,15 +61,7 @@ HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, VF 
         b.t.v =
             each(relax_second, b.t.v, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, middle)), rate), pull);
     } else {
-        const Twist pull = scale(tau, acceleration<true>(c, applied));
-        const Vec3 v = centre_velocity<true>(a, b.t), rate = broadcast(a.rate);
-        const Vec3 y = columns(a.modes, v), push = columns(a.modes, centre_velocity<true>(a, pull));
-        const Vec3 r = add_scaled(y, half, push);
-        const Vec3 x = scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, rows(a.modes, r))), rate);
-        const Vec3 middle = rows(a.modes, relax_middle(r, x));
-        const Vec3 after =
-            each(relax_second, y, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, middle)), rate), push);
-        b.t = add(b.t, add(pull, rows6(a.from_modes, sub(sub(after, y), push))));
+        drag_half_full(in, c, held, nu, applied, b);
     }
 }
 
@@ -121,15 +129,53 @@ HWY_INLINE void couple_at_end(const StepInput& in, const C& c, const Held& held,
         b.t.u = add(b.t.u, bounded_push(times(broadcast(c.inverse_spin_mass), couple), s, most_rim_at_end));
 }
 
-// On the diagonal path roll damping is a part of its own, next to the lift on both sides; the full path has no use for kBeforeLift.
-template <bool kFull, bool kBeforeLift, class C>
-HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Twist applied, Body& b) {
+template <class C>
+HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
     const auto& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f), share = constant(couple_share * in.h);
-    const Vec3 v = centre_velocity<kFull>(a, b.t);
+    const Vec3 v = centre_velocity<true>(a, b.t);
     const VF s = hn::Sqrt(speed_squared(v));
     const Vec3 couple = scale(share, lift_moment(a, held.inverse_length, v));
-    if constexpr (!kFull) {
+    const Vec3 u = load_spin<true>(a, b.t);
+    const auto* const n = a.spin_mobility;
+    // The square of what is solved must stay finite.
+    const auto resistance = [&](VF stream, Vec3 v_at, Vec3 u_at) LR_LAMBDA {
+        const Roll roll = roll_damping(a, held.inverse_length, stream, v_at);
+        const VF most = hn::Div(constant(1e4f), hn::Add(dot(roll.axis, symmetric3(n, roll.axis)), constant(1e-20f)));
+        return Resistance{
+            smaller(scale(tau, spin_drag_rate(a, held.inverse_length, nu, stream, u_at)), broadcast(a.spin_limit)),
+            roll.axis, hn::Min(hn::Mul(tau, roll.rate), most)};
+    };
+    const Vec3 r = add_scaled(u, half, bounded_push(symmetric3(n, couple), s, most_rim));
+    const Resistance first = resistance(s, v, r);
+    // Half the rate in the middle, as in relax_middle; a rate on each axis as if that were a mode.
+    const Vec3 eased = relax_middle(first.x, times(Vec3{constant(n[0]), constant(n[3]), constant(n[5])}, first.x));
+    const Vec3 middle =
+        solve_damped(n, {scale(half, eased), first.axis, hn::Mul(half, first.share)}, hn::Zero(DF()), r);
+    // A couple moves a centre that lies off the centre of mass.
+    const Vec3 v_middle = centre_velocity<true>(a, add(b.t, rows6(a.spin_response, sub(middle, u))));
+    const VF s_middle = hn::Sqrt(speed_squared(v_middle));
+    const Vec3 push =
+        bounded_push(symmetric3(n, scale(share, lift_moment(a, held.inverse_length, v_middle))), s_middle, most_rim);
+    const Resistance x = resistance(s_middle, v_middle, middle);
+    // u1 = (1 + X + X^2/2)^-1 (u0 + (1 + X/2) push)
+    const Vec3 more = symmetric3(n, resisted(x, push));
+    const Vec3 after = solve_damped(n, x, half, add(u, add_scaled(push, half, more)));
+    b.t = add(b.t, rows6(a.spin_response, sub(after, u)));
+}
+
+// On the diagonal path roll damping is a part of its own, next to the lift on both sides.
+template <bool kFull, bool kBeforeLift, class C>
+HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, const Twist& applied,
+                               Body& b) {
+    if constexpr (kFull) {
+        spin_drag_half_full(in, c, held, nu, b);
+    } else {
+        const auto& a = c.aerodynamics;
+        const VF tau = constant(0.5f * in.h), half = constant(0.5f), share = constant(couple_share * in.h);
+        const Vec3 v = centre_velocity<false>(a, b.t);
+        const VF s = hn::Sqrt(speed_squared(v));
+        const Vec3 couple = scale(share, lift_moment(a, held.inverse_length, v));
         const Roll roll = roll_damping(a, held.inverse_length, s, v);
         const Vec3 u = kBeforeLift ? b.t.u : rolled_half(c, roll, tau, b.t.u);
         const Vec3 rate = broadcast(c.inverse_spin_mass),
@@ -140,34 +186,6 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held
         const Vec3 x = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, middle));
         b.t.u = each(relax_second, u, times(rate, x), push);
         if constexpr (kBeforeLift) b.t.u = rolled_half(c, roll, tau, b.t.u);
-    } else {
-        const Vec3 u = load_spin<true>(a, b.t);
-        const auto* const n = a.spin_mobility;
-        // The square of what is solved must stay finite.
-        const auto resistance = [&](VF stream, Vec3 v_at, Vec3 u_at) LR_LAMBDA {
-            const Roll roll = roll_damping(a, held.inverse_length, stream, v_at);
-            const VF most =
-                hn::Div(constant(1e4f), hn::Add(dot(roll.axis, symmetric3(n, roll.axis)), constant(1e-20f)));
-            return Resistance{
-                smaller(scale(tau, spin_drag_rate(a, held.inverse_length, nu, stream, u_at)), broadcast(a.spin_limit)),
-                roll.axis, hn::Min(hn::Mul(tau, roll.rate), most)};
-        };
-        const Vec3 r = add_scaled(u, half, bounded_push(symmetric3(n, couple), s, most_rim));
-        const Resistance first = resistance(s, v, r);
-        // Half the rate in the middle, as in relax_middle; a rate on each axis as if that were a mode.
-        const Vec3 eased = relax_middle(first.x, times(Vec3{constant(n[0]), constant(n[3]), constant(n[5])}, first.x));
-        const Vec3 middle =
-            solve_damped(n, {scale(half, eased), first.axis, hn::Mul(half, first.share)}, hn::Zero(DF()), r);
-        // A couple moves a centre that lies off the centre of mass.
-        const Vec3 v_middle = centre_velocity<true>(a, add(b.t, rows6(a.spin_response, sub(middle, u))));
-        const VF s_middle = hn::Sqrt(speed_squared(v_middle));
-        const Vec3 push = bounded_push(symmetric3(n, scale(share, lift_moment(a, held.inverse_length, v_middle))),
-                                       s_middle, most_rim);
-        const Resistance x = resistance(s_middle, v_middle, middle);
-        // u1 = (1 + X + X^2/2)^-1 (u0 + (1 + X/2) push)
-        const Vec3 more = symmetric3(n, resisted(x, push));
-        const Vec3 after = solve_damped(n, x, half, add(u, add_scaled(push, half, more)));
-        b.t = add(b.t, rows6(a.spin_response, sub(after, u)));
     }
 }
 
