@@ -39,7 +39,7 @@ struct StepInput {
     const WaterBody* water; // null without a surface
 };
 
-// begin, end: multiples of lane_block.
+// begin: a multiple of lane_block; end: of the target's lanes.
 using StepFunction = void (*)(const StepInput&, const BatchArrays&, size_t begin, size_t end);
 
 // Positions (and velocities) of bodies in the middle of a substep, world axes.

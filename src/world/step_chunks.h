@@ -28,6 +28,9 @@ inline constexpr uint32_t most_chunk_work = 8192; // body-substeps
 // Body-substeps for which another thread is called: tens of microseconds, when waking it takes up to ten.
 inline constexpr uint64_t helper_work = 4096;
 
+// The most bodies, at the end of a batch, for which the narrow target steps fewer lanes.
+inline constexpr uint32_t narrow_lanes = 4;
+
 inline uint32_t cut_count(uint32_t lanes) {
     return (lanes + cut_bodies - 1) / cut_bodies;
 }

@@ -36,6 +36,7 @@ struct lr_world {
     lr::Crew crew; // first: it is aligned to cache lines
     mutable lr::Allocator allocator;
     const lr::KernelTarget* target = nullptr;
+    const lr::KernelTarget* narrow = nullptr; // for the last few bodies of a batch; null: they go with the others
     uint64_t seed = 0;
     float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2
     float fluid_density = 0.0f;            // kg/m^3; 0: each asset's own
