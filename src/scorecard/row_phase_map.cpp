@@ -167,7 +167,8 @@ RowResult run_phase_map(const Context& context) {
                    (agreed[k][0] + agreed[k][1]) / (count[k][0] + count[k][1]), 0.8, 0.0);
     for (size_t k = 0; k < 3; ++k)
         for (size_t side = 0; side < 2; ++side)
-            result.show(std::string(side == 0 ? "before " : "beyond ") + kinds[k], agreed[k][side] / count[k][side]);
+            result.add(std::string("agreement, ") + (side == 0 ? "before " : "beyond ") + kinds[k], Rule::at_least,
+                       agreed[k][side] / count[k][side], 0.8, 0.0);
     for (const Point& p : points) result.show(describe(p), p.agreement);
     result.remarks.push_back(std::to_string(options.seeds) + " releases a point, tilted by up to 5 degrees.");
     result.pictures.push_back(

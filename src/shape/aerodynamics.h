@@ -41,7 +41,7 @@ struct PlateCoefficients {
     double roll = 0.56;                             // damping of roll, of stroke2, where span and chord are alike
     double spin_creeping = 0.3;                     // of the creeping couple
     double intensity = 0.0505, correlation = 0.48;  // of the wake; in largest extents
-    double wake_reynolds = 780;
+    double wake_reynolds = 600;
 };
 
 // The default coefficients: one set of rules for all shapes.

@@ -60,7 +60,7 @@ void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const 
     } else {
         const uint32_t alive = std::min(end, batch.count()), whole = alive - alive % uint32_t{lane_block};
         const bool few = world_->narrow && alive > whole && alive - whole <= narrow_lanes;
-        world_->target->step(batch.step, arrays, begin, few ? whole : end);
+        if (!few || whole > begin) world_->target->step(batch.step, arrays, begin, few ? whole : end);
         if (few) world_->narrow->step(batch.step, arrays, whole, whole + narrow_lanes);
     }
     // While the bodies are still in the cache.

@@ -38,14 +38,10 @@ struct lr_world {
     const lr::KernelTarget* target = nullptr;
     const lr::KernelTarget* narrow = nullptr; // for the last few bodies of a batch; null: they go with the others
     uint64_t seed = 0;
-    float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2
-    float fluid_density = 0.0f;            // kg/m^3; 0: each asset's own
-    float fluid_viscosity = 0.0f;          // m^2/s; 0: each asset's own
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
     lr::Surface surface;
     uint64_t substep_count = 0;
     double time = 0.0; // s
-    uint32_t next_key = 1;
 
     struct BatchSlot {
         lr::Batch* batch;
@@ -53,11 +49,16 @@ struct lr_world {
         uint32_t body_generation; // that bodies of the next batch begin with
     };
     lr::Buffer<BatchSlot> batches;
-    uint32_t batch_slots = 0;       // used part of `batches`
     lr::Buffer<lr::StepItem> items; // room for as many, for the length of a step
 
     lr_log_fn log_callback = nullptr;
     void* log_user = nullptr;
+
+    float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2
+    float fluid_density = 0.0f;            // kg/m^3; 0: each asset's own
+    float fluid_viscosity = 0.0f;          // m^2/s; 0: each asset's own
+    uint32_t next_key = 1;
+    uint32_t batch_slots = 0; // used part of `batches`
 
 private:
     // Of the last substep's length: a few per cent of the step of one body.

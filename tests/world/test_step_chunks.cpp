@@ -1,4 +1,5 @@
-// Every lane of every batch is stepped once, in pieces that no two threads share a cut of.
+// Every lane of every batch is stepped once, in pieces that no two threads share a cut of; where few bodies are left for the
+// last lanes, by the narrow target, and not those behind them.
 #include "world/step_chunks.h"
 
 #include "support/scene.h"
@@ -18,7 +19,7 @@ void record(const StepInput&, const BatchArrays& a, size_t begin, size_t end) {
     pieces[a.field[0]].emplace_back(begin, end);
 }
 
-void check(const std::vector<uint32_t>& counts, uint32_t substeps, uint32_t helpers) {
+void check(const std::vector<uint32_t>& counts, uint32_t substeps, uint32_t helpers, bool narrow = false) {
     const test::Asset asset = test::leaf();
     const test::World world = test::make(test::world_desc());
     std::vector<StepItem> items;
@@ -34,6 +35,7 @@ void check(const std::vector<uint32_t>& counts, uint32_t substeps, uint32_t help
     KernelTarget recorder = *world->target;
     recorder.step = &record;
     const KernelTarget* const real = std::exchange(world->target, &recorder);
+    world->narrow = narrow ? &recorder : nullptr;
     StepChunks chunks(*world, items.data(), static_cast<uint32_t>(items.size()), blocks, substeps, helpers);
     CHECK(chunks.helpers() <= helpers);
     CHECK((chunks.helpers() != 0 || chunks.count() == 1));
@@ -47,10 +49,16 @@ void check(const std::vector<uint32_t>& counts, uint32_t substeps, uint32_t help
         for (const auto& [begin, end] : got) {
             CHECK(begin == at);
             CHECK(begin < end);
-            CHECK((end % cut_bodies == 0 || end == item.batch->padded_count()));
+            const bool few = narrow && end - begin == narrow_lanes && begin % lane_block == 0;
+            CHECK((end % cut_bodies == 0 || end == item.batch->padded_count() || few ||
+                   (narrow && end % lane_block == 0)));
             at = end;
         }
-        CHECK(at == item.batch->padded_count());
+        const uint32_t count = item.batch->count(), rest = count % lane_block;
+        if (narrow && rest > 0 && rest <= narrow_lanes)
+            CHECK(at == count - rest + narrow_lanes);
+        else
+            CHECK(at == item.batch->padded_count());
     }
 }
 
@@ -67,9 +75,11 @@ TEST_CASE("chunks cover batches of any sizes, for any number of helpers") {
                 CAPTURE(substeps);
                 CAPTURE(helpers);
                 check(counts, substeps, helpers);
+                check(counts, substeps, helpers, true);
             }
     std::vector<uint32_t> many;
     for (uint32_t i = 0; i < 1000; ++i) many.push_back(1 + i % 33);
     check(many, 4, 3);
     check(many, 1, 0);
+    check(many, 1, 0, true);
 }
