@@ -13,6 +13,7 @@ namespace lr {
 class Batch;
 struct FieldSlice;
 struct SurfaceStep;
+
 // Tests build it with other lengths (-DLR_CHUNK_BODIES): motion must not depend on it.
 #if !defined(LR_CHUNK_BODIES)
 #define LR_CHUNK_BODIES 1024
