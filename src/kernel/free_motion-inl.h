@@ -153,13 +153,8 @@ template <class C> HWY_INLINE Motion free_motion_full(const C& c, Twist start, V
     const Vec3 lm = add(angular, add(dragged_along, symmetric3(s, dum)));
     const Vec3 vm = add(v, sub(moved_by, slip_transposed(c, dum)));
     const Vec3 dl = scale(hn::Add(g, g), add(cross(lm, um), cross(pm, vm)));
-    const auto* const i = c.full_inverse;
-    const auto spin_mobility = [&](Vec3 x) LR_LAMBDA {
-        return Vec3{mul_add(constant(i[15]), x.x, mul_add(constant(i[16]), x.y, hn::Mul(constant(i[17]), x.z))),
-                    mul_add(constant(i[16]), x.x, mul_add(constant(i[18]), x.y, hn::Mul(constant(i[19]), x.z))),
-                    mul_add(constant(i[17]), x.x, mul_add(constant(i[19]), x.y, hn::Mul(constant(i[20]), x.z)))};
-    };
-    const Vec3 du = spin_mobility(sub(dl, add(dragged_along, dragged_along))), u1 = add(u, du);
+    // S^-1 is the lower block of M^-1, the last six of its upper triangle.
+    const Vec3 du = symmetric3(c.full_inverse + 15, sub(dl, add(dragged_along, dragged_along))), u1 = add(u, du);
     const VF gained = hn::Add(hn::Mul(constant(4.0f), dot(pm, moved_by)), dot(symmetric3(s, add(u, u1)), du));
     const VF factor = spin_factor(gained, dot(symmetric3(s, u1), u1));
     const Vec3 scaled = scale(factor, u1);

@@ -40,19 +40,15 @@ template <bool kTransposed, class T> HWY_INLINE Twist general6(const T* m, Twist
     return {{out[0], out[1], out[2]}, {out[3], out[4], out[5]}};
 }
 
-// Modes in which mass is the unit matrix and damping diagonal. A diagonal body's modes are its axes, up to their
-// length.
-template <bool kFull, class C> HWY_INLINE Twist to_modes(const C& c, Twist t) {
-    if constexpr (kFull) return general6<false>(c.to_modes, t);
-    return t;
+// Modes in which mass is the unit matrix and damping diagonal.
+template <class C> HWY_INLINE Twist to_modes(const C& c, Twist t) {
+    return general6<false>(c.to_modes, t);
 }
-template <bool kFull, class C> HWY_INLINE Twist from_modes(const C& c, Twist y) {
-    if constexpr (kFull) return general6<false>(c.from_modes, y);
-    return y;
+template <class C> HWY_INLINE Twist from_modes(const C& c, Twist y) {
+    return general6<false>(c.from_modes, y);
 }
-template <bool kFull, class C> HWY_INLINE Twist force_to_modes(const C& c, Twist f) {
-    if constexpr (kFull) return general6<true>(c.from_modes, f);
-    return acceleration<false>(c, f);
+template <class C> HWY_INLINE Twist force_to_modes(const C& c, Twist f) {
+    return general6<true>(c.from_modes, f);
 }
 
 // 1 + x + x^2/2 + x^3/6 and (1 + x/2 + x^2/6): exp(-x) = 1/D and (1 - exp(-x))/x = C/D to third order, both with the
@@ -81,11 +77,7 @@ template <bool kNoise> HWY_INLINE VF relax(VF y, VF x, VF tau_f, VF kick) {
     const VF inverse = hn::Div(constant(1.0f), r.d);
     const VF still = hn::Mul(mul_add(tau_f, r.c, y), inverse);
     if constexpr (!kNoise) return still;
-    // Over the whole step exp(-2x) = 1/D^2; variance (1 - 1/D^4)/(4x) without the cancellation, as D - 1 = x C.
-    const VF one = constant(1.0f);
-    const VF tail = hn::Mul(hn::Add(one, inverse), mul_add(inverse, inverse, one));
-    const VF variance = hn::Mul(hn::Mul(constant(0.25f), hn::Mul(r.c, inverse)), tail);
-    return mul_add(kick, hn::Sqrt(variance), still);
+    return mul_add(kick, hn::Sqrt(hn::Mul(constant(0.25f), quadruple_variance(r, inverse))), still);
 }
 
 // A body whose axes are its modes. gauss is read only with noise.
@@ -157,21 +149,20 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
 }
 
 // Damping, weight, and at the end of a step noise, for half a substep; orientation held.
-template <bool kFull, Loads kLoads, bool kNoise, class C>
-HWY_INLINE void load_half(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6], Body& b) {
+template <Loads kLoads, bool kNoise, class C>
+HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6],
+                               Body& b) {
     const VF tau = constant(0.5f * in.h);
     // Damping is towards the fluid's own rotation: relax the spin through the fluid.
     const bool sheared = kLoads != Loads::none && held.sheared;
     const auto fluid_spin = [&]() LR_LAMBDA { return to_body(b.q, held.fluid_spin); };
     if (sheared) b.t.u = sub(b.t.u, fluid_spin());
-    Twist f{to_body(b.q, held.weight), {}};
-    f.u = {hn::Zero(DF()), hn::Zero(DF()), hn::Zero(DF())};
-    if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(b.q, held.gravity));
-    if (held.external) f = add(f, external_force<kFull>(c, *held.external, b.q));
-    const Twist tau_f = scale(tau, force_to_modes<kFull>(c, f));
-    const Twist y = to_modes<kFull>(c, b.t);
+    Twist f{to_body(b.q, held.weight), cross(broadcast(c.buoyancy), to_body(b.q, held.gravity))};
+    if (held.external) f = add(f, external_force<true>(c, *held.external, b.q));
+    const Twist tau_f = scale(tau, force_to_modes(c, f));
+    const Twist y = to_modes(c, b.t);
     if constexpr (kLoads == Loads::none) {
-        b.t = add(b.t, from_modes<kFull>(c, tau_f));
+        b.t = add(b.t, from_modes(c, tau_f));
         return;
     }
     const Twist rate = broadcast6(c.rate);
@@ -185,14 +176,10 @@ HWY_INLINE void load_half(const StepInput& in, const C& c, const Held& held, VF 
         const auto middle = [&](VF value, VF kick, VF lambda) LR_LAMBDA {
             return hn::Div(mul_add(constant(0.5f), kick, value), mul_add(guess, lambda, constant(1.0f)));
         };
-        Twist m{{middle(y.v.x, tau_f.v.x, rate.v.x), middle(y.v.y, tau_f.v.y, rate.v.y),
-                 middle(y.v.z, tau_f.v.z, rate.v.z)},
-                y.u};
-        if constexpr (kFull) {
-            m.u = {middle(y.u.x, tau_f.u.x, rate.u.x), middle(y.u.y, tau_f.u.y, rate.u.y),
-                   middle(y.u.z, tau_f.u.z, rate.u.z)};
-            m = from_modes<true>(c, m);
-        }
+        const Twist m = from_modes(c, {{middle(y.v.x, tau_f.v.x, rate.v.x), middle(y.v.y, tau_f.v.y, rate.v.y),
+                                        middle(y.v.z, tau_f.v.z, rate.v.z)},
+                                       {middle(y.u.x, tau_f.u.x, rate.u.x), middle(y.u.y, tau_f.u.y, rate.u.y),
+                                        middle(y.u.z, tau_f.u.z, rate.u.z)}});
         const VF s2 = dot(m.v, m.v), s = hn::Sqrt(s2);
         alpha = hn::Mul(unit, s);
         if constexpr (kNoise) beta = hn::Sqrt(hn::Mul(beta_unit, hn::Mul(s2, s)));
@@ -202,19 +189,16 @@ HWY_INLINE void load_half(const StepInput& in, const C& c, const Held& held, VF 
     if constexpr (kNoise) {
         beta = hn::Mul(beta, constant(in.sqrt_h));
         const VF spin_beta = hn::Mul(beta, constant(c.noise_spin));
-        kick = force_to_modes<kFull>(c, dragged<kFull>(c, {scale(beta, Vec3{gauss[0], gauss[1], gauss[2]}),
-                                                           scale(spin_beta, Vec3{gauss[3], gauss[4], gauss[5]})}));
+        kick = force_to_modes(c, dragged<true>(c, {scale(beta, Vec3{gauss[0], gauss[1], gauss[2]}),
+                                                   scale(spin_beta, Vec3{gauss[3], gauss[4], gauss[5]})}));
     }
     const Twist relaxed{
         {relax<kNoise>(y.v.x, x.v.x, tau_f.v.x, kick.v.x), relax<kNoise>(y.v.y, x.v.y, tau_f.v.y, kick.v.y),
          relax<kNoise>(y.v.z, x.v.z, tau_f.v.z, kick.v.z)},
         {relax<kNoise>(y.u.x, x.u.x, tau_f.u.x, kick.u.x), relax<kNoise>(y.u.y, x.u.y, tau_f.u.y, kick.u.y),
          relax<kNoise>(y.u.z, x.u.z, tau_f.u.z, kick.u.z)}};
-    // The full path adds the change only: to modes and back costs a rounding each time.
-    if constexpr (kFull)
-        b.t = add(b.t, from_modes<true>(c, {sub(relaxed.v, y.v), sub(relaxed.u, y.u)}));
-    else
-        b.t = relaxed;
+    // The change only: to modes and back costs a rounding each time.
+    b.t = add(b.t, from_modes(c, {sub(relaxed.v, y.v), sub(relaxed.u, y.u)}));
     if (sheared) b.t.u = add(b.t.u, fluid_spin());
 }
 
@@ -251,12 +235,12 @@ HWY_INLINE void splitting_substep(const StepInput& in, const C& c, Held& held, V
         held.beta = hn::Sqrt(beta_squared);
     }
     if constexpr (kFull)
-        load_half<true, kLoads, false>(in, c, held, beta_unit, gauss, b);
+        load_half_full<kLoads, false>(in, c, held, beta_unit, gauss, b);
     else
         load_half_diagonal<kLoads, false>(in, c, held, beta_unit, gauss, b);
     free_step<kFull>(in.h, c, held, b);
     if constexpr (kFull)
-        load_half<true, kLoads, kLoads != Loads::none>(in, c, held, beta_unit, gauss, b);
+        load_half_full<kLoads, kLoads != Loads::none>(in, c, held, beta_unit, gauss, b);
     else
         load_half_diagonal<kLoads, kLoads != Loads::none>(in, c, held, beta_unit, gauss, b);
     b.x = add(b.x, scale(constant(in.h), held.wind));
