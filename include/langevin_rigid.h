@@ -566,6 +566,51 @@ LR_API lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn ca
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
+/* A budget for the work of each step. When the batches that are due would take more, all are slowed down as if their
+ * divisors had grown (lr_batch_rate), those of low priority more, and take turns; nobody waits for ever.
+ * Motion stays deterministic with LR_BUDGET_BODY_SUBSTEPS: the same calls give the same bits on every machine. With
+ * LR_BUDGET_TIME it depends on the clock. docs/lod.md. */
+#define LR_BUDGET_NONE 0
+#define LR_BUDGET_BODY_SUBSTEPS 1 /* a count of substeps of single bodies, whatever each of them costs */
+#define LR_BUDGET_TIME 2          /* time of lr_world_step on the wall; costs are learnt from the steps before */
+
+typedef struct lr_budget {
+    uint32_t struct_size;
+    int32_t kind;           /* LR_BUDGET_*; initially LR_BUDGET_NONE */
+    uint64_t body_substeps; /* a step, 1 to 2^48; LR_BUDGET_BODY_SUBSTEPS */
+    double seconds;         /* a step, 1e-6 to 1e3; LR_BUDGET_TIME */
+} lr_budget;
+
+LR_API lr_status lr_budget_init(lr_budget* budget, uint32_t struct_size);
+
+/* From the next step on; copied. Null ends it. A batch on whose single bodies forces act is stepped at once, even over the
+ * budget. Part of snapshots.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_world_set_budget(lr_world* world, const lr_budget* budget);
+
+/* What the last step did, and what it left out. Batches without bodies do not count. */
+typedef struct lr_step_report {
+    uint32_t struct_size;
+    uint32_t batches_stepped;
+    uint32_t batches_waiting;     /* not due, by their own divisors */
+    uint32_t batches_passed_over; /* due, but the budget did not reach them */
+    uint64_t body_substeps;       /* done */
+    uint64_t
+        body_substeps_wanted; /* of the batches that were due, at their own divisors: what no budget would have taken */
+    double coarseness;        /* what the budget multiplied the divisors of priority 1 with, >= 1 */
+    double behind;            /* s: how far the bodies that have waited longest are behind the world's time */
+    double
+        lost; /* s: the most that a batch has lost in this step. A batch whose budget does not even reach for its longest
+                       substeps goes in slow motion: lr_batch_rate.longest_substep */
+    double seconds; /* that the step took; 0 without LR_BUDGET_TIME */
+} lr_step_report;
+
+LR_API lr_status lr_step_report_init(lr_step_report* report, uint32_t struct_size);
+
+/* report: initialised, or with struct_size set. Zeros before the first step, and after a snapshot was restored.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report);
+
 /* A hash of the state of all bodies and the time index. Independent of the order of bodies in memory, of the processor
  * and of worker_count; equal hashes mean equal motion from here on, given equal worlds. Wind sources are part of it,
  * grids by the hash of their samples, and the surface.
@@ -575,7 +620,8 @@ LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
-/* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter)
+/* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter, rates,
+ * budget)
  * into `size` bytes at `memory`, any alignment. Assets, batches' settings, threads, callbacks are not part of it, nor
  * the samples of wind grids, which are named by their hash. written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
@@ -681,6 +727,51 @@ LR_API lr_status lr_load_gains_init(lr_load_gains* gains, uint32_t struct_size);
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains);
 
+/* How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/lod.md.
+ * A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one
+ * in every so many steps, which makes up for all of them. No substep gets longer than `longest_substep` by that: a divisor
+ * beyond has no more effect, and a budget that cannot afford them makes bodies slow rather than wrong. */
+typedef struct lr_batch_rate {
+    uint32_t struct_size;
+    uint32_t divisor; /* 1 to 1024; initially 1 */
+    float priority;   /* 0.01 to 100: the share in a budget that does not reach for all; initially 1 */
+    float
+        longest_substep; /* s, up to LR_MAX_SUBSTEP; initially 0: that up to which falls keep their statistics, 1/60 s, for
+                              bodies under 2.5 cm length_d / 1.5 m/s */
+} lr_batch_rate;
+
+LR_API lr_status lr_batch_rate_init(lr_batch_rate* rate, uint32_t struct_size);
+
+/* From the next step on, at any time: a batch that waits makes up for all of it when next stepped. Null puts the initial values
+ * back. While it waits
+ *  - views and lr_body_get_state have the bodies as they were last stepped, lr_batch_pace.behind ago, and bodies that are made
+ *    or set are taken to be from then; transforms are moved on by that time with the bodies' velocities;
+ *  - a force on one of its bodies ends the waiting, and acts with the impulse that it would have had in one step;
+ *  - its rules, emitter and events wait too.
+ * Part of snapshots.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate);
+
+/* How a batch keeps up with its world. */
+typedef struct lr_batch_pace {
+    uint32_t struct_size;
+    uint32_t divisor;       /* as set */
+    float priority;         /* as set */
+    float longest_substep;  /* s, as set, or what 0 stands for */
+    uint32_t substeps;      /* in the last step of the world; 0: it waited */
+    uint32_t waited;        /* steps since it was last stepped */
+    double behind;          /* s: the same as time */
+    double lost;            /* s, in all: what its bodies' clocks are slow by */
+    uint64_t body_substeps; /* in all */
+} lr_batch_pace;
+
+LR_API lr_status lr_batch_pace_init(lr_batch_pace* pace, uint32_t struct_size);
+
+/* pace: initialised, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace);
+
 /* The state of a batch where it lies: arrays with one value a body, `count` of them, 64-byte aligned. Bodies are dense:
  * when one is destroyed, the last takes its place. Pointers are valid until the next call that is not a query. */
 typedef struct lr_batch_view {
@@ -712,7 +803,8 @@ LR_API lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_bat
 #define LR_TRANSFORM_4X4_ROW_MAJOR 4             /* 16 floats; column vectors, translation in elements 3, 7, 11 */
 #define LR_TRANSFORM_4X4_COLUMN_MAJOR 5          /* 16 floats; column vectors, translation in elements 12, 13, 14 */
 
-/* Writes the transforms of all bodies of a batch, in the order of its view. The mesh to be drawn must have its origin
+/* Writes the transforms of all bodies of a batch, in the order of its view; of one that waits (lr_batch_rate), moved on to the
+ * world's time. The mesh to be drawn must have its origin
  * at the centre of mass (lr_asset_info.center_of_mass). dst: 4-byte aligned, `capacity` elements `stride` bytes apart.
  * stride: 0 for elements without gaps, else a multiple of 4, at least an element. written: elements written; may be
  * null. When the batch has more than `capacity` bodies nothing is written.

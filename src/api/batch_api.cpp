@@ -172,7 +172,8 @@ lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32
     if (b->count() > capacity) return refuse(world, name, LR_ERROR_BUFFER_TOO_SMALL);
     if (b->count() == 0) return LR_OK;
     if (!dst) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
-    lr::write_transforms(world->target->simd, b->arrays(), b->count(), format, dst, stride);
+    lr::write_transforms(world->target->simd, b->arrays(), b->count(), static_cast<float>(b->pace.behind()), format,
+                         dst, stride);
     if (written) *written = b->count();
     return LR_OK;
 }

@@ -157,9 +157,9 @@ bool WindField::take_blame() {
 }
 
 // part: of the step, 0 to 1.
-void WindField::uniform_at(double part, double time, double wind[3]) const {
+void WindField::uniform_at(const UniformWind& over, double part, double time, double wind[3]) const {
     for (size_t k = 0; k < 3; ++k) {
-        const auto from = static_cast<double>(uniform.before[k]), to = static_cast<double>(uniform.wind[k]);
+        const auto from = static_cast<double>(over.before[k]), to = static_cast<double>(over.wind[k]);
         wind[k] = from + part * (to - from);
     }
     for (const Slot& slot : slots_)
@@ -187,13 +187,13 @@ void WindField::fill(FieldInstant& to, SourceInstant* sources, double time, cons
         for (float w : to.wind) to.reference += std::abs(w);
 }
 
-void WindField::prepare(const StepTime& t, uint32_t first, uint32_t count, uint64_t seed) {
+void WindField::prepare(const StepTime& t, const UniformWind& over, uint32_t first, uint32_t count, uint64_t seed) {
     const uint32_t each = total_instants();
     double begin[3], end[3];
-    uniform_at(first / static_cast<double>(t.substeps), t.begin + first * t.h, begin);
+    uniform_at(over, first / static_cast<double>(t.substeps), t.begin + first * t.h, begin);
     for (uint32_t i = 0; i < count; ++i, std::copy(end, end + 3, begin)) {
         const double after = first + i + 1.0, middle = first + i + 0.5;
-        uniform_at(after / t.substeps, t.begin + after * t.h, end);
+        uniform_at(over, after / t.substeps, t.begin + after * t.h, end);
         FieldInstant& to = instants_[i];
         Carried carried{};
         const double part = middle / t.substeps, seconds = middle * t.h;
@@ -201,9 +201,9 @@ void WindField::prepare(const StepTime& t, uint32_t first, uint32_t count, uint6
             // Adding zero: no zero is negative, so that a source that adds nothing changes no bit.
             to.wind[k] = static_cast<float>(0.5 * (begin[k] + end[k])) + 0.0f;
             to.change[k] = static_cast<float>(end[k] - begin[k]) + 0.0f;
-            const auto before = static_cast<double>(uniform.before[k]), last = static_cast<double>(uniform.wind[k]);
+            const auto before = static_cast<double>(over.before[k]), last = static_cast<double>(over.wind[k]);
             carried.velocity[k] = before + part * (last - before);
-            carried.way[k] = uniform.drift[k] + seconds * 0.5 * (before + carried.velocity[k]);
+            carried.way[k] = over.drift[k] + seconds * 0.5 * (before + carried.velocity[k]);
         }
         fill(to, prepared_.data() + size_t{i} * each, t.begin + seconds, carried, seed);
     }
@@ -211,7 +211,7 @@ void WindField::prepare(const StepTime& t, uint32_t first, uint32_t count, uint6
 
 void WindField::prepare_now(double time, uint64_t seed) {
     double wind[3];
-    uniform_at(1.0, time, wind);
+    uniform_at(uniform, 1.0, time, wind);
     Carried carried{};
     for (size_t k = 0; k < 3; ++k) {
         instants_[0].wind[k] = static_cast<float>(wind[k]) + 0.0f;

@@ -49,8 +49,8 @@ public:
     // True once for each callback.
     bool take_blame();
 
-    // Prepares substeps first to first + count of a step, count up to `slice`.
-    void prepare(const StepTime& time, uint32_t first, uint32_t count, uint64_t seed);
+    // Prepares substeps first to first + count of a step, count up to `slice`. over: the uniform wind in it.
+    void prepare(const StepTime& time, const UniformWind& over, uint32_t first, uint32_t count, uint64_t seed);
     // Prepares the present moment.
     void prepare_now(double time, uint64_t seed);
     const FieldInstant& instant(uint32_t i) const { return instants_[i]; }
@@ -85,7 +85,7 @@ private:
     bool reserve(uint32_t instants);
     uint32_t total_instants() const;
     void clear();
-    void uniform_at(double part, double time, double wind[3]) const;
+    void uniform_at(const UniformWind& over, double part, double time, double wind[3]) const;
     void fill(FieldInstant& to, SourceInstant* sources, double time, const Carried& carried, uint64_t seed) const;
 
     Allocator* allocator_;

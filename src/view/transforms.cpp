@@ -182,10 +182,60 @@ template <int32_t kFormat> HWY_NOINLINE void stream_format(const BatchArrays& a,
     hwy::FlushStream();
 }
 
-void write_range(const BatchArrays& a, uint32_t count, int32_t format, unsigned char* to, uint64_t stride,
+// Position and orientation of one vector of bodies after `seconds` at their velocities.
+template <class D, class Out> HWY_INLINE void move_on(D d, const BatchArrays& a, size_t at, float seconds, Out&& out) {
+    using V = hn::Vec<D>;
+    const auto load = [&](size_t field) HWY_ATTR { return hn::Load(d, a.field[field] + at); };
+    const auto scaled = [&](size_t field, float by) HWY_ATTR { return hn::Mul(load(field), hn::Set(d, by)); };
+    const V qx = load(field_qx), qy = load(field_qy), qz = load(field_qz), qw = load(field_qw);
+    const V vx = scaled(field_vx, seconds), vy = scaled(field_vy, seconds), vz = scaled(field_vz, seconds);
+    // q v q*, by u = 2 q x v: v + w u + q x u.
+    const auto cross = [](V ay, V az, V by, V bz) HWY_ATTR { return hn::Sub(hn::Mul(ay, bz), hn::Mul(az, by)); };
+    const auto twice = [](V x) HWY_ATTR { return hn::Add(x, x); };
+    const V ux = twice(cross(qy, qz, vy, vz)), uy = twice(cross(qz, qx, vz, vx)), uz = twice(cross(qx, qy, vx, vy));
+    const auto sum = [](V p, V q, V r) HWY_ATTR { return hn::Add(hn::Add(p, q), r); };
+    out(field_x, hn::Add(load(field_x), sum(vx, hn::Mul(qw, ux), cross(qy, qz, uy, uz))));
+    out(field_y, hn::Add(load(field_y), sum(vy, hn::Mul(qw, uy), cross(qz, qx, uz, ux))));
+    out(field_z, hn::Add(load(field_z), sum(vz, hn::Mul(qw, uz), cross(qx, qy, ux, uy))));
+    // Cayley's map of a quarter of the turn, squared: ((1 - s) + 2 t)/(1 + s), s = |t|^2, t = w seconds/4. A turn by x is short by x^3/48.
+    const V one = hn::Set(d, 1.0f), quarter = hn::Set(d, 0.25f * seconds);
+    const V tx = hn::Mul(load(field_wx), quarter), ty = hn::Mul(load(field_wy), quarter),
+            tz = hn::Mul(load(field_wz), quarter);
+    const V s = sum(hn::Mul(tx, tx), hn::Mul(ty, ty), hn::Mul(tz, tz));
+    const V unit = hn::Div(one, hn::Add(one, s)), rw = hn::Mul(hn::Sub(one, s), unit);
+    const V rx = hn::Mul(twice(tx), unit), ry = hn::Mul(twice(ty), unit), rz = hn::Mul(twice(tz), unit);
+    out(field_qx, hn::Add(hn::Add(hn::Mul(qw, rx), hn::Mul(qx, rw)), cross(qy, qz, ry, rz)));
+    out(field_qy, hn::Add(hn::Add(hn::Mul(qw, ry), hn::Mul(qy, rw)), cross(qz, qx, rz, rx)));
+    out(field_qz, hn::Add(hn::Add(hn::Mul(qw, rz), hn::Mul(qz, rw)), cross(qx, qy, rx, ry)));
+    out(field_qw, hn::Sub(hn::Mul(qw, rw), sum(hn::Mul(qx, rx), hn::Mul(qy, ry), hn::Mul(qz, rz))));
+}
+
+// By way of a piece with bodies that have been moved on.
+template <int32_t kFormat>
+HWY_NOINLINE void write_ahead(const BatchArrays& a, uint32_t count, float seconds, unsigned char* to, uint64_t stride) {
+    constexpr uint32_t piece = 128;
+    static_assert(piece % lane_block == 0);
+    const hn::CappedTag<float, lane_block> d;
+    alignas(64) float moved[field_count][piece];
+    for (uint32_t from = 0; from < count; from += piece, to += piece * stride) {
+        const uint32_t here = std::min(piece, count - from);
+        BatchArrays some{};
+        some.field[field_scale] = a.field[field_scale] + from;
+        for (uint32_t i = 0; i < here; i += static_cast<uint32_t>(hn::Lanes(d)))
+            move_on(d, a, from + i, seconds, [&](size_t field, auto v) HWY_ATTR {
+                some.field[field] = moved[field];
+                hn::Store(v, d, moved[field] + i);
+            });
+        write_format<kFormat>(some, 0, here, to, stride);
+    }
+}
+
+void write_range(const BatchArrays& a, uint32_t count, float ahead, int32_t format, unsigned char* to, uint64_t stride,
                  bool stream) {
     const auto write = [&]<int32_t kFormat>() {
-        if (stream)
+        if (ahead > 0.0f)
+            write_ahead<kFormat>(a, count, ahead, to, stride);
+        else if (stream)
             stream_format<kFormat>(a, count, to);
         else
             write_format<kFormat>(a, 0, count, to, stride);
@@ -219,7 +269,7 @@ namespace {
 // the lines that are about to be overwritten would take as long as writing them.
 constexpr uint64_t stream_bytes = 8u << 20;
 
-using WriteFunction = void (*)(const BatchArrays&, uint32_t, int32_t, unsigned char*, uint64_t, bool);
+using WriteFunction = void (*)(const BatchArrays&, uint32_t, float, int32_t, unsigned char*, uint64_t, bool);
 struct Target {
     int32_t simd;
     WriteFunction write;
@@ -270,12 +320,13 @@ uint32_t transform_bytes(int32_t format) {
     }
 }
 
-void write_transforms(int32_t simd, const BatchArrays& a, uint32_t count, int32_t format, void* to, uint64_t stride) {
+void write_transforms(int32_t simd, const BatchArrays& a, uint32_t count, float ahead, int32_t format, void* to,
+                      uint64_t stride) {
     const bool stream = stride == transform_bytes(format) && uint64_t{count} * stride >= stream_bytes;
     // The last one runs anywhere.
     const Target* target =
         std::find_if(std::begin(targets), std::end(targets) - 1, [simd](const Target& t) { return t.simd == simd; });
-    target->write(a, count, format, static_cast<unsigned char*>(to), stride, stream);
+    target->write(a, count, ahead, format, static_cast<unsigned char*>(to), stride, stream);
 }
 
 } // namespace lr

@@ -23,7 +23,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     status = LR_ERROR_OUT_OF_MEMORY;
     void* const memory = allocator.allocate(sizeof(Batch));
     if (!memory) return nullptr;
-    Batch* const batch = new (memory) Batch(allocator);
+    Batch* const batch = new (memory) Batch(allocator, asset.data.length_d);
     batch->settings_ = settings;
     batch->index_ = index;
     batch->first_generation_ = first_generation;

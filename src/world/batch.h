@@ -7,6 +7,9 @@
 #include "world/allocator.h"
 #include "world/external_forces.h"
 #include "world/handles.h"
+#include "world/pace.h"
+
+#include <atomic>
 
 namespace lr {
 
@@ -84,13 +87,15 @@ public:
     bool reserve_lifecycle();                           // false when out of memory
 
     StepInput step; // constants of the shape, filled up by World::step
+    Pace pace;
+    std::atomic<uint64_t> spent{0}; // ns of all threads in this step; where a budget asks for it
 
     // Arrays of BatchArrays::field that it has: the last three are those of AERODYNAMIC loads.
     size_t fields() const { return is_aerodynamic(settings_.loads) ? field_count : field_gust_x; }
 
 private:
     friend class SnapshotAccess;
-    explicit Batch(Allocator& allocator) : allocator_(&allocator) {}
+    Batch(Allocator& allocator, double length) : pace(length), allocator_(&allocator) {}
     ~Batch();
     bool allocate(uint32_t capacity);
     void clear_lane(uint32_t index);

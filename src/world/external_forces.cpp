@@ -39,6 +39,11 @@ void ExternalForces::set_batch(const float (&force)[force_components]) {
     on_batch_ = std::any_of(force, force + force_components, [](float f) { return f != 0.0f; });
 }
 
+void ExternalForces::spread(float part, uint32_t count) {
+    for (size_t i = 0; i < force_components; ++i)
+        if (used_ >> i / 3 & 1u) std::for_each_n(bodies_.data() + i * stride_, count, [=](float& f) { f *= part; });
+}
+
 void ExternalForces::fill(ExternalInput& in) {
     in.any = on_batch_ || pending();
     in.used = used_;

@@ -25,6 +25,8 @@ public:
     const float* bodies() const { return bodies_.data(); }
     size_t stride() const { return stride_; }
 
+    // Those on single bodies act over 1/part of the time that they were meant for.
+    void spread(float part, uint32_t count);
     void fill(ExternalInput& in);                    // for a step
     void stepped() { used_ = 0; }                    // the kernel has left zeros
     void restored_pending() { used_ = all_vectors; } // bodies() has been filled

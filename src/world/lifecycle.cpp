@@ -58,9 +58,8 @@ void Lifecycle::judge(EndedFunction ended, const BatchArrays& arrays, uint32_t b
 }
 
 void Lifecycle::finish(Batch& batch, lr_world& world, double dt) {
-    ended_ = born_ = missed_ = 0;
+    pass();
     ended_respawned_ = respawns();
-    std::fill_n(by_cause_, cause_count, 0u);
     if (has_rules_) end_bodies(batch, world);
     if (has_emitter_) bear(batch, world, dt);
 }
@@ -164,8 +163,7 @@ void Lifecycle::restore(const Record& r, uint32_t count) {
     total_destroyed_ = r.totals[1];
     total_respawned_ = r.totals[2];
     total_missed_ = r.totals[3];
-    ended_ = born_ = missed_ = 0;
-    std::fill_n(by_cause_, cause_count, 0u);
+    pass();
     std::fill(life_.data() + count, life_.data() + life_.size(), 0u);
 }
 

@@ -7,6 +7,7 @@
 #include "world/emitter.h"
 #include "world/rules.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace lr {
@@ -28,6 +29,8 @@ public:
     // A step: judge() for all bodies, from any threads, each for whole cuts (world/step_chunks.h); then finish() once.
     void judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end);
     void finish(Batch& batch, lr_world& world, double dt);
+    // A step of the world in which the batch waits.
+    void pass() { ended_ = born_ = missed_ = 0, std::fill_n(by_cause_, cause_count, 0u); }
 
     // Births of at most `count` bodies; the number of those that there was room for.
     uint32_t emit(Batch& batch, lr_world& world, uint32_t count, lr_body* out_ids);

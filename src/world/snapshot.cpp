@@ -15,7 +15,7 @@ namespace lr {
 namespace {
 
 constexpr uint64_t magic = 0x31304e53444c524cull; // "LRLDSN01", little-endian
-constexpr uint32_t version = 4;
+constexpr uint32_t version = 5;
 
 struct Header {
     uint64_t magic;
@@ -24,8 +24,9 @@ struct Header {
     uint64_t size;     // of everything
     uint64_t checksum; // of everything but this field
     uint64_t seed;
-    uint64_t substep_count;
+    uint64_t step_count, substep_count;
     double time;
+    Pacing::Record pacing;
     float gravity[3];
     float wind[3];
     uint32_t next_key;
@@ -47,6 +48,7 @@ struct BatchHeader {
     Gains gains;
     TurbulenceSample stationary;
     AerodynamicData aerodynamics;
+    Pace::Record pace;
 };
 static_assert(std::is_trivially_copyable_v<BatchHeader>);
 static_assert(sizeof(Header) % 8 == 0 && sizeof(BatchHeader) % 8 == 0);
@@ -101,6 +103,7 @@ public:
         h.gains = b.settings_.gains;
         h.stationary = b.stationary_;
         h.aerodynamics = b.aerodynamics_;
+        h.pace = b.pace.record();
         h.parts = parts_of(b);
         return h;
     }
@@ -187,6 +190,7 @@ public:
         b.step.body.speed_alpha = h.speed_alpha;
         b.step.body.speed_beta = h.speed_beta;
         b.stationary_ = h.stationary;
+        b.pace.restore(h.pace);
         b.set_aerodynamics(h.aerodynamics, h.gains); // as it was when saved: it has been checked
     }
     static bool usable_loads(const BatchHeader& h, const Batch& b) {
@@ -221,8 +225,10 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     header.batch_slots = w.batch_slots;
     header.size = needed;
     header.seed = w.seed;
+    header.step_count = w.step_count;
     header.substep_count = w.substep_count;
     header.time = w.time;
+    header.pacing = w.pacing.record();
     std::memcpy(header.gravity, w.gravity, sizeof header.gravity);
     std::memcpy(header.wind, w.wind.uniform.wind, sizeof header.wind);
     header.next_key = w.next_key;
@@ -266,7 +272,8 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
     for (float v : header.wind)
         if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
-    if (!std::isfinite(header.time) || header.next_key == 0) return LR_ERROR_SNAPSHOT_FORMAT;
+    if (!std::isfinite(header.time) || header.next_key == 0 || !Pacing::consistent(header.pacing))
+        return LR_ERROR_SNAPSHOT_FORMAT;
     if (header.batch_slots != w.batch_slots) return LR_ERROR_SNAPSHOT_MISMATCH;
 
     // First pass: everything is checked, and tables of another length get their memory.
@@ -301,7 +308,8 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
             if (h.count > h.capacity || h.table_count == 0 || h.table_count > 65536 || !(h.inverse_dt > 0.0f) ||
                 !std::isfinite(h.inverse_dt) || !std::isfinite(h.speed_alpha) || !std::isfinite(h.speed_beta) ||
                 h.speed_alpha < 0.0f || h.speed_beta < 0.0f || (h.parts & ~all_parts) != 0 ||
-                !SnapshotAccess::usable_loads(h, *batch))
+                !SnapshotAccess::usable_loads(h, *batch) ||
+                !Pace::consistent(h.pace, header.time, header.substep_count))
                 return LR_ERROR_SNAPSHOT_FORMAT;
             const uint64_t bytes = batch_bytes(h);
             const uint64_t parts = parts_bytes(h.parts, h.count);
@@ -336,7 +344,9 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
             at += parts_bytes(h.parts, h.count);
         }
         w.seed = header.seed;
+        w.step_count = header.step_count;
         w.substep_count = header.substep_count;
+        w.pacing.restore(header.pacing);
         w.time = header.time;
         w.next_key = header.next_key;
         std::memcpy(w.gravity, header.gravity, sizeof header.gravity);

@@ -5,6 +5,7 @@
 #include "world/world.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace lr {
 namespace {
@@ -16,16 +17,16 @@ constexpr uint64_t most_chunks = 1u << 24;
 } // namespace
 
 StepChunks::StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks,
-                       uint32_t substeps, uint32_t helpers)
+                       uint64_t work, uint32_t helpers)
     : world_(&world), items_(items), item_count_(item_count), blocks_(lane_blocks) {
-    const uint64_t work = lane_blocks * lane_block * substeps;
     helpers_ = static_cast<uint32_t>(std::min<uint64_t>(helpers, work / helper_work));
     if (helpers_ == 0) {
         chunk_ = std::max<uint64_t>(lane_blocks, 1);
         return;
     }
     const uint64_t even = lane_blocks / (chunks_a_thread * (helpers_ + 1)) / cut_blocks * cut_blocks;
-    const uint32_t most_bodies = std::clamp(most_chunk_work / substeps, cut_bodies, most_chunk_bodies);
+    const uint64_t substeps = std::max<uint64_t>(work / (lane_blocks * lane_block), 1);
+    const uint64_t most_bodies = std::clamp<uint64_t>(most_chunk_work / substeps, cut_bodies, most_chunk_bodies);
     chunk_ = std::max(std::clamp(even, cut_blocks, most_bodies / lane_block / cut_blocks * cut_blocks),
                       lane_blocks / most_chunks);
 }
@@ -44,7 +45,15 @@ void StepChunks::run(void* context, uint32_t chunk) {
         const uint32_t lanes = item->batch->padded_count();
         const uint32_t first = from <= item->begin ? 0 : cut(from - item->begin);
         const uint32_t last = to - item->begin >= lanes / lane_block ? lanes : cut(to - item->begin);
-        if (first < last) c.step(*item, first, last);
+        if (first == last) continue;
+        if (!c.timed) {
+            c.step(*item, first, last);
+            continue;
+        }
+        const auto since = std::chrono::steady_clock::now();
+        c.step(*item, first, last);
+        const auto spent = std::chrono::steady_clock::now() - since;
+        item->batch->spent += static_cast<uint64_t>(std::chrono::nanoseconds(spent).count());
     }
 }
 
@@ -56,7 +65,9 @@ void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const 
         step_in_field(*slice, batch.step, arrays, item.handle, batch.count(), begin, end);
         last = slice->first + slice->count == slice->time.substeps;
     } else if (surface && batch.step.water) {
-        step_at_surface(*surface, batch.step, arrays, item.handle, batch.count(), begin, end);
+        SurfaceStep here = *surface;
+        here.time = batch.pace.time();
+        step_at_surface(here, batch.step, arrays, item.handle, batch.count(), begin, end);
     } else {
         const uint32_t alive = std::min(end, batch.count()), whole = alive - alive % uint32_t{lane_block};
         const bool few = world_->narrow && alive > whole && alive - whole <= narrow_lanes;

@@ -47,11 +47,13 @@ struct StepItem {
 // small ones.
 class StepChunks {
 public:
-    StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks,
-               uint32_t substeps, uint32_t helpers);
+    // work: body-substeps of one run over them.
+    StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks, uint64_t work,
+               uint32_t helpers);
 
     const FieldSlice* slice = nullptr;    // null where there is no wind but a uniform one
-    const SurfaceStep* surface = nullptr; // null without one
+    const SurfaceStep* surface = nullptr; // null without one; each batch has its own time
+    bool timed = false;                   // Batch::spent is kept
 
     uint32_t count() const { return static_cast<uint32_t>((blocks_ + chunk_ - 1) / chunk_); }
     uint32_t helpers() const { return helpers_; } // threads besides the caller that are worth their waking

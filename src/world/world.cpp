@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <new>
@@ -72,7 +73,8 @@ bool lr_world::grow_batches() {
     lr::Buffer<BatchSlot> larger;
     lr::Buffer<lr::StepItem> more_items;
     const size_t size = std::max<size_t>(8, 2 * batches.size());
-    if (!larger.allocate(allocator, size) || !more_items.allocate(allocator, size)) return false;
+    if (!larger.allocate(allocator, size) || !more_items.allocate(allocator, size) || !pacing.reserve(allocator, size))
+        return false;
     std::copy(batches.data(), batches.data() + batch_slots, larger.data());
     batches.swap(larger);
     items.swap(more_items);
@@ -125,79 +127,148 @@ uint32_t lr_world::take_key() {
     return key;
 }
 
-void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
-    const double h = static_cast<double>(dt) / substeps;
-    // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
-    lr::UniformWind& uniform = wind.uniform;
-    if (substep_count == 0) std::copy(uniform.wind, uniform.wind + 3, uniform.before);
-    const bool field = wind.active();
-    const lr::SurfaceStep at_surface{target, &surface, {time, h, substeps}, gravity};
-    const bool wind_changes = !field && !std::equal(uniform.wind, uniform.wind + 3, uniform.before);
-    if (h != roots.h) {
-        const double sqrt_h = std::sqrt(h);
-        roots = {h, static_cast<float>(sqrt_h), static_cast<float>(1.0 / sqrt_h)};
+void lr_world::pace_batches(float dt, uint32_t substeps) {
+    const lr::Pacing::Step step{step_count, substeps, static_cast<double>(dt) / substeps};
+    pacing.begin();
+    for (uint32_t i = 0; i < batch_slots; ++i) {
+        Batch* const batch = batches[i].batch;
+        if (!batch) continue;
+        if (batch->count() == 0) {
+            batch->pace.rest();
+            continue;
+        }
+        batch->pace.wait(static_cast<double>(dt), substeps, time, substep_count, wind.uniform);
+        pacing.ask(*batch, i, step);
     }
+    pacing.decide(step);
+}
+
+void lr_world::fill_input(Batch& batch, float dt, bool& unfit) {
+    const lr::Pace& pace = batch.pace;
+    const lr::StepTime t = pace.time();
+    const lr::UniformWind uniform = pace.wind(wind.uniform);
+    const bool made_up = pace.behind() != static_cast<double>(dt); // with earlier steps, or less of this one
+    const auto seconds = static_cast<float>(pace.behind());
+    if (t.h != roots.h) {
+        const double sqrt_h = std::sqrt(t.h);
+        roots = {t.h, static_cast<float>(sqrt_h), static_cast<float>(1.0 / sqrt_h)};
+    }
+    lr::StepInput& in = batch.step;
+    in.seed = seed;
+    in.first_substep = pace.record().first_substep;
+    in.substeps = t.substeps;
+    in.h = static_cast<float>(t.h);
+    in.sqrt_h = roots.sqrt;
+    in.inverse_sqrt_h = roots.inverse_sqrt;
+    std::copy(gravity, gravity + 3, in.gravity);
+    if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.count());
+    batch.external.fill(in.external);
+    in.water = surface.present() ? batch.water_body(surface.desc(), unfit) : nullptr;
+    std::copy(uniform.before, uniform.before + 3, in.wind_begin);
+    std::copy(uniform.wind, uniform.wind + 3, in.wind);
+    in.wind_changes = !wind.active() && !std::equal(uniform.wind, uniform.wind + 3, uniform.before);
+    if (!in.wind_changes) return;
+    // In a fluid that accelerates as a whole, bodies move as if gravity were less by it. Above the limit, which only
+    // steps of microseconds reach, the product with the step could overflow.
+    for (size_t k = 0; k < 3; ++k)
+        in.gravity[k] -= std::clamp((uniform.wind[k] - uniform.before[k]) / seconds, -1e9f, 1e9f);
+}
+
+void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
+    const auto since = std::chrono::steady_clock::now();
+    // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
+    if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
+    pace_batches(dt, substeps);
     uint32_t item_count = 0;
-    uint64_t blocks = 0;
     bool unfit = false;
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
-        if (!batch || batch->count() == 0) continue;
-        items[item_count++] = {batch, lr::pack(lr::BatchHandle{i, batches[i].generation}), blocks};
-        blocks += batch->padded_count() / lr::lane_block;
-        lr::StepInput& in = batch->step;
-        in.seed = seed;
-        in.first_substep = substep_count;
-        in.substeps = substeps;
-        in.h = static_cast<float>(h);
-        in.sqrt_h = roots.sqrt;
-        in.inverse_sqrt_h = roots.inverse_sqrt;
-        std::copy(gravity, gravity + 3, in.gravity);
-        batch->external.fill(in.external);
-        in.water = surface.present() ? batch->water_body(surface.desc(), unfit) : nullptr;
-        std::copy(uniform.before, uniform.before + 3, in.wind_begin);
-        std::copy(uniform.wind, uniform.wind + 3, in.wind);
-        in.wind_changes = wind_changes;
-        if (!wind_changes) continue;
-        // In a fluid that accelerates as a whole, bodies move as if gravity were less by it. Above the limit, which only
-        // steps of microseconds reach, the product with the step could overflow.
-        for (size_t k = 0; k < 3; ++k)
-            in.gravity[k] -= std::clamp((uniform.wind[k] - uniform.before[k]) / dt, -1e9f, 1e9f);
+        if (!batch || batch->count() == 0 || batch->pace.granted() == 0) continue;
+        items[item_count++] = {batch, lr::pack(lr::BatchHandle{i, batches[i].generation}), 0};
+        fill_input(*batch, dt, unfit);
     }
-    // In a field the workers are called for each slice of the step.
-    const uint32_t at_a_time = field ? std::min(substeps, lr::WindField::slice) : substeps;
-    lr::StepChunks chunks(*this, items.data(), item_count, blocks, at_a_time, crew.helpers());
-    if (surface.present()) chunks.surface = &at_surface;
-    if (field)
-        step_through_field({time, h, substeps}, chunks, mode);
-    else
-        crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
+    const lr::SurfaceStep at_surface{target, &surface, {}, gravity};
+    const lr::SurfaceStep* const water = surface.present() ? &at_surface : nullptr;
+    if (!wind.active()) {
+        run(items.data(), item_count, water, mode);
+    } else {
+        // The field is prepared for moments in time: those that go through the same ones, together.
+        for (uint32_t from = 0; from < item_count;) {
+            const lr::Pace& first = items[from].batch->pace;
+            lr::StepItem* const to =
+                std::partition(items.data() + from, items.data() + item_count,
+                               [&](const lr::StepItem& item) { return item.batch->pace.at_same_time(first); });
+            const auto count = static_cast<uint32_t>(to - items.data()) - from;
+            run(items.data() + from, count, water, mode);
+            from += count;
+        }
+        if (wind.take_blame())
+            log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
+    }
     wind.end_step(dt);
     if (unfit)
         log(LR_LOG_WARNING, "surface", "a batch's mass matrix is singular in its fluid, which is not there for it");
     if (surface.present() && surface.take_blame())
         log(LR_LOG_WARNING, "surface callback", "a value was no surface's, and the plane was taken instead");
+    ++step_count;
     substep_count += substeps;
     time += static_cast<double>(dt);
-    for (uint32_t i = 0; i < batch_slots; ++i) {
-        Batch* const batch = batches[i].batch;
-        if (!batch) continue;
-        batch->external.stepped();
-        if (batch->lifecycle()) batch->lifecycle()->finish(*batch, *this, static_cast<double>(dt));
-    }
+    finish_batches(static_cast<double>(dt));
+    if (pacing.timed()) pacing.learn(std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count());
 }
 
-void lr_world::step_through_field(const lr::StepTime& t, lr::StepChunks& chunks, const lr::FloatMode& mode) {
-    lr::FieldSlice slice{target, &wind, t, 0, 0, chunks.surface};
+// All of one time, where there is a field.
+void lr_world::run(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode) {
+    const bool field = wind.active();
+    uint64_t blocks = 0, work = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const Batch& batch = *some[i].batch;
+        some[i].begin = blocks;
+        blocks += batch.padded_count() / lr::lane_block;
+        // In a field the workers are called for each slice of the step.
+        const uint32_t at_a_time = field ? std::min(batch.step.substeps, lr::WindField::slice) : batch.step.substeps;
+        work += uint64_t{batch.padded_count()} * at_a_time;
+    }
+    lr::StepChunks chunks(*this, some, count, blocks, work, crew.helpers());
+    chunks.surface = at_surface;
+    chunks.timed = pacing.timed();
+    if (!field || count == 0) {
+        crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
+        return;
+    }
+    const lr::Pace& pace = some[0].batch->pace;
+    const lr::StepTime t = pace.time();
+    const lr::UniformWind uniform = pace.wind(wind.uniform);
+    lr::SurfaceStep here{};
+    if (at_surface) {
+        here = *at_surface;
+        here.time = t;
+    }
+    lr::FieldSlice slice{target, &wind, t, 0, 0, at_surface ? &here : nullptr};
     chunks.slice = &slice;
     for (; slice.first < t.substeps; slice.first += slice.count) {
         slice.count = std::min(lr::WindField::slice, t.substeps - slice.first);
-        wind.prepare(t, slice.first, slice.count, seed);
+        wind.prepare(t, uniform, slice.first, slice.count, seed);
         crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
     }
-    chunks.slice = nullptr;
-    if (wind.take_blame())
-        log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
+}
+
+void lr_world::finish_batches(double dt) {
+    for (uint32_t i = 0; i < batch_slots; ++i) {
+        Batch* const batch = batches[i].batch;
+        if (!batch) continue;
+        const bool waits = batch->count() != 0 && batch->pace.granted() == 0;
+        const double seconds = batch->count() == 0 ? dt : batch->pace.behind();
+        if (!waits) {
+            batch->external.stepped();
+            batch->pace.stepped(batch->count());
+        }
+        if (!batch->lifecycle()) continue;
+        if (waits)
+            batch->lifecycle()->pass();
+        else
+            batch->lifecycle()->finish(*batch, *this, seconds);
+    }
 }
 
 void lr_world::sample_wind(const float* positions, uint32_t count, float* velocities) const {
@@ -218,6 +289,7 @@ uint64_t mix(uint64_t v) {
 
 uint64_t lr_world::hash() const {
     uint64_t result = mix(substep_count + 0x9e3779b97f4a7c15ull);
+    bool paced = false;
     for (uint32_t b = 0; b < batch_slots; ++b) {
         if (!batches[b].batch) continue;
         const Batch& batch = *batches[b].batch;
@@ -242,11 +314,15 @@ uint64_t lr_world::hash() const {
             sum += body;
         }
         result = mix(result ^ mix(b)) + sum;
+        batch.pace.hash([&](uint64_t word) { result = mix(result ^ word); });
+        paced = paced || !batch.pace.plain();
         if (batch.lifecycle() && batch.lifecycle()->has_emitter())
             for (uint64_t word : {uint64_t{next_key}, std::bit_cast<uint64_t>(batch.lifecycle()->due()),
                                   std::bit_cast<uint64_t>(batch.lifecycle()->burst_clock())})
                 result = mix(result ^ word);
     }
+    if (paced || pacing.limited()) result = mix(result ^ step_count);
+    pacing.hash([&](uint64_t word) { result = mix(result ^ word); });
     if (const uint64_t sources = wind.hash(time)) result = mix(result ^ sources);
     if (const uint64_t water = surface.hash()) result = mix(result ^ water);
     return result;

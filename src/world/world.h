@@ -7,6 +7,7 @@
 #include "world/allocator.h"
 #include "world/batch.h"
 #include "world/crew.h"
+#include "world/pacing.h"
 #include "world/step_chunks.h"
 
 #include <cstdint>
@@ -40,8 +41,9 @@ struct lr_world {
     uint64_t seed = 0;
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
     lr::Surface surface;
-    uint64_t substep_count = 0;
+    uint64_t step_count = 0, substep_count = 0;
     double time = 0.0; // s
+    lr::Pacing pacing;
 
     struct BatchSlot {
         lr::Batch* batch;
@@ -68,7 +70,10 @@ private:
     };
     Roots roots{0.0, 0.0f, 0.0f};
 
-    void step_through_field(const lr::StepTime& time, lr::StepChunks& chunks, const lr::FloatMode& mode);
+    void pace_batches(float dt, uint32_t substeps);
+    void fill_input(lr::Batch& batch, float dt, bool& unfit);
+    void run(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
+    void finish_batches(double dt);
     explicit lr_world(const lr::Allocator& from) : allocator(from) {}
     ~lr_world();
     bool grow_batches();

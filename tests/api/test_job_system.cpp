@@ -112,6 +112,8 @@ TEST_CASE("every scene ends in the same bits with any job system") {
         // Among so many bodies a few are more than Runge-Kutta can follow, and what is not finite has no promise.
         if (scene.integrator == LR_INTEGRATOR_RK4) continue;
         scene.bodies = 2500; // two such batches are work for several threads
+        if (scene.budget != 0) scene.budget = 5000;
+        const bool waits = scene.budget != 0 || scene.divisors[1] > scene.substeps; // not every step has work
         CAPTURE(scene.name);
         const uint64_t expected = outcome(scene);
         // Two for each scene, one of them with threads; over all scenes each of them several times.
@@ -120,7 +122,7 @@ TEST_CASE("every scene ends in the same bits with any job system") {
             CAPTURE(temper);
             JobSystem jobs(static_cast<JobSystem::Temper>(temper));
             CHECK(outcome(scene, {.workers = 3, .jobs = jobs.callbacks()}) == expected);
-            CHECK(jobs.enqueued >= static_cast<uint32_t>(Play::frames));
+            CHECK(jobs.enqueued >= static_cast<uint32_t>(waits ? 3 : Play::frames));
             CHECK(jobs.enqueued == jobs.finished);
             CHECK((jobs.most >= 1 && jobs.most <= 3));
             CHECK_FALSE(jobs.wrong.load());

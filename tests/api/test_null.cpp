@@ -177,6 +177,18 @@ TEST_CASE("every pointer that must be given is asked for") {
     lr_batch_events events = initialised(lr_batch_events_init);
     CHECK(lr_batch_get_events(nullptr, batch, &events) == null);
     CHECK(lr_batch_get_events(w, batch, nullptr) == null);
+    const lr_batch_rate rate = initialised(lr_batch_rate_init);
+    CHECK(lr_batch_set_rate(nullptr, batch, &rate) == null);
+    CHECK(lr_batch_set_rate(w, batch, nullptr) == LR_OK);
+    lr_batch_pace pace = initialised(lr_batch_pace_init);
+    CHECK(lr_batch_get_pace(nullptr, batch, &pace) == null);
+    CHECK(lr_batch_get_pace(w, batch, nullptr) == null);
+    const lr_budget budget = initialised(lr_budget_init);
+    CHECK(lr_world_set_budget(nullptr, &budget) == null);
+    CHECK(lr_world_set_budget(w, nullptr) == LR_OK);
+    lr_step_report report = initialised(lr_step_report_init);
+    CHECK(lr_world_get_step_report(nullptr, &report) == null);
+    CHECK(lr_world_get_step_report(w, nullptr) == null);
 
     CHECK(hash_of(world) == before);
     steps(world, 1, 0.01f);

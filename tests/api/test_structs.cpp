@@ -86,6 +86,10 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_batch_rules>(lr_batch_rules_init);
     check_init<lr_emitter_desc>(lr_emitter_desc_init);
     check_init<lr_batch_events>(lr_batch_events_init);
+    check_init<lr_batch_rate>(lr_batch_rate_init);
+    check_init<lr_batch_pace>(lr_batch_pace_init);
+    check_init<lr_budget>(lr_budget_init);
+    check_init<lr_step_report>(lr_step_report_init);
 }
 
 TEST_CASE("initial values are those of the header") {
@@ -118,6 +122,9 @@ TEST_CASE("initial values are those of the header") {
     CHECK((r.action == LR_END_DESTROY && r.max_age == 0.0f && r.volume_count == 0));
     const lr_body_force f = initialised(lr_body_force_init);
     CHECK((f.mode == LR_FORCE_MODE_FORCE && f.frame == LR_FRAME_WORLD && f.flags == 0));
+    const lr_batch_rate t = initialised(lr_batch_rate_init);
+    CHECK((t.divisor == 1 && t.priority == 1.0f && t.longest_substep == 0.0f));
+    CHECK(initialised(lr_budget_init).kind == LR_BUDGET_NONE);
     CHECK((e.fluid_density == 1.2 && e.fluid_viscosity == 1.5e-5 && e.intensity == 1.0));
 }
 
@@ -211,6 +218,13 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
                                [&](lr_emitter_desc* d) { return lr_batch_set_emitter(w, batch, d); });
     check_use<lr_batch_events>(initialised(lr_batch_events_init),
                                [&](lr_batch_events* e) { return lr_batch_get_events(w, batch, e); });
+    check_use<lr_batch_rate>(initialised(lr_batch_rate_init),
+                             [&](lr_batch_rate* d) { return lr_batch_set_rate(w, batch, d); });
+    check_use<lr_batch_pace>(initialised(lr_batch_pace_init),
+                             [&](lr_batch_pace* p) { return lr_batch_get_pace(w, batch, p); });
+    check_use<lr_budget>(initialised(lr_budget_init), [&](lr_budget* d) { return lr_world_set_budget(w, d); });
+    check_use<lr_step_report>(initialised(lr_step_report_init),
+                              [&](lr_step_report* r) { return lr_world_get_step_report(w, r); });
     check_use<lr_batch_view>(initialised(lr_batch_view_init),
                              [&](lr_batch_view* v) { return lr_batch_get_view(w, batch, v); });
 }

@@ -1,6 +1,7 @@
 // What the length of the step does to falls with AERODYNAMIC loads: bodies released at rest at random angles in still air,
 // averaged from 2 s to 10 s. Relative to steps of 1 ms, in per cent.
-//     fall_statistics [ASSET.lrb ...]
+//     fall_statistics [--divisors] [ASSET.lrb ...]
+// --divisors: at 60 Hz x 8, relative to all of these substeps, batches of lower rates (docs/lod.md).
 #include "langevin_rigid.h"
 
 #include <algorithm>
@@ -37,7 +38,8 @@ lr_asset* disc(double a, double b, double c, double density) {
 
 class Fall {
 public:
-    Fall(const lr_asset* asset, float dt, uint32_t substeps) : dt_(dt), substeps_(substeps) {
+    Fall(const lr_asset* asset, float dt, uint32_t substeps, uint32_t divisor = 1, float longest = 0.0f)
+        : dt_(dt), substeps_(substeps) {
         lr_world_desc w;
         require(lr_world_desc_init(&w, sizeof w));
         w.seed = 5;
@@ -52,6 +54,11 @@ public:
         require(lr_emitter_desc_init(&e, sizeof e));
         require(lr_batch_set_emitter(world_, batch_, &e));
         require(lr_batch_emit(world_, batch_, bodies, nullptr));
+        lr_batch_rate r;
+        require(lr_batch_rate_init(&r, sizeof r));
+        r.divisor = divisor;
+        r.longest_substep = longest;
+        require(lr_batch_set_rate(world_, batch_, &r));
     }
     ~Fall() { lr_world_destroy(world_); }
     Fall(const Fall&) = delete;
@@ -108,6 +115,25 @@ private:
     lr_batch batch_ = 0;
 };
 
+void print_relative(const Means& m, const Means& exact) {
+    for (size_t k = 0; k < measures; ++k) std::printf(" %+6.1f%%", 100.0 * (m[k] / exact[k] - 1.0));
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+void print_divisors(const std::string& name, const lr_asset* asset) {
+    const float dt = 1.0f / 60.0f;
+    const Means exact = Fall(asset, dt, 8).run();
+    std::printf("%-22s %-9s %7.3f %7.3f %7.2f %7.2f %7.3f\n", name.c_str(), "1", exact[descent], exact[horizontal],
+                exact[spin], exact[flips], exact[drift]);
+    for (const uint32_t divisor : {2u, 4u, 8u, 16u}) {
+        std::printf("%-22s %-9u", "", divisor);
+        print_relative(Fall(asset, dt, 8, divisor, 1.0f).run(), exact);
+    }
+    std::printf("%-22s %-9s", "", "largest");
+    print_relative(Fall(asset, dt, 8, 1024).run(), exact);
+}
+
 void print(const std::string& name, const lr_asset* asset) {
     const Means exact = Fall(asset, 0.001f, 1).run();
     std::printf("%-22s %-9s %7.3f %7.3f %7.2f %7.2f %7.3f\n", name.c_str(), "1 ms", exact[descent], exact[horizontal],
@@ -116,16 +142,17 @@ void print(const std::string& name, const lr_asset* asset) {
         for (const uint32_t substeps : {1u, 2u, 4u}) {
             const Means m = Fall(asset, 1.0f / static_cast<float>(rate), substeps).run();
             std::printf("%-22s 1/%-3u x %u", "", rate, substeps);
-            for (size_t k = 0; k < measures; ++k) std::printf(" %+6.1f%%", 100.0 * (m[k] / exact[k] - 1.0));
-            std::printf("\n");
+            print_relative(m, exact);
         }
-    std::fflush(stdout);
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    std::printf("%-22s %-9s %7s %7s %7s %7s %7s\n", "body", "step", "m/s", "across", "rad/s", "flips/s", "drift");
+    const bool divisors = argc > 1 && std::string(argv[1]) == "--divisors";
+    const auto show = divisors ? print_divisors : print;
+    std::printf("%-22s %-9s %7s %7s %7s %7s %7s\n", "body", divisors ? "divisor" : "step", "m/s", "across", "rad/s",
+                "flips/s", "drift");
     const struct {
         const char* name;
         double axes[3], density; // mm, kg/m^3
@@ -135,13 +162,13 @@ int main(int argc, char** argv) {
                   {"sheet, 10 x 7 cm", {50.0, 35.0, 0.075}, 700.0}};
     for (const auto& s : sheets) {
         lr_asset* const asset = disc(s.axes[0] * 1e-3, s.axes[1] * 1e-3, s.axes[2] * 1e-3, s.density);
-        print(s.name, asset);
+        show(s.name, asset);
         lr_asset_release(asset);
     }
-    for (int i = 1; i < argc; ++i) {
+    for (int i = divisors ? 2 : 1; i < argc; ++i) {
         lr_asset* asset = nullptr;
         require(lr_asset_load_file(argv[i], &asset));
-        print(std::string(argv[i]).substr(std::string(argv[i]).find_last_of('/') + 1), asset);
+        show(std::string(argv[i]).substr(std::string(argv[i]).find_last_of('/') + 1), asset);
         lr_asset_release(asset);
     }
 }

@@ -26,6 +26,8 @@ struct PlayedScene {
     bool governed = false;             // rules that destroy in one batch and respawn in the other, and emitters
     std::vector<int32_t> sources = {}; // of wind, by kind
     bool called_back = false;          // wind from a callback, and of a sea its surface
+    uint32_t divisors[2] = {1, 1};     // of the batches' rates
+    uint64_t budget = 0;               // body-substeps a step
     float dt = 1.0f / 60.0f;           // s
     uint32_t substeps = 3;             // neither a power of two nor an even division: every rounding is there
     uint32_t bodies = 150;             // in each of two batches: one diagonal, one with its weight off centre
@@ -110,6 +112,22 @@ inline std::vector<PlayedScene> played_scenes() {
     add("births_and_deaths").born_and_dying = true;
     add("rules").governed = true;
 
+    // Rates of two batches that take fewer substeps, or wait for some steps; a budget for less than half.
+    const auto paced = [&](const char* name, uint32_t a, uint32_t b) -> PlayedScene& {
+        PlayedScene& scene = add(name);
+        scene.divisors[0] = a, scene.divisors[1] = b, scene.windy = true;
+        return scene;
+    };
+    paced("rates", 2, 7);
+    PlayedScene& all_paced = paced("rates_in_everything", 3, 6);
+    all_paced.loads = LR_LOADS_AERODYNAMIC, all_paced.sources = every;
+    all_paced.afloat = all_paced.forced = all_paced.governed = all_paced.called_back = true;
+    all_paced.bodies = 75;
+    PlayedScene& short_of = paced("budget", 1, 2);
+    short_of.loads = LR_LOADS_AERODYNAMIC, short_of.budget = 333, short_of.born_and_dying = true;
+    PlayedScene& little = paced("budget_for_part_of_a_batch", 1, 1);
+    little.budget = 50, little.sources = {LR_WIND_SOURCE_GUSTS}, little.governed = true;
+
     // Storms of more bodies than are stepped in one piece.
     const auto storm = [&](const char* name) -> PlayedScene& {
         PlayedScene& scene = add(name);
@@ -149,7 +167,16 @@ public:
             populate(b);
             if (scene_.forced) push_batch(b);
             if (scene_.governed) govern(b);
+            lr_batch_rate rate = initialised(lr_batch_rate_init);
+            rate.divisor = scene_.divisors[b];
+            if (rate.divisor > 1) rate.longest_substep = 0.06f;
+            REQUIRE(lr_batch_set_rate(world.get(), batches[b], &rate) == LR_OK);
         }
+        if (scene_.budget == 0) return;
+        lr_budget budget = initialised(lr_budget_init);
+        budget.kind = LR_BUDGET_BODY_SUBSTEPS;
+        budget.body_substeps = scene_.budget;
+        REQUIRE(lr_world_set_budget(world.get(), &budget) == LR_OK);
     }
 
     uint64_t run() {

@@ -1,0 +1,143 @@
+#include "world/pace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+// Up to these, the statistics of falls are kept within some per cent: docs/lod.md.
+constexpr double longest_of_all = 1.0 / 60.0; // s
+constexpr double pace_of_length = 1.5;        // m/s
+
+// Rounding of lengths of steps must not count as another substep.
+constexpr double slack = 0.01;
+
+} // namespace
+
+const char* wrong_in(const lr_batch_rate& r) {
+    if (r.divisor < 1 || r.divisor > 1024) return "divisor is not 1 to 1024";
+    if (!(r.priority >= 0.01f && r.priority <= 100.0f)) return "priority is not 0.01 to 100";
+    if (!(r.longest_substep >= 0.0f && r.longest_substep <= LR_MAX_SUBSTEP))
+        return "longest_substep is not 0 to LR_MAX_SUBSTEP";
+    return nullptr;
+}
+
+lr_batch_rate Pace::initial_rate() {
+    lr_batch_rate rate{};
+    rate.struct_size = sizeof rate;
+    rate.divisor = 1;
+    rate.priority = 1.0f;
+    return rate;
+}
+
+Pace::Record Pace::initial() {
+    Record r{};
+    r.rate = initial_rate();
+    return r;
+}
+
+bool Pace::consistent(const Record& r, double time, uint64_t substep_count) {
+    if (wrong_in(r.rate) || r.passed_over > 1 || r.reserved != 0) return false;
+    for (double v : {r.begin, r.behind, r.lost, r.drift[0], r.drift[1], r.drift[2]})
+        if (!std::isfinite(v)) return false;
+    for (float v : r.wind)
+        if (!(std::abs(v) <= 1000.0f)) return false;
+    if (r.lost < 0.0 || r.behind < 0.0 || r.begin > time || r.first_substep > substep_count) return false;
+    if (r.steps == 0) return r.substeps == 0 && r.behind == 0.0 && r.passed_over == 0;
+    // Sums of the same steps, but for rounding.
+    const bool meets = std::abs(r.begin + r.behind - time) <= 1e-9 * std::abs(time) + 1e-9;
+    return meets && r.behind > 0.0 && r.substeps >= r.steps && r.substeps <= substep_count;
+}
+
+bool Pace::plain() const {
+    return !waits() && record_.rate.divisor == 1 && record_.rate.priority == 1.0f &&
+           record_.rate.longest_substep == 0.0f;
+}
+
+void Pace::restore(const Record& record) {
+    record_ = record;
+    record_.rate.struct_size = sizeof record_.rate;
+    granted_ = 0;
+    lost_now_ = 0.0;
+}
+
+double Pace::longest_substep() const {
+    const auto set = static_cast<double>(record_.rate.longest_substep);
+    return set > 0.0 ? set : std::min(longest_of_all, length_ / pace_of_length);
+}
+
+void Pace::wait(double dt, uint32_t substeps, double time, uint64_t substep_count, const UniformWind& wind) {
+    if (record_.steps == 0) {
+        record_.begin = time;
+        record_.first_substep = substep_count;
+        std::copy(wind.before, wind.before + 3, record_.wind);
+        std::copy(wind.drift, wind.drift + 3, record_.drift);
+    }
+    ++record_.steps;
+    record_.substeps += substeps;
+    record_.behind = record_.steps == 1 ? dt : record_.behind + dt;
+}
+
+void Pace::rest() {
+    record_.steps = record_.passed_over = 0;
+    record_.substeps = 0;
+    record_.behind = 0.0;
+    lost_now_ = 0.0;
+    granted_ = 0;
+}
+
+uint32_t Pace::largest_divisor(double h) const {
+    return static_cast<uint32_t>(std::clamp(longest_substep() / h + slack, 1.0, 1e9));
+}
+
+// Batches of different phases take different steps.
+bool Pace::due(uint32_t divisor, uint32_t substeps, uint64_t step, uint32_t phase) const {
+    const uint32_t period = std::max(divisor / substeps, 1u);
+    return record_.steps >= period || (step + phase) % period == 0;
+}
+
+uint32_t Pace::least() const {
+    const double needed = std::ceil(record_.behind / longest_substep() - slack);
+    return static_cast<uint32_t>(std::clamp(needed, 1.0, static_cast<double>(most())));
+}
+
+uint32_t Pace::wanted(uint32_t divisor) const {
+    const uint64_t even = std::min<uint64_t>((record_.substeps + divisor - 1) / divisor, most());
+    return std::max(static_cast<uint32_t>(even), least());
+}
+
+void Pace::grant(uint32_t substeps, bool passed_over, double h) {
+    granted_ = substeps;
+    lost_now_ = 0.0;
+    record_.passed_over = passed_over ? 1 : 0;
+    if (substeps == 0) return;
+    const double most = substeps * std::max(longest_substep(), h);
+    if (record_.behind <= most * (1.0 + slack)) return;
+    lost_now_ = record_.behind - most;
+    record_.lost += lost_now_;
+    record_.begin += lost_now_;
+    record_.behind = most;
+}
+
+void Pace::stepped(uint32_t bodies) {
+    record_.taken += uint64_t{bodies} * granted_;
+    record_.steps = 0;
+    record_.substeps = 0;
+    record_.behind = 0.0;
+}
+
+bool Pace::at_same_time(const Pace& other) const {
+    const Record &a = record_, &b = other.record_;
+    return a.begin == b.begin && a.behind == b.behind && granted_ == other.granted_ &&
+           std::equal(a.wind, a.wind + 3, b.wind) && std::equal(a.drift, a.drift + 3, b.drift);
+}
+
+UniformWind Pace::wind(const UniformWind& now) const {
+    UniformWind over = now;
+    std::copy(record_.wind, record_.wind + 3, over.before);
+    std::copy(record_.drift, record_.drift + 3, over.drift);
+    return over;
+}
+
+} // namespace lr
