@@ -31,6 +31,16 @@ lr_batch_rate Pace::initial_rate() {
     return rate;
 }
 
+Pace::Pace(double length) : record_(initial()), length_(length) {
+    set_rate(record_.rate);
+}
+
+void Pace::set_rate(const lr_batch_rate& rate) {
+    record_.rate = rate;
+    const auto set = static_cast<double>(rate.longest_substep);
+    longest_ = set > 0.0 ? set : std::min(longest_of_all, length_ / pace_of_length);
+}
+
 Pace::Record Pace::initial() {
     Record r{};
     r.rate = initial_rate();
@@ -57,14 +67,10 @@ bool Pace::plain() const {
 
 void Pace::restore(const Record& record) {
     record_ = record;
+    set_rate(record.rate);
     record_.rate.struct_size = sizeof record_.rate;
     granted_ = 0;
     lost_now_ = 0.0;
-}
-
-double Pace::longest_substep() const {
-    const auto set = static_cast<double>(record_.rate.longest_substep);
-    return set > 0.0 ? set : std::min(longest_of_all, length_ / pace_of_length);
 }
 
 void Pace::wait(double dt, uint32_t substeps, double time, uint64_t substep_count, const UniformWind& wind) {
@@ -88,7 +94,7 @@ void Pace::rest() {
 }
 
 uint32_t Pace::largest_divisor(double h) const {
-    return static_cast<uint32_t>(std::clamp(longest_substep() / h + slack, 1.0, 1e9));
+    return static_cast<uint32_t>(std::clamp(longest_ / h + slack, 1.0, 1e9));
 }
 
 // Batches of different phases take different steps.
@@ -98,11 +104,12 @@ bool Pace::due(uint32_t divisor, uint32_t substeps, uint64_t step, uint32_t phas
 }
 
 uint32_t Pace::least() const {
-    const double needed = std::ceil(record_.behind / longest_substep() - slack);
+    const double needed = std::ceil(record_.behind / longest_ - slack);
     return static_cast<uint32_t>(std::clamp(needed, 1.0, static_cast<double>(most())));
 }
 
 uint32_t Pace::wanted(uint32_t divisor) const {
+    if (divisor == 1) return most();
     const uint64_t even = std::min<uint64_t>((record_.substeps + divisor - 1) / divisor, most());
     return std::max(static_cast<uint32_t>(even), least());
 }
@@ -112,12 +119,14 @@ void Pace::grant(uint32_t substeps, bool passed_over, double h) {
     lost_now_ = 0.0;
     record_.passed_over = passed_over ? 1 : 0;
     if (substeps == 0) return;
-    const double most = substeps * std::max(longest_substep(), h);
-    if (record_.behind <= most * (1.0 + slack)) return;
-    lost_now_ = record_.behind - most;
-    record_.lost += lost_now_;
-    record_.begin += lost_now_;
-    record_.behind = most;
+    const double most = substeps * std::max(longest_, h);
+    if (record_.behind > most * (1.0 + slack)) {
+        lost_now_ = record_.behind - most;
+        record_.lost += lost_now_;
+        record_.begin += lost_now_;
+        record_.behind = most;
+    }
+    h_ = record_.behind / substeps;
 }
 
 void Pace::stepped(uint32_t bodies) {

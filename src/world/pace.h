@@ -18,7 +18,7 @@ public:
     static lr_batch_rate initial_rate();
 
     // length: of the bodies, m.
-    explicit Pace(double length) : record_(initial()), length_(length) {}
+    explicit Pace(double length);
 
     // What a snapshot holds.
     struct Record {
@@ -53,8 +53,8 @@ public:
         for (float v : r.wind) take(std::bit_cast<uint32_t>(v));
     }
 
-    void set_rate(const lr_batch_rate& rate) { record_.rate = rate; }
-    double longest_substep() const; // s
+    void set_rate(const lr_batch_rate& rate);
+    double longest_substep() const { return longest_; } // s
 
     // A step of the world begins, `dt` long: it is added to what the batch has to make up for.
     void wait(double dt, uint32_t substeps, double time, uint64_t substep_count, const UniformWind& wind);
@@ -64,7 +64,9 @@ public:
     // The largest divisor that keeps to the longest substep when the world's are `h` long.
     uint32_t largest_divisor(double h) const;
     // The divisor, as far as it has an effect.
-    uint32_t divisor(double h) const { return std::min(record_.rate.divisor, largest_divisor(h)); }
+    uint32_t divisor(double h) const {
+        return record_.rate.divisor == 1 ? 1 : std::min(record_.rate.divisor, largest_divisor(h));
+    }
     // Whether a batch of this phase is stepped in the world's step of this number: in every one, unless `divisor` is more than
     // all of its substeps.
     bool due(uint32_t divisor, uint32_t substeps, uint64_t step, uint32_t phase) const;
@@ -84,7 +86,7 @@ public:
     bool passed_over() const { return record_.passed_over != 0; }
     double behind() const { return record_.behind; }
     bool at_same_time(const Pace& other) const;
-    StepTime time() const { return {record_.begin, record_.behind / granted_, granted_}; }
+    StepTime time() const { return {record_.begin, h_, granted_}; }
     UniformWind wind(const UniformWind& now) const; // over the time that is made up for
 
     double price = 0.0; // s a body-substep, learnt; 0: unknown
@@ -95,7 +97,9 @@ private:
 
     Record record_;
     double length_;
-    double lost_now_ = 0.0;
+    double longest_;        // s, substep
+    double h_ = 0.0;        // s, of the substeps granted
+    double lost_now_ = 0.0; // s
     uint32_t granted_ = 0;
 };
 static_assert(sizeof(Pace::Record) % 8 == 0);

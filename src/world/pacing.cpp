@@ -61,7 +61,7 @@ void Pacing::ask(Batch& batch, uint32_t slot, const Step& step) {
     claim.slot = slot;
     claim.bodies = batch.count();
     claim.divisor = pace.divisor(step.h);
-    claim.largest = pace.largest_divisor(step.h);
+    if (limited()) claim.largest = pace.largest_divisor(step.h);
     claim.forced = batch.external.pending();
     claim.due = claim.forced || pace.passed_over() || pace.due(claim.divisor, step.substeps, step.number, slot);
     claim.wanted = claim.due ? pace.wanted(claim.divisor) : 0;
@@ -162,7 +162,7 @@ void Pacing::decide(const Step& step) {
         const Claim& c = claims_[i];
         Pace& pace = c.batch->pace;
         const uint64_t bodies = c.bodies;
-        if (c.due) report_.body_substeps_wanted += bodies * pace.wanted(c.divisor);
+        if (c.due) report_.body_substeps_wanted += bodies * (limited() ? pace.wanted(c.divisor) : c.granted);
         pace.grant(c.granted, c.due && c.granted == 0, step.h);
         report_.body_substeps += bodies * c.granted;
         report_.batches_stepped += c.granted != 0 ? 1 : 0;

@@ -146,7 +146,8 @@ void lr_world::pace_batches(float dt, uint32_t substeps) {
 void lr_world::fill_input(Batch& batch, float dt, bool& unfit) {
     const lr::Pace& pace = batch.pace;
     const lr::StepTime t = pace.time();
-    const lr::UniformWind uniform = pace.wind(wind.uniform);
+    const float(&begin)[3] = pace.record().wind;
+    const float(&end)[3] = wind.uniform.wind;
     const bool made_up = pace.behind() != static_cast<double>(dt); // with earlier steps, or less of this one
     const auto seconds = static_cast<float>(pace.behind());
     if (t.h != roots.h) {
@@ -164,18 +165,18 @@ void lr_world::fill_input(Batch& batch, float dt, bool& unfit) {
     if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.count());
     batch.external.fill(in.external);
     in.water = surface.present() ? batch.water_body(surface.desc(), unfit) : nullptr;
-    std::copy(uniform.before, uniform.before + 3, in.wind_begin);
-    std::copy(uniform.wind, uniform.wind + 3, in.wind);
-    in.wind_changes = !wind.active() && !std::equal(uniform.wind, uniform.wind + 3, uniform.before);
+    std::copy(begin, begin + 3, in.wind_begin);
+    std::copy(end, end + 3, in.wind);
+    in.wind_changes = !wind.active() && !std::equal(end, end + 3, begin);
     if (!in.wind_changes) return;
     // In a fluid that accelerates as a whole, bodies move as if gravity were less by it. Above the limit, which only
     // steps of microseconds reach, the product with the step could overflow.
-    for (size_t k = 0; k < 3; ++k)
-        in.gravity[k] -= std::clamp((uniform.wind[k] - uniform.before[k]) / seconds, -1e9f, 1e9f);
+    for (size_t k = 0; k < 3; ++k) in.gravity[k] -= std::clamp((end[k] - begin[k]) / seconds, -1e9f, 1e9f);
 }
 
 void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
-    const auto since = std::chrono::steady_clock::now();
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point since = pacing.timed() ? Clock::now() : Clock::time_point();
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
     pace_batches(dt, substeps);
@@ -214,7 +215,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     substep_count += substeps;
     time += static_cast<double>(dt);
     finish_batches(static_cast<double>(dt));
-    if (pacing.timed()) pacing.learn(std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count());
+    if (pacing.timed()) pacing.learn(std::chrono::duration<double>(Clock::now() - since).count());
 }
 
 // All of one time, where there is a field.
