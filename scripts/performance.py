@@ -93,7 +93,7 @@ def goals(rows, mix):
     if len(flat) > 1:
         ratio(f"Flat from {int(flat[0]['bodies']):,} to {int(flat[-1]['bodies']):,} bodies, dearest over cheapest", 1.25,
               max(flat, key=cpu), min(flat, key=cpu))
-    one = rows.find(bodies=1, substeps=1)
+    one = rows.find(bodies=1, substeps=1, target="auto")
     if one:
         add("One body alone at most 150 ns a step", 150, cpu(one), f"{number(cpu(one))} ns")
     for n, limit in ((1000000, 1.9), (100000, 1.9), (1000, 0.95)):
