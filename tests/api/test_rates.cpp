@@ -56,9 +56,12 @@ std::vector<lr_body> populate(const World& w, lr_batch batch, uint32_t count) {
 // A world with batches of these many bodies.
 struct Crowd {
     Asset asset = leaf();
-    World world = make(world_desc());
+    World world;
     std::vector<lr_batch> batches;
-    explicit Crowd(const std::vector<uint32_t>& counts) {
+    explicit Crowd(const std::vector<uint32_t>& counts, uint32_t workers = 0) {
+        lr_world_desc d = world_desc();
+        d.worker_count = workers;
+        world = make(d);
         for (uint32_t count : counts) {
             batches.push_back(add_batch(world, asset, count));
             populate(world, batches.back(), count);
@@ -437,7 +440,7 @@ TEST_CASE("forces act at once, whatever the budget") {
 
 // The clock decides what is left out, so only what must hold at any speed is asked.
 TEST_CASE("a budget of time leaves out what it must and gets on with everything") {
-    const Crowd c({20000, 20000, 20000});
+    const Crowd c({20000, 20000, 20000}, 2);
     for (lr_batch b : c.batches) set_rate(c.world, b, rate_of(1, 1.0f));
     lr_budget b = initialised(lr_budget_init);
     b.kind = LR_BUDGET_TIME;
