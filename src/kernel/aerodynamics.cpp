@@ -69,6 +69,12 @@ void store(const Columns3& from, float out[18]) {
     for (size_t i = 0; i < 18; ++i) out[i] = static_cast<float>(from[i / 3][i % 3]);
 }
 
+void product3(const double a[3][3], const double b[3][3], float out[9]) {
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j)
+            out[i * 3 + j] = static_cast<float>(a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j]);
+}
+
 void upper_triangle3(const double m[3][3], float out[6]) {
     size_t n = 0;
     for (size_t i = 0; i < 3; ++i)
@@ -94,8 +100,9 @@ bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6&
             to[i][3 + l] -= q[i * 3 + j] * r[k];
         }
     const Columns3 response = response_to(inverse, to), spin_response = response_to(inverse, spin);
-    double n[3][3], n_spin[3][3], n_inverse[3][3], spin_inverse[3][3], values[3], vectors[3][3];
+    double n[3][3], n_spin[3][3], mixed[3][3], n_inverse[3][3], spin_inverse[3][3], values[3], vectors[3][3];
     mobility_of(to, response, n);
+    mobility_of(to, spin_response, mixed); // velocity for a couple; transposed, spin for an impulse
     mobility_of(spin, spin_response, n_spin);
     if (!invert3(n, n_inverse) || !invert3(n_spin, spin_inverse) || !eigen3(n, values, vectors)) return false;
     upper_triangle3(n, out.mobility);
@@ -107,13 +114,19 @@ bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6&
         }
     upper_triangle3(adjugate, out.mobility_adjugate);
     upper_triangle3(n_spin, out.spin_mobility);
+    double turned[3][3];
     for (size_t i = 0; i < 3; ++i) {
-        out.spin_limit[i] = static_cast<float>(1e4 / n_spin[i][i]);
         out.rate[i] = static_cast<float>(values[i]);
-        for (size_t j = 0; j < 3; ++j) out.modes[i * 3 + j] = static_cast<float>(vectors[i][j]);
+        for (size_t j = 0; j < 3; ++j) {
+            out.modes[i * 3 + j] = static_cast<float>(vectors[i][j]);
+            turned[i][j] = mixed[j][i];
+            out.spin_response_to_force[i * 3 + j] = static_cast<float>(turned[i][j]);
+        }
+        for (size_t j = 0, k = 0; j < 3; ++j)
+            if (j != i) out.spin_answer[i * 2 + k++] = static_cast<float>(n_spin[j][i] / n_spin[i][i]);
     }
-    store(response, out.response);
-    store(product(product(response, n_inverse), vectors), out.from_modes);
+    product3(turned, n_inverse, out.spin_of_force);
+    product3(mixed, spin_inverse, out.velocity_of_couple);
     store(product(spin_response, spin_inverse), out.spin_response);
     return true;
 }
