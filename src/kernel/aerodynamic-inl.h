@@ -17,14 +17,8 @@ namespace lr::HWY_NAMESPACE {
 HWY_INLINE Vec3 times(Vec3 a, Vec3 b) {
     return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
 }
-template <class T> HWY_INLINE VF weighted(const T* k, Vec3 w) {
-    return mul_add(constant(k[0]), w.x, mul_add(constant(k[1]), w.y, hn::Mul(constant(k[2]), w.z)));
-}
 
-// Row-major 3x3 matrix and its transpose.
-template <class T> HWY_INLINE Vec3 rows(const T* m, Vec3 a) {
-    return {weighted(m, a), weighted(m + 3, a), weighted(m + 6, a)};
-}
+// Transpose of a row-major 3x3 matrix.
 template <class T> HWY_INLINE Vec3 columns(const T* m, Vec3 a) {
     return add(scale(a.x, broadcast(m)), add(scale(a.y, broadcast(m + 3)), scale(a.z, broadcast(m + 6))));
 }

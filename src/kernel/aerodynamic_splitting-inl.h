@@ -55,15 +55,6 @@ struct Rates {
     Vec3 spin;
 };
 
-template <bool kFull, class C> HWY_INLINE Pull pull_of(const StepInput& in, const C& c, const Twist& applied) {
-    const auto& a = c.aerodynamics;
-    const VF tau = constant(0.5f * in.h);
-    const Twist t = scale(tau, acceleration<kFull>(c, applied));
-    if constexpr (!kFull) return {t, t.v};
-    const Vec3 v = centre_velocity<true>(a, t);
-    return {{v, load_spin<true>(a, t)}, columns(a.modes, v)};
-}
-
 // Drag opposes the velocity with one factor in all directions, so that the modes of the mobility P M^-1 P^T decay on
 // their own, each towards its terminal velocity.
 // The full path's halves are not inlined: each is there twice, and a substep would not fit into the instruction cache.
@@ -284,19 +275,39 @@ HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF 
         t.v = add(t.v, scaled_by(c.inverse_mass, impulse));
 }
 
-// Weight, buoyancy and what acts from outside, in the body frame. A torque acts with the drag on the full path, where it
-// moves the centre of the loads, and with the spin drag on the diagonal one.
-template <bool kFull, class C> HWY_INLINE Twist applied_loads(const C& c, const Held& held, Quaternion q) {
-    const VF zero = hn::Zero(DF());
-    Twist f{to_body(q, held.weight), {zero, zero, zero}};
-    if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(q, held.gravity));
-    if (held.external) f = add(f, external_force<kFull>(c, *held.external, q));
-    return f;
+// What weight, buoyancy and what acts from outside give. A torque acts with the drag on the full path, where it moves the
+// centre of the loads, and with the spin drag on the diagonal one.
+template <bool kFull, class C>
+HWY_INLINE Pull pull_of(const StepInput& in, const C& c, const Held& held, Quaternion q) {
+    const VF zero = hn::Zero(DF()), tau = constant(0.5f * in.h);
+    if constexpr (!kFull) {
+        Twist f{to_body(q, held.weight), {zero, zero, zero}};
+        if (held.external) f = add(f, external_force<false>(c, *held.external, q));
+        const Twist t = scale(tau, acceleration<false>(c, f));
+        return {t, t.v};
+    }
+    const auto& a = c.aerodynamics;
+    const auto answer = [&](const Twist& f) LR_LAMBDA {
+        const Twist t = acceleration<true>(c, f);
+        return Twist{centre_velocity<true>(a, t), load_spin<true>(a, t)};
+    };
+    const Vec3 gravity = to_body(q, held.gravity);
+    Twist t;
+    if (held.uniform) {
+        t = {rows(a.fall, gravity), rows(a.fall + 9, gravity)};
+        if (held.external) t = add(t, answer(external_force<true>(c, *held.external, q)));
+    } else {
+        Twist f{to_body(q, held.weight), cross(broadcast(c.buoyancy), gravity)};
+        if (held.external) f = add(f, external_force<true>(c, *held.external, q));
+        t = answer(f);
+    }
+    t = scale(tau, t);
+    return {t, columns(a.modes, t.v)};
 }
 
 template <bool kFull, class C>
 HWY_INLINE void loads_in_middle(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
-    const Pull pull = pull_of<kFull>(in, c, applied_loads<kFull>(c, held, b.q));
+    const Pull pull = pull_of<kFull>(in, c, held, b.q);
     // Loads are those of the spin through the fluid.
     if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
     const auto& a = c.aerodynamics;

@@ -81,7 +81,8 @@ void upper_triangle3(const double m[3][3], float out[6]) {
         for (size_t j = i; j < 3; ++j) out[n++] = static_cast<float>(m[i][j]);
 }
 
-bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6& mass, AerodynamicConstants& out) {
+bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6& mass, double rho,
+                AerodynamicConstants& out) {
     Matrix6 inverse;
     if (!invert_spd(mass, inverse)) return false;
     const auto& q = loads.axes;
@@ -125,6 +126,20 @@ bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6&
         for (size_t j = 0, k = 0; j < 3; ++j)
             if (j != i) out.spin_answer[i * 2 + k++] = static_cast<float>(n_spin[j][i] / n_spin[i][i]);
     }
+    const double unit = a.mass + rho * a.volume, weight = (a.mass - rho * a.volume) / unit;
+    double b[3];
+    for (size_t i = 0; i < 3; ++i) b[i] = -rho * a.volume * a.center_of_buoyancy[i] / (unit * a.length_d);
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) {
+            // Force weight e_j, torque b x e_j.
+            const size_t k = (j + 1) % 3, l = (j + 2) % 3;
+            const auto answer = [&](const Columns3& to_twist) {
+                return static_cast<float>(weight * to_twist[j][i] + b[l] * to_twist[k + 3][i] -
+                                          b[k] * to_twist[l + 3][i]);
+            };
+            out.fall[i * 3 + j] = answer(response);
+            out.fall[9 + i * 3 + j] = answer(spin_response);
+        }
     product3(turned, n_inverse, out.spin_of_force);
     product3(mixed, spin_inverse, out.velocity_of_couple);
     store(product(spin_response, spin_inverse), out.spin_response);
@@ -191,7 +206,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     out.variance_of_gusts = static_cast<float>(std::min(intensity * intensity, most_variance));
     out.wake_reynolds = static_cast<float>(loads.wake_reynolds);
     out.gust_gain = static_cast<float>(gains.turbulence * gains.turbulence);
-    return make_frame(a, loads, kernel_mass(a, diagonal, rho), out);
+    return make_frame(a, loads, kernel_mass(a, diagonal, rho), rho, out);
 }
 
 void set_gust_turbulence(const TurbulenceSample& s, const Gains& gains, BodyConstants& out) {

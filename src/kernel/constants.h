@@ -37,6 +37,7 @@ template <class T> struct AerodynamicConstantsOf {
     T spin_of_force[9];          // the same for a change of velocity by such an impulse
     T spin_mobility[6];          // Q (M^-1)_22 Q^T
     T spin_answer[6];        // its column over its diagonal entry, without that: for x in y, z; y in x, z; z in x, y
+    T fall[18];              // what gravity along the body's axes gives in a uniform wind, P over Q (M^-1)_u, 6x3
     T velocity_of_couple[9]; // velocity of the centre for a change of spin by a couple
     T spin_response[18];     // twist for a change of spin by a couple, body axes, 6x3
     // The fluid's own velocity with the SPEED clock: correlation rate and variance, per speed and per square of it.
@@ -69,7 +70,9 @@ template <class T> struct BodyConstantsOf {
     // diagonal.
     T rate[6];
     T to_modes[36], from_modes[36]; // full path
-    T inverse_translation[6];       // full path: inverse of the mass matrix' block of v
+    T modes_of_gravity[18];   // full path: of weight and buoyancy in a uniform wind, for gravity along the body's axes
+    T modes_of_noise[36];     // full path: of the turbulent force and torque, for its six Gaussians
+    T inverse_translation[6]; // full path: inverse of the mass matrix' block of v
     T slip[9], reduced_rotation[6]; // full path: C = M12^T M11^-1, S = M22 - C M12
 
     AerodynamicConstantsOf<T> aerodynamics;

@@ -199,6 +199,12 @@ template <bool kDamped> HWY_NOINLINE void langevin_modes(const WaterBody& w, VF 
             c.from_modes[i * 6 + j] = from;
             c.to_modes[j * 6 + i] = to;
         }
+        const VF* const z0 = c.from_modes + j; // a column
+        const Twist noise = dragged<true>(c, Twist{{z0[0], z0[6], z0[12]}, {z0[18], z0[24], z0[30]}});
+        for (int i = 0; i < 3; ++i) {
+            c.modes_of_noise[j * 6 + i] = component(noise, i);
+            c.modes_of_noise[j * 6 + 3 + i] = hn::Mul(c.noise_spin, component(noise, i + 3));
+        }
     }
 }
 
