@@ -159,7 +159,7 @@ template <int kAxis, class T> HWY_INLINE Vec3 relax_axis(const T* n, VF x, VF pu
     const VF y = kAxis == 0 ? u.x : kAxis == 1 ? u.y : u.z;
     x = hn::Min(x, constant(1e15f));
     const VF p = mul_add(x, constant(0.5f), constant(1.0f));
-    return answering<kAxis>(n, hn::Div(hn::Mul(neg_mul_add(x, y, push), p), mul_add(x, p, constant(1.0f))), u);
+    return answering<kAxis>(n, hn::Mul(neg_mul_add(x, y, push), hn::Div(p, mul_add(x, p, constant(1.0f)))), u);
 }
 
 template <class C>
