@@ -17,14 +17,8 @@ namespace lr::HWY_NAMESPACE {
 HWY_INLINE Vec3 times(Vec3 a, Vec3 b) {
     return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
 }
-template <class T> HWY_INLINE VF weighted(const T* k, Vec3 w) {
-    return mul_add(constant(k[0]), w.x, mul_add(constant(k[1]), w.y, hn::Mul(constant(k[2]), w.z)));
-}
 
-// Row-major 3x3 matrix and its transpose.
-template <class T> HWY_INLINE Vec3 rows(const T* m, Vec3 a) {
-    return {weighted(m, a), weighted(m + 3, a), weighted(m + 6, a)};
-}
+// Transpose of a row-major 3x3 matrix.
 template <class T> HWY_INLINE Vec3 columns(const T* m, Vec3 a) {
     return add(scale(a.x, broadcast(m)), add(scale(a.y, broadcast(m + 3)), scale(a.z, broadcast(m + 6))));
 }
@@ -48,16 +42,16 @@ template <class A> HWY_INLINE VF drag_rate(const A& c, VF b, VF nu, Vec3 v) {
 }
 
 // How far the flow is from edge-on: sin^2 of the angle of attack for a sheet.
-template <class A> HWY_INLINE VF stall(const A& c, VF s2, Vec3 v) {
-    return hn::Div(weighted(c.broadside, times(v, v)), s2);
+template <class A> HWY_INLINE VF stall(const A& c, VF inverse_s2, Vec3 v) {
+    return hn::Mul(weighted(c.broadside, times(v, v)), inverse_s2);
 }
 
 // Lift is circulation x v, per mass unit: of translation, of rotation, and the sideways part of an uneven viscous drag.
 template <class A> HWY_INLINE Vec3 circulation(const A& c, VF b, VF nu, Vec3 v, Vec3 u) {
     const VF s2 = speed_squared(v), s = hn::Sqrt(s2);
-    const VF inverse = hn::Div(b, s2);
+    const VF inverse_s2 = hn::Div(constant(1.0f), s2), inverse = hn::Mul(b, inverse_s2);
     const VF root = hn::Sqrt(hn::Mul(s, nu));
-    const VF attached = neg_mul_add(constant(c.lift_stall), stall(c, s2, v), constant(1.0f));
+    const VF attached = neg_mul_add(constant(c.lift_stall), stall(c, inverse_s2, v), constant(1.0f));
     const VF full = hn::Mul(s, attached);
     const auto along = [&](int k, VF vi, VF vj, VF uk) LR_LAMBDA {
         const VF sum = mul_add(constant(c.lift[k]), full,
@@ -88,7 +82,7 @@ template <class A> HWY_INLINE Roll roll_damping(const A& c, VF b, VF s, Vec3 v) 
 }
 
 template <class A> HWY_INLINE Vec3 lift_moment(const A& c, VF b, Vec3 v) {
-    const VF sigma = stall(c, speed_squared(v), v);
+    const VF sigma = stall(c, hn::Div(constant(1.0f), speed_squared(v)), v);
     const auto along = [&](int k, VF vi, VF vj) LR_LAMBDA {
         return hn::Mul(hn::Mul(b, hn::Mul(vi, vj)),
                        mul_add(constant(c.lift_moment_stalled[k]), sigma, constant(c.lift_moment[k])));

@@ -19,8 +19,21 @@ HWY_INLINE VF relax_second(VF y, VF x, VF tau_f) {
     const VF c = mul_add(x, constant(0.5f), constant(1.0f));
     return hn::Div(mul_add(tau_f, c, y), mul_add(x, c, constant(1.0f)));
 }
-// The same in its middle, as if the rate grew with y: m (1 + x m/(2 r)) = r, where r is y and half of tau f, and x/tau the
-// rate at r. An x taken at y instead would leave y as it is where x is large, and a body at rest there for long.
+// In its middle, m = r/(1 + e), where r is y and half of tau f: as if the rate grew with y, x/tau being that at r,
+// m (1 + x m/(2 r)) = r. An x taken at y instead would leave y as it is where x is large, and a body at rest there for long.
+HWY_INLINE VF eased(VF x) {
+    return hn::Div(x, hn::Add(constant(1.0f), hn::Sqrt(mul_add(constant(2.0f), x, constant(1.0f)))));
+}
+HWY_INLINE Vec3 eased(Vec3 x) {
+    return {eased(x.x), eased(x.y), eased(x.z)};
+}
+HWY_INLINE VF over_one_and(VF r, VF e) {
+    return hn::Div(r, hn::Add(constant(1.0f), e));
+}
+HWY_INLINE Vec3 over_one_and(Vec3 r, Vec3 e) {
+    return {over_one_and(r.x, e.x), over_one_and(r.y, e.y), over_one_and(r.z, e.z)};
+}
+// relax_middle(r, x) is r/(1 + eased(x)) with one division.
 HWY_INLINE VF relax_middle(VF r, VF x) {
     return hn::Div(hn::Add(r, r), hn::Add(constant(1.0f), hn::Sqrt(mul_add(constant(2.0f), x, constant(1.0f)))));
 }
@@ -31,68 +44,73 @@ HWY_INLINE Vec3 each(VF (*f)(VF, VF, VF), Vec3 y, Vec3 x, Vec3 tau_f) {
     return {f(y.x, x.x, tau_f.x), f(y.y, x.y, tau_f.y), f(y.z, x.z, tau_f.z)};
 }
 
+// Twist of the body about the centre of the loads, along their axes; of both halves of the loads.
+struct Pull {
+    Twist t;    // what weight, buoyancy and external forces give in half a substep
+    Vec3 modes; // full path: its velocity along the modes of the mobility
+};
+// Rates in the middle of a half. The other half finds its own middle with them: of second order, and at rest where these are.
+struct Rates {
+    VF drag;
+    Vec3 spin;
+};
+
 // Drag opposes the velocity with one factor in all directions, so that the modes of the mobility P M^-1 P^T decay on
 // their own, each towards its terminal velocity.
 // The full path's halves are not inlined: each is there twice, and a substep would not fit into the instruction cache.
 template <class C>
-HWY_NOINLINE void drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, const Twist& applied,
-                                 Body& b) {
+HWY_NOINLINE void drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull,
+                                 bool before_lift, Rates& rates, Twist& t) {
     const auto& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);
-    const Twist pull = scale(tau, acceleration<true>(c, applied));
-    const Vec3 v = centre_velocity<true>(a, b.t), rate = broadcast(a.rate);
-    const Vec3 y = columns(a.modes, v), push = columns(a.modes, centre_velocity<true>(a, pull));
-    const Vec3 r = add_scaled(y, half, push);
-    const Vec3 x = scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, rows(a.modes, r))), rate);
-    const Vec3 middle = rows(a.modes, relax_middle(r, x));
-    const Vec3 after =
-        each(relax_second, y, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, middle)), rate), push);
-    b.t = add(b.t, add(pull, rows6(a.from_modes, sub(sub(after, y), push))));
-}
-template <bool kFull, class C>
-HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, VF nu, const Twist& applied, Body& b) {
-    if constexpr (!kFull) {
-        const auto& a = c.aerodynamics;
-        const VF tau = constant(0.5f * in.h), half = constant(0.5f);
-        const Vec3 rate = broadcast(c.inverse_mass);
-        const Vec3 pull = scale(tau, times(rate, applied.v));
-        const Vec3 r = add_scaled(b.t.v, half, pull);
-        const Vec3 middle = relax_middle(r, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, r)), rate));
-        b.t.v =
-            each(relax_second, b.t.v, scale(hn::Mul(tau, drag_rate(a, held.inverse_length, nu, middle)), rate), pull);
+    const Vec3 rate = scale(tau, broadcast(a.rate)), y = columns(a.modes, t.v);
+    const Vec3 r = add_scaled(y, half, pull.modes);
+    Vec3 middle;
+    if (before_lift) {
+        const VF at_r = drag_rate(a, held.inverse_length, nu, add_scaled(t.v, half, pull.t.v));
+        middle = relax_middle(r, scale(at_r, rate));
     } else {
-        drag_half_full(in, c, held, nu, applied, b);
+        middle = over_one_and(r, scale(hn::Mul(half, rates.drag), rate));
+    }
+    rates.drag = drag_rate(a, held.inverse_length, nu, rows(a.modes, middle));
+    const Vec3 after = each(relax_second, y, scale(rates.drag, rate), pull.modes);
+    const Vec3 lost = rows(a.modes, sub(sub(after, y), pull.modes));
+    t = add(t, add(pull.t, {lost, rows(a.spin_of_force, lost)}));
+}
+template <bool kFull, bool kBeforeLift, class C>
+HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull, Rates& rates,
+                          Twist& t) {
+    if constexpr (!kFull) {
+        const VF tau = constant(0.5f * in.h), half = constant(0.5f);
+        const Vec3 rate = scale(tau, broadcast(c.inverse_mass));
+        const Vec3 r = add_scaled(t.v, half, pull.t.v);
+        Vec3 middle;
+        if constexpr (kBeforeLift)
+            middle = relax_middle(r, scale(drag_rate(c.aerodynamics, held.inverse_length, nu, r), rate));
+        else
+            middle = over_one_and(r, scale(hn::Mul(half, rates.drag), rate));
+        rates.drag = drag_rate(c.aerodynamics, held.inverse_length, nu, middle);
+        t.v = each(relax_second, t.v, scale(rates.drag, rate), pull.t.v);
+    } else {
+        drag_half_full(in, c, held, nu, pull, kBeforeLift, rates, t);
     }
 }
 
-// A spin's resistance over a time: x along each axis, and `share` of the product of `axis` with itself.
-struct Resistance {
-    Vec3 x;
-    Vec3 axis;
-    VF share;
-};
-HWY_INLINE Vec3 resisted(const Resistance& d, Vec3 u) {
-    return add_scaled(times(d.x, u), hn::Mul(d.share, dot(d.axis, u)), d.axis);
+// N a, N the mobility of the spin.
+template <bool kFull, class C> HWY_INLINE Vec3 spin_mobility(const C& c, Vec3 a) {
+    if constexpr (kFull) return symmetric3(c.aerodynamics.spin_mobility, a);
+    return scaled_by(c.inverse_spin_mass, a);
+}
+// Its diagonal.
+template <bool kFull, class C> HWY_INLINE Vec3 spin_mobility(const C& c) {
+    const auto* const n = c.aerodynamics.spin_mobility;
+    if constexpr (kFull) return {constant(n[0]), constant(n[3]), constant(n[5])};
+    return broadcast(c.inverse_spin_mass);
 }
 
-// (1 + X + quadratic X^2)^-1 r with X = N D.
-template <class T> HWY_INLINE Vec3 solve_damped(const T* n, const Resistance& d, VF quadratic, Vec3 r) {
-    // Columns of N D: those of N scaled, and N axis by the axis' entries.
-    const Vec3 rolled = scale(d.share, symmetric3(n, d.axis));
-    const Columns m{add_scaled(scale(d.x.x, Vec3{constant(n[0]), constant(n[1]), constant(n[2])}), d.axis.x, rolled),
-                    add_scaled(scale(d.x.y, Vec3{constant(n[1]), constant(n[3]), constant(n[4])}), d.axis.y, rolled),
-                    add_scaled(scale(d.x.z, Vec3{constant(n[2]), constant(n[4]), constant(n[5])}), d.axis.z, rolled)};
-    const auto column = [&](Vec3 e, Vec3 xe) LR_LAMBDA {
-        const Vec3 square = add(scale(xe.x, m.x), add(scale(xe.y, m.y), scale(xe.z, m.z)));
-        return add(e, add_scaled(xe, quadratic, square));
-    };
-    const VF one = constant(1.0f), zero = hn::Zero(DF());
-    return solve({column({one, zero, zero}, m.x), column({zero, one, zero}, m.y), column({zero, zero, one}, m.z)}, r);
-}
-
-// Roll damping of half a substep where the loads act at the centre of mass: exact but for exp(-x), as relax_second.
-template <class C> HWY_INLINE Vec3 rolled_half(const C& c, const Roll& roll, VF tau, Vec3 u) {
-    const Vec3 response = scaled_by(c.inverse_spin_mass, roll.axis);
+// Roll damping of half a substep: exact but for exp(-x), as relax_second.
+template <bool kFull, class C> HWY_INLINE Vec3 rolled_half(const C& c, const Roll& roll, VF tau, Vec3 u) {
+    const Vec3 response = spin_mobility<kFull>(c, roll.axis);
     const VF rate = hn::Mul(tau, roll.rate);
     const VF x = hn::Min(hn::Mul(rate, dot(roll.axis, response)), constant(1e15f));
     const VF p = mul_add(x, constant(0.5f), constant(1.0f));
@@ -100,9 +118,6 @@ template <class C> HWY_INLINE Vec3 rolled_half(const C& c, const Roll& roll, VF 
     return sub(u, scale(lost, response));
 }
 
-HWY_INLINE Vec3 smaller(Vec3 a, Vec3 b) {
-    return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)};
-}
 // The couple of the lift acts at four moments, h/4 each: at the ends of the substep and on both sides of its middle. It is the
 // load that turns most with the body, and one attitude for all of it was the largest error of the splitting.
 inline constexpr float couple_share = 0.25f;
@@ -123,69 +138,95 @@ HWY_INLINE void couple_at_end(const StepInput& in, const C& c, const Held& held,
     const Vec3 v = centre_velocity<kFull>(a, t);
     const VF s = hn::Sqrt(speed_squared(v));
     const Vec3 couple = scale(constant(couple_share * in.h), lift_moment(a, held.inverse_length, v));
+    const Vec3 push = bounded_push(spin_mobility<kFull>(c, couple), s, most_rim_at_end);
     if constexpr (kFull)
-        b.t = add(b.t, rows6(a.spin_response, bounded_push(symmetric3(a.spin_mobility, couple), s, most_rim_at_end)));
+        b.t = add(b.t, rows6(a.spin_response, push));
     else
-        b.t.u = add(b.t.u, bounded_push(times(broadcast(c.inverse_spin_mass), couple), s, most_rim_at_end));
+        b.t.u = add(b.t.u, push);
+}
+
+// Spin along one axis under the couple and the drag along it, to which all spin answers: N e of it, here over e.N e. One
+// axis after the other, and backwards in the other half, is of second order, contracts in the norm of N^-1, and rests where couple
+// and drag agree along every axis, whatever the step.
+template <int kAxis, class T> HWY_INLINE Vec3 answering(const T* n, VF change, Vec3 u) {
+    if constexpr (kAxis == 0)
+        return {hn::Add(u.x, change), mul_add(constant(n[0]), change, u.y), mul_add(constant(n[1]), change, u.z)};
+    if constexpr (kAxis == 1)
+        return {mul_add(constant(n[2]), change, u.x), hn::Add(u.y, change), mul_add(constant(n[3]), change, u.z)};
+    return {mul_add(constant(n[4]), change, u.x), mul_add(constant(n[5]), change, u.y), hn::Add(u.z, change)};
+}
+template <int kAxis, class T> HWY_INLINE Vec3 relax_axis(const T* n, VF x, VF push, Vec3 u) {
+    const VF y = kAxis == 0 ? u.x : kAxis == 1 ? u.y : u.z;
+    x = hn::Min(x, constant(1e15f));
+    const VF p = mul_add(x, constant(0.5f), constant(1.0f));
+    return answering<kAxis>(n, hn::Mul(neg_mul_add(x, y, push), hn::Div(p, mul_add(x, p, constant(1.0f)))), u);
 }
 
 template <class C>
-HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, bool before_lift,
+                                      Rates& rates, Twist& t) {
     const auto& a = c.aerodynamics;
-    const VF tau = constant(0.5f * in.h), half = constant(0.5f), share = constant(couple_share * in.h);
-    const Vec3 v = centre_velocity<true>(a, b.t);
-    const VF s = hn::Sqrt(speed_squared(v));
-    const Vec3 couple = scale(share, lift_moment(a, held.inverse_length, v));
-    const Vec3 u = load_spin<true>(a, b.t);
-    const auto* const n = a.spin_mobility;
-    // The square of what is solved must stay finite.
-    const auto resistance = [&](VF stream, Vec3 v_at, Vec3 u_at) LR_LAMBDA {
-        const Roll roll = roll_damping(a, held.inverse_length, stream, v_at);
-        const VF most = hn::Div(constant(1e4f), hn::Add(dot(roll.axis, symmetric3(n, roll.axis)), constant(1e-20f)));
-        return Resistance{
-            smaller(scale(tau, spin_drag_rate(a, held.inverse_length, nu, stream, u_at)), broadcast(a.spin_limit)),
-            roll.axis, hn::Min(hn::Mul(tau, roll.rate), most)};
+    const auto* const n = a.spin_answer;
+    const VF tau = constant(0.5f * in.h), half = constant(0.5f);
+    const Vec3 own = spin_mobility<true>(c), share = scale(constant(couple_share * in.h), own), rate = scale(tau, own);
+    const auto push_in = [&](Vec3 v, VF s) LR_LAMBDA {
+        return bounded_push(times(share, lift_moment(a, held.inverse_length, v)), s, most_rim);
     };
-    const Vec3 r = add_scaled(u, half, bounded_push(symmetric3(n, couple), s, most_rim));
-    const Resistance first = resistance(s, v, r);
-    // Half the rate in the middle, as in relax_middle; a rate on each axis as if that were a mode.
-    const Vec3 eased = relax_middle(first.x, times(Vec3{constant(n[0]), constant(n[3]), constant(n[5])}, first.x));
-    const Vec3 middle =
-        solve_damped(n, {scale(half, eased), first.axis, hn::Mul(half, first.share)}, hn::Zero(DF()), r);
+    const VF s = hn::Sqrt(speed_squared(t.v));
+    const Vec3 first = scale(half, push_in(t.v, s));
+    const Vec3 r = answering<2>(n, first.z, answering<1>(n, first.y, answering<0>(n, first.x, t.u)));
+    Vec3 e = scale(half, times(rate, rates.spin));
+    if (before_lift) e = eased(times(rate, spin_drag_rate(a, held.inverse_length, nu, s, r)));
+    const auto lost = [&](VF y, VF by) LR_LAMBDA { return hn::Neg(over_one_and(hn::Mul(y, by), by)); };
+    Vec3 middle = answering<0>(n, lost(r.x, e.x), r);
+    middle = answering<1>(n, lost(middle.y, e.y), middle);
+    middle = answering<2>(n, lost(middle.z, e.z), middle);
     // A couple moves a centre that lies off the centre of mass.
-    const Vec3 v_middle = centre_velocity<true>(a, add(b.t, rows6(a.spin_response, sub(middle, u))));
-    const VF s_middle = hn::Sqrt(speed_squared(v_middle));
-    const Vec3 push =
-        bounded_push(symmetric3(n, scale(share, lift_moment(a, held.inverse_length, v_middle))), s_middle, most_rim);
-    const Resistance x = resistance(s_middle, v_middle, middle);
-    // u1 = (1 + X + X^2/2)^-1 (u0 + (1 + X/2) push)
-    const Vec3 more = symmetric3(n, resisted(x, push));
-    const Vec3 after = solve_damped(n, x, half, add(u, add_scaled(push, half, more)));
-    b.t = add(b.t, rows6(a.spin_response, sub(after, u)));
+    const Vec3 v = add(t.v, rows(a.velocity_of_couple, sub(middle, t.u)));
+    const VF speed = hn::Sqrt(speed_squared(v));
+    const Vec3 push = push_in(v, speed);
+    const Roll roll = roll_damping(a, held.inverse_length, speed, v);
+    rates.spin = spin_drag_rate(a, held.inverse_length, nu, speed, middle);
+    const Vec3 x = times(rate, rates.spin);
+    Vec3 u = t.u;
+    if (before_lift) {
+        u = relax_axis<0>(n, x.x, push.x, u);
+        u = relax_axis<1>(n, x.y, push.y, u);
+        u = relax_axis<2>(n, x.z, push.z, u);
+        u = rolled_half<true>(c, roll, tau, u);
+    } else {
+        u = rolled_half<true>(c, roll, tau, u);
+        u = relax_axis<2>(n, x.z, push.z, u);
+        u = relax_axis<1>(n, x.y, push.y, u);
+        u = relax_axis<0>(n, x.x, push.x, u);
+    }
+    t.v = add(t.v, rows(a.velocity_of_couple, sub(u, t.u)));
+    t.u = u;
 }
 
-// On the diagonal path roll damping is a part of its own, next to the lift on both sides.
+// Roll damping is a part of its own, next to the lift on both sides.
 template <bool kFull, bool kBeforeLift, class C>
-HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, const Twist& applied,
-                               Body& b) {
+HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull, Rates& rates,
+                               Twist& t) {
     if constexpr (kFull) {
-        spin_drag_half_full(in, c, held, nu, b);
+        spin_drag_half_full(in, c, held, nu, kBeforeLift, rates, t);
     } else {
         const auto& a = c.aerodynamics;
         const VF tau = constant(0.5f * in.h), half = constant(0.5f), share = constant(couple_share * in.h);
-        const Vec3 v = centre_velocity<false>(a, b.t);
-        const VF s = hn::Sqrt(speed_squared(v));
-        const Vec3 couple = scale(share, lift_moment(a, held.inverse_length, v));
-        const Roll roll = roll_damping(a, held.inverse_length, s, v);
-        const Vec3 u = kBeforeLift ? b.t.u : rolled_half(c, roll, tau, b.t.u);
-        const Vec3 rate = broadcast(c.inverse_spin_mass),
-                   push = add_scaled(bounded_push(times(rate, couple), s, most_rim), tau, times(rate, applied.u));
+        const VF s = hn::Sqrt(speed_squared(t.v));
+        const Vec3 couple = scale(share, lift_moment(a, held.inverse_length, t.v));
+        const Roll roll = roll_damping(a, held.inverse_length, s, t.v);
+        const Vec3 u = kBeforeLift ? t.u : rolled_half<false>(c, roll, tau, t.u);
+        const Vec3 rate = spin_mobility<false>(c), push = add(bounded_push(times(rate, couple), s, most_rim), pull.t.u);
         const Vec3 r = add_scaled(u, half, push);
-        const Vec3 first = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, r));
-        const Vec3 middle = relax_middle(r, times(rate, first));
-        const Vec3 x = scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, middle));
-        b.t.u = each(relax_second, u, times(rate, x), push);
-        if constexpr (kBeforeLift) b.t.u = rolled_half(c, roll, tau, b.t.u);
+        Vec3 middle;
+        if constexpr (kBeforeLift)
+            middle = relax_middle(r, times(rate, scale(tau, spin_drag_rate(a, held.inverse_length, nu, s, r))));
+        else
+            middle = over_one_and(r, times(rate, scale(hn::Mul(half, tau), rates.spin)));
+        rates.spin = spin_drag_rate(a, held.inverse_length, nu, s, middle);
+        t.u = each(relax_second, u, times(rate, scale(tau, rates.spin)), push);
+        if constexpr (kBeforeLift) t.u = rolled_half<false>(c, roll, tau, t.u);
     }
 }
 
@@ -211,10 +252,10 @@ template <bool kFull, class C> HWY_INLINE Vec3 lifted_middle(const C& c, Vec3 k,
 // Lift does no work, whatever the circulation: force g x v_middle of the implicit midpoint keeps the energy at any step.
 // The circulation is that of the middle to which the one at the start leads.
 template <bool kFull, class C>
-HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF nu, Twist& t) {
     const auto& a = c.aerodynamics;
     const VF half = constant(0.5f * in.h);
-    const Vec3 v = centre_velocity<kFull>(a, b.t), u = load_spin<kFull>(a, b.t);
+    const Vec3 v = t.v, u = t.u;
     // Beyond this the velocity turns through more than can be resolved.
     const auto bounded = [&](Vec3 g) LR_LAMBDA {
         const VF most = constant(5e3f), least = constant(-5e3f);
@@ -224,24 +265,69 @@ HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF 
     const Vec3 start = bounded(scale(half, circulation(a, held.inverse_length, nu, v, u)));
     const Vec3 v_start = lifted_middle<kFull>(c, start, v);
     Vec3 u_middle = u;
-    if constexpr (kFull) u_middle = add(u, rows(a.axes, rows(a.response + 9, cross(start, v_start))));
+    if constexpr (kFull) u_middle = add(u, rows(a.spin_response_to_force, cross(start, v_start)));
     const Vec3 k = bounded(scale(half, circulation(a, held.inverse_length, nu, v_start, u_middle)));
     const Vec3 half_impulse = cross(k, lifted_middle<kFull>(c, k, v));
     const Vec3 impulse = add(half_impulse, half_impulse);
     if constexpr (kFull)
-        b.t = add(b.t, rows6(a.response, impulse));
+        t = add(t, {symmetric3(a.mobility, impulse), rows(a.spin_response_to_force, impulse)});
     else
-        b.t.v = add(b.t.v, scaled_by(c.inverse_mass, impulse));
+        t.v = add(t.v, scaled_by(c.inverse_mass, impulse));
 }
 
-// Weight, buoyancy and what acts from outside, in the body frame. A torque acts with the drag on the full path, where it
-// moves the centre of the loads, and with the spin drag on the diagonal one.
-template <bool kFull, class C> HWY_INLINE Twist applied_loads(const C& c, const Held& held, Quaternion q) {
+// What weight, buoyancy and what acts from outside give. A torque acts with the drag on the full path, where it moves the
+// centre of the loads, and with the spin drag on the diagonal one.
+template <bool kFull, class C>
+HWY_INLINE Pull pull_of(const StepInput& in, const C& c, const Held& held, Quaternion q) {
+    const VF zero = hn::Zero(DF()), tau = constant(0.5f * in.h);
+    if constexpr (!kFull) {
+        Twist f{to_body(q, held.weight), {zero, zero, zero}};
+        if (held.external) f = add(f, external_force<false>(c, *held.external, q));
+        const Twist t = scale(tau, acceleration<false>(c, f));
+        return {t, t.v};
+    }
+    const auto& a = c.aerodynamics;
+    const auto answer = [&](const Twist& f) LR_LAMBDA {
+        const Twist t = acceleration<true>(c, f);
+        return Twist{centre_velocity<true>(a, t), load_spin<true>(a, t)};
+    };
+    const Vec3 gravity = to_body(q, held.gravity);
+    Twist t;
+    if (held.uniform) {
+        t = {rows(a.fall, gravity), rows(a.fall + 9, gravity)};
+        if (held.external) t = add(t, answer(external_force<true>(c, *held.external, q)));
+    } else {
+        Twist f{to_body(q, held.weight), cross(broadcast(c.buoyancy), gravity)};
+        if (held.external) f = add(f, external_force<true>(c, *held.external, q));
+        t = answer(f);
+    }
+    t = scale(tau, t);
+    return {t, columns(a.modes, t.v)};
+}
+
+template <bool kFull, class C>
+HWY_INLINE void loads_in_middle(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+    const Pull pull = pull_of<kFull>(in, c, held, b.q);
+    // Loads are those of the spin through the fluid.
+    if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
+    const auto& a = c.aerodynamics;
+    const Twist before{centre_velocity<kFull>(a, b.t), load_spin<kFull>(a, b.t)};
+    Twist t = before;
     const VF zero = hn::Zero(DF());
-    Twist f{to_body(q, held.weight), {zero, zero, zero}};
-    if constexpr (kFull) f.u = cross(broadcast(c.buoyancy), to_body(q, held.gravity));
-    if (held.external) f = add(f, external_force<kFull>(c, *held.external, q));
-    return f;
+    Rates rates{zero, {zero, zero, zero}};
+    drag_half<kFull, true>(in, c, held, nu, pull, rates, t);
+    spin_drag_half<kFull, true>(in, c, held, nu, pull, rates, t);
+    lift_step<kFull>(in, c, held, nu, t);
+    spin_drag_half<kFull, false>(in, c, held, nu, pull, rates, t);
+    drag_half<kFull, false>(in, c, held, nu, pull, rates, t);
+    if constexpr (kFull) {
+        // The change only: a frame and back costs a rounding each time.
+        const Vec3 u = columns(a.axes, sub(t.u, before.u));
+        b.t = add(b.t, {sub(columns(a.axes, sub(t.v, before.v)), cross(u, broadcast(a.arm))), u});
+    } else {
+        b.t = t;
+    }
+    if (held.sheared) b.t.u = add(b.t.u, to_body(b.q, held.fluid_spin));
 }
 
 // Free motion errs most, and its error grows with the square of its step: it takes the two outer places, the loads the
@@ -251,15 +337,7 @@ HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, c
     const VF nu = hn::Mul(constant(c.aerodynamics.viscosity), held.inverse_length);
     couple_at_end<kFull>(in, c, held, b);
     free_step<kFull, true>(0.5f * in.h, c, held, b);
-    const Twist applied = applied_loads<kFull>(c, held, b.q);
-    // Loads are those of the spin through the fluid.
-    if (held.sheared) b.t.u = sub(b.t.u, to_body(b.q, held.fluid_spin));
-    drag_half<kFull>(in, c, held, nu, applied, b);
-    spin_drag_half<kFull, true>(in, c, held, nu, applied, b);
-    lift_step<kFull>(in, c, held, nu, b);
-    spin_drag_half<kFull, kFull>(in, c, held, nu, applied, b);
-    drag_half<kFull>(in, c, held, nu, applied, b);
-    if (held.sheared) b.t.u = add(b.t.u, to_body(b.q, held.fluid_spin));
+    loads_in_middle<kFull>(in, c, held, nu, b);
     free_step<kFull, true>(0.5f * in.h, c, held, b);
     couple_at_end<kFull>(in, c, held, b);
 }

@@ -69,13 +69,20 @@ void store(const Columns3& from, float out[18]) {
     for (size_t i = 0; i < 18; ++i) out[i] = static_cast<float>(from[i / 3][i % 3]);
 }
 
+void product3(const double a[3][3], const double b[3][3], float out[9]) {
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j)
+            out[i * 3 + j] = static_cast<float>(a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j]);
+}
+
 void upper_triangle3(const double m[3][3], float out[6]) {
     size_t n = 0;
     for (size_t i = 0; i < 3; ++i)
         for (size_t j = i; j < 3; ++j) out[n++] = static_cast<float>(m[i][j]);
 }
 
-bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6& mass, AerodynamicConstants& out) {
+bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6& mass, double rho,
+                AerodynamicConstants& out) {
     Matrix6 inverse;
     if (!invert_spd(mass, inverse)) return false;
     const auto& q = loads.axes;
@@ -94,8 +101,9 @@ bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6&
             to[i][3 + l] -= q[i * 3 + j] * r[k];
         }
     const Columns3 response = response_to(inverse, to), spin_response = response_to(inverse, spin);
-    double n[3][3], n_spin[3][3], n_inverse[3][3], spin_inverse[3][3], values[3], vectors[3][3];
+    double n[3][3], n_spin[3][3], mixed[3][3], n_inverse[3][3], spin_inverse[3][3], values[3], vectors[3][3];
     mobility_of(to, response, n);
+    mobility_of(to, spin_response, mixed); // velocity for a couple; transposed, spin for an impulse
     mobility_of(spin, spin_response, n_spin);
     if (!invert3(n, n_inverse) || !invert3(n_spin, spin_inverse) || !eigen3(n, values, vectors)) return false;
     upper_triangle3(n, out.mobility);
@@ -107,13 +115,33 @@ bool make_frame(const AssetData& a, const AerodynamicData& loads, const Matrix6&
         }
     upper_triangle3(adjugate, out.mobility_adjugate);
     upper_triangle3(n_spin, out.spin_mobility);
+    double turned[3][3];
     for (size_t i = 0; i < 3; ++i) {
-        out.spin_limit[i] = static_cast<float>(1e4 / n_spin[i][i]);
         out.rate[i] = static_cast<float>(values[i]);
-        for (size_t j = 0; j < 3; ++j) out.modes[i * 3 + j] = static_cast<float>(vectors[i][j]);
+        for (size_t j = 0; j < 3; ++j) {
+            out.modes[i * 3 + j] = static_cast<float>(vectors[i][j]);
+            turned[i][j] = mixed[j][i];
+            out.spin_response_to_force[i * 3 + j] = static_cast<float>(turned[i][j]);
+        }
+        for (size_t j = 0, k = 0; j < 3; ++j)
+            if (j != i) out.spin_answer[i * 2 + k++] = static_cast<float>(n_spin[j][i] / n_spin[i][i]);
     }
-    store(response, out.response);
-    store(product(product(response, n_inverse), vectors), out.from_modes);
+    const double unit = a.mass + rho * a.volume, weight = (a.mass - rho * a.volume) / unit;
+    double b[3];
+    for (size_t i = 0; i < 3; ++i) b[i] = -rho * a.volume * a.center_of_buoyancy[i] / (unit * a.length_d);
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) {
+            // Force weight e_j, torque b x e_j.
+            const size_t k = (j + 1) % 3, l = (j + 2) % 3;
+            const auto answer = [&](const Columns3& to_twist) {
+                return static_cast<float>(weight * to_twist[j][i] + b[l] * to_twist[k + 3][i] -
+                                          b[k] * to_twist[l + 3][i]);
+            };
+            out.fall[i * 3 + j] = answer(response);
+            out.fall[9 + i * 3 + j] = answer(spin_response);
+        }
+    product3(turned, n_inverse, out.spin_of_force);
+    product3(mixed, spin_inverse, out.velocity_of_couple);
     store(product(spin_response, spin_inverse), out.spin_response);
     return true;
 }
@@ -178,7 +206,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     out.variance_of_gusts = static_cast<float>(std::min(intensity * intensity, most_variance));
     out.wake_reynolds = static_cast<float>(loads.wake_reynolds);
     out.gust_gain = static_cast<float>(gains.turbulence * gains.turbulence);
-    return make_frame(a, loads, kernel_mass(a, diagonal, rho), out);
+    return make_frame(a, loads, kernel_mass(a, diagonal, rho), rho, out);
 }
 
 void set_gust_turbulence(const TurbulenceSample& s, const Gains& gains, BodyConstants& out) {

@@ -95,6 +95,24 @@ bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyCons
         out.to_modes[i] = static_cast<float>(modes.to[i]);
         out.from_modes[i] = static_cast<float>(modes.from[i]);
     }
+    // from^T takes forces to the modes: weight and b x gravity, and the load matrix of the six Gaussians.
+    const double noise_spin = 2.0;
+    for (size_t m = 0; m < 6; ++m)
+        for (size_t j = 0; j < 3; ++j) {
+            const size_t k = (j + 1) % 3, l = (j + 2) % 3;
+            const double weight = (a.mass - rho * a.volume) / unit, per = -rho * a.volume / (unit * d);
+            const auto* const b = a.center_of_buoyancy.data();
+            // (b x g)_l has b_k g_j with a minus sign, (b x g)_k has b_l g_j.
+            out.modes_of_gravity[m * 3 + j] =
+                static_cast<float>(weight * modes.from[j * 6 + m] +
+                                   per * (b[l] * modes.from[(k + 3) * 6 + m] - b[k] * modes.from[(l + 3) * 6 + m]));
+            for (size_t half = 0; half < 2; ++half) {
+                double sum = 0.0;
+                for (size_t i = 0; i < 3; ++i)
+                    sum += modes.from[(i + 3 * half) * 6 + m] * load[(i + 3 * half) * 6 + j + 3 * half];
+                out.modes_of_noise[m * 6 + j + 3 * half] = static_cast<float>(half ? noise_spin * sum : sum);
+            }
+        }
     Matrix6 translation{}, inverse_translation;
     for (size_t i = 0; i < 6; ++i) translation[i * 7] = 1.0;
     for (size_t i = 0; i < 3; ++i)
@@ -117,7 +135,7 @@ bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyCons
             for (size_t k = 0; k < 3; ++k) reduced -= slip[i][k] * mass[k * 6 + j + 3];
             out.reduced_rotation[n] = static_cast<float>(reduced);
         }
-    out.noise_spin = 2.0f;
+    out.noise_spin = static_cast<float>(noise_spin);
     out.diagonal = diagonal;
     return true;
 }

@@ -31,13 +31,15 @@ template <class T> struct AerodynamicConstantsOf {
     T axes[9], arm[3]; // Q; r: from the centre of mass to that of the loads, over d
     T mobility[6];     // P M^-1 P^T, upper triangle
     T mobility_adjugate[6];
-    T modes[9];          // columns: its eigenvectors
-    T rate[3];           // and eigenvalues
-    T response[18];      // M^-1 P^T, 6x3: twist for an impulse at the centre
-    T from_modes[18];    // twist for a change of velocity along the modes, 6x3
-    T spin_mobility[6];  // Q (M^-1)_22 Q^T
-    T spin_limit[3];     // 1e4 over its diagonal: rates beyond stop a spin within rounding
-    T spin_response[18]; // twist for a change of spin by a couple, 6x3
+    T modes[9];                  // columns: its eigenvectors
+    T rate[3];                   // and eigenvalues
+    T spin_response_to_force[9]; // Q (M^-1)_u P^T: spin for an impulse at the centre
+    T spin_of_force[9];          // the same for a change of velocity by such an impulse
+    T spin_mobility[6];          // Q (M^-1)_22 Q^T
+    T spin_answer[6];        // its column over its diagonal entry, without that: for x in y, z; y in x, z; z in x, y
+    T fall[18];              // what gravity along the body's axes gives in a uniform wind, P over Q (M^-1)_u, 6x3
+    T velocity_of_couple[9]; // velocity of the centre for a change of spin by a couple
+    T spin_response[18];     // twist for a change of spin by a couple, body axes, 6x3
     // The fluid's own velocity with the SPEED clock: correlation rate and variance, per speed and per square of it.
     T rate_of_gusts, variance_of_gusts;
     T wake_reynolds;
@@ -68,7 +70,9 @@ template <class T> struct BodyConstantsOf {
     // diagonal.
     T rate[6];
     T to_modes[36], from_modes[36]; // full path
-    T inverse_translation[6];       // full path: inverse of the mass matrix' block of v
+    T modes_of_gravity[18];   // full path: of weight and buoyancy in a uniform wind, for gravity along the body's axes
+    T modes_of_noise[36];     // full path: of the turbulent force and torque, for its six Gaussians
+    T inverse_translation[6]; // full path: inverse of the mass matrix' block of v
     T slip[9], reduced_rotation[6]; // full path: C = M12^T M11^-1, S = M22 - C M12
 
     AerodynamicConstantsOf<T> aerodynamics;

@@ -113,8 +113,9 @@ template <class C> HWY_INLINE Motion free_motion(const C& c, Twist start, VF g) 
 // The same for any mass matrix: v = M11^-1 P - C^T u and L = C P + S u with C = M12^T M11^-1 and S = M22 - C M12.
 template <class C> HWY_INLINE Motion free_motion_full(const C& c, Twist start, VF g) {
     const Vec3 v = start.v, u = start.u;
-    const Twist both = symmetric6(c.full_mass, start);
-    const Vec3 momentum = both.v, angular = both.u;
+    const auto* const s = c.reduced_rotation;
+    const Vec3 momentum = symmetric6(c.full_mass, start).v, spin_momentum = symmetric3(s, u);
+    const Vec3 angular = add(slip(c, momentum), spin_momentum);
     const Vec3 a = scale(g, u), b = scale(g, v), p = scale(g, momentum), l = scale(g, angular);
     // Columns of H = (1 + [a]x) C + [b]x - [p]x M11^-1, and of 1 - g (derivative): (1 + [a]x) S - [l]x + [p]x C^T + H [p]x.
     const auto column = [&](const auto& c0, const auto& c1, const auto& c2, const auto& m0, const auto& m1,
@@ -129,7 +130,6 @@ template <class C> HWY_INLINE Motion free_motion_full(const C& c, Twist start, V
     h.x.y = hn::Add(h.x.y, b.z), h.x.z = hn::Sub(h.x.z, b.y);
     h.y.x = hn::Sub(h.y.x, b.z), h.y.z = hn::Add(h.y.z, b.x);
     h.z.x = hn::Add(h.z.x, b.y), h.z.y = hn::Sub(h.z.y, b.x);
-    const auto* const s = c.reduced_rotation;
     const auto turning = [&](const auto& s0, const auto& s1, const auto& s2, const auto* ct) LR_LAMBDA {
         const Vec3 e{constant(s0), constant(s1), constant(s2)};
         return add(add(e, cross(a, e)), cross(p, broadcast(ct)));
@@ -153,10 +153,11 @@ template <class C> HWY_INLINE Motion free_motion_full(const C& c, Twist start, V
     const Vec3 lm = add(angular, add(dragged_along, symmetric3(s, dum)));
     const Vec3 vm = add(v, sub(moved_by, slip_transposed(c, dum)));
     const Vec3 dl = scale(hn::Add(g, g), add(cross(lm, um), cross(pm, vm)));
+    const Vec3 spun = sub(dl, add(dragged_along, dragged_along)); // S du
     // S^-1 is the lower block of M^-1, the last six of its upper triangle.
-    const Vec3 du = symmetric3(c.full_inverse + 15, sub(dl, add(dragged_along, dragged_along))), u1 = add(u, du);
-    const VF gained = hn::Add(hn::Mul(constant(4.0f), dot(pm, moved_by)), dot(symmetric3(s, add(u, u1)), du));
-    const VF factor = spin_factor(gained, dot(symmetric3(s, u1), u1));
+    const Vec3 du = symmetric3(c.full_inverse + 15, spun), u1 = add(u, du);
+    const VF gained = hn::Add(hn::Mul(constant(4.0f), dot(pm, moved_by)), dot(add(u, u1), spun));
+    const VF factor = spin_factor(gained, dot(add(spin_momentum, spun), u1));
     const Vec3 scaled = scale(factor, u1);
     Motion out{{vm, um}, {sub(add(v, add(moved_by, moved_by)), slip_transposed(c, sub(scaled, u))), scaled}, g};
     if (const auto left = unsolved(factor, dot(p, b), turned); !hn::AllFalse(DF(), left))

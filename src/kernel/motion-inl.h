@@ -98,6 +98,14 @@ HWY_INLINE Twist add(Twist a, Twist b) {
     return {add(a.v, b.v), add(a.u, b.u)};
 }
 
+template <class T> HWY_INLINE VF weighted(const T* k, Vec3 w) {
+    return mul_add(constant(k[0]), w.x, mul_add(constant(k[1]), w.y, hn::Mul(constant(k[2]), w.z)));
+}
+// Row-major 3x3 matrix.
+template <class T> HWY_INLINE Vec3 rows(const T* m, Vec3 a) {
+    return {weighted(m, a), weighted(m + 3, a), weighted(m + 6, a)};
+}
+
 template <class T> HWY_INLINE Vec3 symmetric3(const T* m, Vec3 a) {
     return {mul_add(constant(m[0]), a.x, mul_add(constant(m[1]), a.y, hn::Mul(constant(m[2]), a.z))),
             mul_add(constant(m[1]), a.x, mul_add(constant(m[3]), a.y, hn::Mul(constant(m[4]), a.z))),
@@ -171,6 +179,7 @@ struct Held {
     Vec3 gravity;    // m/s^2, as buoyancy feels it: less the fluid's own acceleration
     Vec3 fluid_spin; // d s times half the vorticity; read only where `sheared`
     bool sheared;
+    bool uniform;                       // weight is (m - rho V)/U gravity
     const External* external = nullptr; // null without forces from outside
 };
 

@@ -148,6 +148,18 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
     if (held.sheared) b.t.u = add(b.t.u, fluid_spin);
 }
 
+// Weight, buoyancy and what acts from outside, along the modes.
+template <class C> HWY_INLINE Twist applied_to_modes(const C& c, const Held& held, Quaternion q) {
+    const Vec3 gravity = to_body(q, held.gravity);
+    if (held.uniform) {
+        const Twist f{rows(c.modes_of_gravity, gravity), rows(c.modes_of_gravity + 9, gravity)};
+        return held.external ? add(f, force_to_modes(c, external_force<true>(c, *held.external, q))) : f;
+    }
+    Twist f{to_body(q, held.weight), cross(broadcast(c.buoyancy), gravity)};
+    if (held.external) f = add(f, external_force<true>(c, *held.external, q));
+    return force_to_modes(c, f);
+}
+
 // Damping, weight, and at the end of a step noise, for half a substep; orientation held.
 template <Loads kLoads, bool kNoise, class C>
 HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6],
@@ -157,9 +169,7 @@ HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held
     const bool sheared = kLoads != Loads::none && held.sheared;
     const auto fluid_spin = [&]() LR_LAMBDA { return to_body(b.q, held.fluid_spin); };
     if (sheared) b.t.u = sub(b.t.u, fluid_spin());
-    Twist f{to_body(b.q, held.weight), cross(broadcast(c.buoyancy), to_body(b.q, held.gravity))};
-    if (held.external) f = add(f, external_force<true>(c, *held.external, b.q));
-    const Twist tau_f = scale(tau, force_to_modes(c, f));
+    const Twist tau_f = scale(tau, applied_to_modes(c, held, b.q));
     const Twist y = to_modes(c, b.t);
     if constexpr (kLoads == Loads::none) {
         b.t = add(b.t, from_modes(c, tau_f));
@@ -188,9 +198,8 @@ HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held
     Twist kick = x;
     if constexpr (kNoise) {
         beta = hn::Mul(beta, constant(in.sqrt_h));
-        const VF spin_beta = hn::Mul(beta, constant(c.noise_spin));
-        kick = force_to_modes(c, dragged<true>(c, {scale(beta, Vec3{gauss[0], gauss[1], gauss[2]}),
-                                                   scale(spin_beta, Vec3{gauss[3], gauss[4], gauss[5]})}));
+        kick = scale(
+            beta, general6<false>(c.modes_of_noise, {{gauss[0], gauss[1], gauss[2]}, {gauss[3], gauss[4], gauss[5]}}));
     }
     const Twist relaxed{
         {relax<kNoise>(y.v.x, x.v.x, tau_f.v.x, kick.v.x), relax<kNoise>(y.v.y, x.v.y, tau_f.v.y, kick.v.y),

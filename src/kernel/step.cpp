@@ -44,6 +44,7 @@ HWY_INLINE void hold_field(const FluidSample& f, size_t at, float weight, VF len
     held.gravity = sub(gravity, add(mean, difference));
     held.fluid_spin = scale(length, load(f.spin));
     held.sheared = true;
+    held.uniform = false;
 }
 
 template <bool kFull, Loads kLoads, Integrator kIntegrator>
@@ -70,6 +71,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         held.weight = weight;
         held.fluid_spin = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
         held.sheared = false;
+        held.uniform = true;
         // In a uniform wind the body moves through the fluid as if that were still: work with the relative velocity.
         if constexpr (is_aerodynamic(kLoads)) b.gust = load3(a, field_gust_x, at);
         Vec3 begin_wind = broadcast(in.wind_begin), end_wind = held.wind;

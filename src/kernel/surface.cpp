@@ -180,6 +180,7 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         held.wind = add_scaled(upper, wet, sub(lower, upper));
         held.gravity = held.fluid_spin = none;
         held.sheared = false;
+        held.uniform = false;
         const Floating loads =
             floating<kFull>(in, s, c, middle, body_scale, inverse_length, q, load3(s.middle->normal, at), rate, wet);
         held.weight = loads.force;

@@ -121,7 +121,7 @@ HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
         response[j] = symmetric6(c.full_inverse, to[j]);
         spin_response[j] = symmetric6(c.full_inverse, Twist{none, q});
     }
-    VF n[3][3], vectors[3][3], spin[6], inverse_spin[6];
+    VF n[3][3], vectors[3][3], spin[6], inverse[6], inverse_spin[6];
     for (int i = 0, k = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j, ++k) {
             n[i][j] = n[j][i] = hn::Add(dot(to[i].v, response[j].v), dot(to[i].u, response[j].u));
@@ -134,24 +134,33 @@ HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
             const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
             a.mobility_adjugate[k] = mul_sub(n[i1][j1], n[i2][j2], hn::Mul(n[i1][j2], n[i2][j1]));
         }
-    for (int i = 0; i < 3; ++i) a.spin_limit[i] = hn::Div(constant(1e4f), spin[i == 0 ? 0 : i == 1 ? 3 : 5]);
     invert3(spin, inverse_spin);
+    invert3(a.mobility, inverse);
+    Vec3 mixed[3], turned[3]; // rows
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 q = broadcast(a.axes + 3 * i);
+        turned[i] = {dot(q, response[0].u), dot(q, response[1].u), dot(q, response[2].u)};
+    }
+    for (int i = 0; i < 3; ++i) mixed[i] = {component(turned[0], i), component(turned[1], i), component(turned[2], i)};
+    const auto store_row = [&](Vec3 row, VF* out) LR_LAMBDA { out[0] = row.x, out[1] = row.y, out[2] = row.z; };
+    for (int i = 0; i < 3; ++i) {
+        store_row(turned[i], a.spin_response_to_force + 3 * i);
+        store_row(symmetric3(inverse, turned[i]), a.spin_of_force + 3 * i);
+        store_row(symmetric3(inverse_spin, mixed[i]), a.velocity_of_couple + 3 * i);
+    }
+    const VF over[3] = {hn::Div(constant(1.0f), spin[0]), hn::Div(constant(1.0f), spin[3]),
+                        hn::Div(constant(1.0f), spin[5])};
+    const VF beside[6] = {spin[1], spin[2], spin[1], spin[4], spin[2], spin[4]};
+    for (int i = 0; i < 6; ++i) a.spin_answer[i] = hn::Mul(beside[i], over[i / 2]);
     eigen(n, vectors);
     for (int j = 0; j < 3; ++j) {
         a.rate[j] = n[j][j];
         for (int i = 0; i < 3; ++i) a.modes[i * 3 + j] = vectors[i][j];
     }
-    for (int i = 0; i < 6; ++i) {
-        const Vec3 row{component(response[0], i), component(response[1], i), component(response[2], i)};
-        const Vec3 moved = symmetric3(inverse_spin, Vec3{component(spin_response[0], i), component(spin_response[1], i),
-                                                         component(spin_response[2], i)});
-        for (int j = 0; j < 3; ++j) {
-            a.response[i * 3 + j] = component(row, j);
-            a.spin_response[i * 3 + j] = component(moved, j);
-            // N^-1 V = V rate^-1
-            a.from_modes[i * 3 + j] = hn::Div(dot(row, Vec3{vectors[0][j], vectors[1][j], vectors[2][j]}), n[j][j]);
-        }
-    }
+    for (int i = 0; i < 6; ++i)
+        store_row(symmetric3(inverse_spin, Vec3{component(spin_response[0], i), component(spin_response[1], i),
+                                                component(spin_response[2], i)}),
+                  a.spin_response + 3 * i);
 }
 
 // Modes in which mass is 1 and the turbulent damping diagonal: with Z = X (1 + f lambda)^-1/2 mass is 1 already, and
@@ -189,6 +198,12 @@ template <bool kDamped> HWY_NOINLINE void langevin_modes(const WaterBody& w, VF 
             }
             c.from_modes[i * 6 + j] = from;
             c.to_modes[j * 6 + i] = to;
+        }
+        const VF* const z0 = c.from_modes + j; // a column
+        const Twist noise = dragged<true>(c, Twist{{z0[0], z0[6], z0[12]}, {z0[18], z0[24], z0[30]}});
+        for (int i = 0; i < 3; ++i) {
+            c.modes_of_noise[j * 6 + i] = component(noise, i);
+            c.modes_of_noise[j * 6 + 3 + i] = hn::Mul(c.noise_spin, component(noise, i + 3));
         }
     }
 }
