@@ -5,6 +5,7 @@
 
 #include "kernel/step.h"
 
+#include "hwy/cache_control.h"
 #include "hwy/highway.h"
 #include "kernel/ended-inl.h"
 #include "kernel/external-inl.h"
@@ -47,6 +48,18 @@ HWY_INLINE void hold_field(const FluidSample& f, size_t at, float weight, VF len
     held.uniform = false;
 }
 
+constexpr size_t line = 64 / sizeof(float);
+
+// The lines of the next bodies are on their way while these are stepped: in worlds larger than the caches, from too many
+// arrays for the processor to see it by itself. `at` may lie behind the last body: nothing is read.
+template <Loads kLoads> HWY_INLINE void prefetch(const BatchArrays& a, size_t at, size_t count) {
+    constexpr size_t fields = is_aerodynamic(kLoads) ? field_count : size_t{field_gust_x};
+    for (size_t i = 0; i < count; i += line) {
+        for (size_t f = 0; f < fields; ++f) hwy::Prefetch(a.field[f] + at + i);
+        hwy::Prefetch(a.key + at + i);
+    }
+}
+
 template <bool kFull, Loads kLoads, Integrator kIntegrator>
 HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
     const DF d;
@@ -56,6 +69,8 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
     const Vec3 gravity = broadcast(in.gravity);
     const Vec3 weight = scale(constant(c.weight), gravity);
     for (size_t at = begin; at < end; at += hn::Lanes(d)) {
+        const size_t together = HWY_MAX(hn::Lanes(d), line);
+        if (at % together == 0) prefetch<kLoads>(a, at + together, together);
         Body b;
         b.x = load3(a, field_x, at);
         b.q = {hn::Load(d, a.field[field_qx] + at), hn::Load(d, a.field[field_qy] + at),
