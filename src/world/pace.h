@@ -67,8 +67,8 @@ public:
     uint32_t divisor(double h) const {
         return record_.rate.divisor == 1 ? 1 : std::min(record_.rate.divisor, largest_divisor(h));
     }
-    // Whether a batch of this phase is stepped in the world's step of this number: in every one, unless `divisor` is more than
-    // all of its substeps.
+    // Whether a batch of this phase is stepped in the world's step of this number: in every one, unless `divisor` is more
+    // than all of its substeps.
     bool due(uint32_t divisor, uint32_t substeps, uint64_t step, uint32_t phase) const;
     // Substeps that make up for what is behind, none longer than the longest or than the world's,
     uint32_t least() const;

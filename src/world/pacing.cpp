@@ -73,8 +73,8 @@ double Pacing::divisor(const Claim& c, const Coarsening& coarse) {
     return coarse.beyond ? c.divisor * slower : std::min(c.divisor * slower, static_cast<double>(c.largest));
 }
 
-// That with which all batches together take `amount` a step on average. The factor is found by halving an interval, so that it
-// is the same on every machine.
+// That with which all batches together take `amount` a step on average. The factor is found by halving an interval, so that
+// it is the same on every machine.
 Pacing::Coarsening Pacing::coarsening(double amount, uint32_t substeps) const {
     const auto load = [&](const Coarsening& coarse) {
         double sum = 0.0;
@@ -152,7 +152,7 @@ void Pacing::decide(const Step& step) {
         }
         const Coarsening coarse = coarsening(amount, step.substeps);
         report_.coarseness = std::max(coarse.factor, 1.0);
-        // Batches that came due together, by their phases, may take more than the average for once, if all of it is there.
+        // Else there is enough for all, in this step and on average.
         if (full > amount || coarse.factor > 1.0)
             share(amount, coarse);
         else
