@@ -9,6 +9,7 @@ packages=(
     g++ cmake ninja-build pkg-config python3
     libhwy-dev                                   # kernel: SIMD
     libflatbuffers-dev flatbuffers-compiler      # asset format
+    libccd-dev                                   # contact: convex pairs
     libeigen3-dev libassimp-dev                  # baker
     libpng-dev libboost-dev                      # baker: images and triangulation of cards
     libcli11-dev nlohmann-json3-dev              # command lines, reports

@@ -7,26 +7,11 @@
 
 #include "hwy/cache_control.h"
 #include "hwy/highway.h"
-#include "kernel/ended-inl.h"
 #include "kernel/external-inl.h"
 #include "kernel/substep-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
-
-// kernel/wind.cpp
-void predict(const BatchArrays& a, size_t begin, size_t end, float h, FieldBlock& out);
-void evaluate(const FieldInstant& instant, size_t count, FieldBlock& block);
-void combine(float h, size_t count, const FieldBlock& block, FluidSample& out);
-void settle(const BodyConstants& c, float h, const FieldBlock& block, const FluidSample& sample, const BatchArrays& a,
-            size_t begin, size_t end);
-// kernel/surface.cpp
-void near_surface(const SurfaceInstant& plane, float highest, const WaterBody& w, float dt, float gravity,
-                  const BatchArrays& a, size_t begin, size_t end, uint32_t* near);
-void ahead_of(const BatchArrays& a, size_t count, float h, SurfaceBlock& out);
-void evaluate_surface(const SurfaceInstant& plane, size_t count, SurfaceBlock& b);
-void step_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count);
-void settle_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count);
 
 // In a wind field. The body's velocity through the fluid obeys the equations of still fluid with the force
 //   (m - rho V) g + rho V a_f - m a_b,   m = (1 + weight)/2 and rho V = (1 - weight)/2 in mass units,
@@ -128,63 +113,3 @@ void step_range(const StepInput& in, const BatchArrays& a, size_t begin, size_t 
 
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-#include "hwy/targets.h"
-#include "langevin_rigid.h"
-
-namespace lr {
-
-const KernelTarget* built_targets(size_t& count) {
-// clang-format off
-#define LR_TARGET(simd, target)                                                                                        \
-    {simd, HWY_##target, &N_##target::step_range, &N_##target::ended_range, &N_##target::predict, &N_##target::evaluate,                \
-     &N_##target::combine, &N_##target::settle,                                                                        \
-     {&N_##target::near_surface, &N_##target::ahead_of, &N_##target::evaluate_surface, &N_##target::step_wet,          \
-      &N_##target::settle_wet}}
-    // clang-format on
-    static constexpr KernelTarget targets[] = {
-#if HWY_TARGETS & HWY_AVX3
-        LR_TARGET(LR_SIMD_AVX512, AVX3),
-#endif
-#if HWY_TARGETS & HWY_AVX2
-        LR_TARGET(LR_SIMD_AVX2, AVX2),
-#endif
-#if HWY_TARGETS & HWY_SSE4
-        LR_TARGET(LR_SIMD_SSE4, SSE4),
-#endif
-#if HWY_TARGETS & HWY_SSSE3
-        LR_TARGET(LR_SIMD_SSSE3, SSSE3),
-#endif
-#if HWY_TARGETS & HWY_NEON
-        LR_TARGET(LR_SIMD_NEON, NEON),
-#endif
-#if HWY_TARGETS & HWY_WASM
-        LR_TARGET(LR_SIMD_WASM, WASM),
-#endif
-#if HWY_TARGETS & HWY_EMU128
-        LR_TARGET(LR_SIMD_EMULATED, EMU128),
-#endif
-#if HWY_TARGETS & HWY_SCALAR
-        LR_TARGET(LR_SIMD_EMULATED, SCALAR),
-#endif
-    };
-#undef LR_TARGET
-    count = sizeof(targets) / sizeof(targets[0]);
-    return targets;
-}
-
-const KernelTarget* find_target(int32_t simd) {
-    const int64_t supported = HWY_SUPPORTED_TARGETS; // needs Highway's library only where there is a choice
-    size_t count = 0;
-    const KernelTarget* const targets = built_targets(count);
-    for (size_t i = 0; i < count; ++i) {
-        // The emulated target is plain C++ and runs anywhere, whatever the processor reports.
-        const bool runs = (targets[i].hwy & supported) != 0 || targets[i].simd == LR_SIMD_EMULATED;
-        if (runs && (simd == LR_SIMD_AUTO || simd == targets[i].simd)) return &targets[i];
-    }
-    return nullptr;
-}
-
-} // namespace lr
-#endif

@@ -31,7 +31,7 @@ HWY_INLINE VF decay(VF x) {
 HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, Vec3 x) {
     const VF zero = hn::Zero(DF());
     const Vec3 up = broadcast(s.up), from = sub(x, broadcast(s.point));
-    VF sine[LR_MAX_WAVES], cosine[LR_MAX_WAVES];
+    VF sine[most_waves], cosine[most_waves];
     SurfaceSample out{zero, up, broadcast(s.current), {zero, zero, zero}};
     for (uint32_t i = 0; i < s.wave_count; ++i) {
         const WaveInstant& w = s.waves[i];

@@ -5,7 +5,6 @@
 #include "kernel/batch_arrays.h"
 #include "kernel/constants.h"
 #include "kernel/wind.h"
-#include "langevin_rigid.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +12,8 @@
 namespace lr {
 
 struct StepInput;
+
+inline constexpr uint32_t most_waves = 8;
 
 struct WaveInstant {
     float direction[3]; // unit, in the plane
@@ -27,7 +28,7 @@ struct SurfaceInstant {
     float point[3], up[3]; // of the plane
     float current[3];      // m/s
     uint32_t wave_count;
-    WaveInstant waves[LR_MAX_WAVES];
+    WaveInstant waves[most_waves];
 };
 
 // The surface, and the lower fluid's motion, at a block of bodies.

@@ -10,8 +10,6 @@
 #include "kernel/turbulence_field-inl.h"
 #include "kernel/wind.h"
 
-#include "langevin_rigid.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
@@ -178,12 +176,12 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
         VF p = hn::Mul(at[i], constant(s.inverse_spacing[i]));
         slope[i] = constant(s.inverse_spacing[i]);
         const VF last = constant(samples - 1.0f);
-        if (s.outside == LR_WIND_OUTSIDE_REPEAT) {
+        if (s.outside == outside_repeat) {
             p = neg_mul_add(hn::Floor(hn::Mul(p, constant(1.0f / samples))), constant(samples), p);
             p = hn::Max(p, zero); // rounding may have gone past either end
         } else {
             const auto inside = hn::And(hn::Ge(p, zero), hn::Le(p, last));
-            if (s.outside == LR_WIND_OUTSIDE_ZERO) in = hn::And(in, inside);
+            if (s.outside == outside_zero) in = hn::And(in, inside);
             slope[i] = hn::IfThenElseZero(inside, slope[i]);
             p = hn::Min(hn::Max(p, zero), last);
         }
@@ -191,7 +189,7 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
         low[i] = hn::Max(hn::Min(hn::ConvertTo(di, p), top), hn::Zero(di));
         part[i] = clamp_unit(hn::Sub(p, hn::ConvertTo(DF(), low[i])));
         const VI next = hn::Add(low[i], hn::Set(di, 1));
-        const VI beyond = s.outside == LR_WIND_OUTSIDE_REPEAT ? hn::Zero(di) : top;
+        const VI beyond = s.outside == outside_repeat ? hn::Zero(di) : top;
         high[i] = hn::IfThenElse(hn::Gt(next, top), beyond, next);
         if (s.count[i] == 1) slope[i] = zero;
     }

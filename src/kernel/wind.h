@@ -36,6 +36,9 @@ struct FluidSample {
 enum class SourceKind : int32_t { ground, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid };
 
 // One source (one octave of turbulence) at one instant. `reach`: nothing farther from `center` is touched; 0: no limit.
+// Of a grid: what lies beyond its samples, by the numbers of LR_WIND_OUTSIDE_*.
+enum Outside : int32_t { outside_zero, outside_clamp, outside_repeat };
+
 struct SourceInstant {
     SourceKind kind;
     float center[3], reach;
@@ -58,7 +61,7 @@ struct SourceInstant {
     uint32_t seed;
     float turn, turn_rate; // turbulence: phase of the slowest beat in turns, 0 to 1; 1/s
     int32_t count[3];      // grid: samples
-    int32_t outside;       // grid: LR_WIND_OUTSIDE_*
+    int32_t outside;       // grid: Outside
     const float* frame[2]; // grid: three floats a sample
     float part, part_rate; // grid: between the two frames; 1/s
 };

@@ -1,14 +1,17 @@
-// Which bodies have come to their end by a batch's rules.
-#if defined(LR_KERNEL_ENDED_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef LR_KERNEL_ENDED_INL_H_
-#undef LR_KERNEL_ENDED_INL_H_
-#else
-#define LR_KERNEL_ENDED_INL_H_
-#endif
+// Which bodies have come to their end by a batch's rules, compiled once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernel/ended.cpp"
+#include "hwy/foreach_target.h" // IWYU pragma: keep
 
-#include "kernel/batch_arrays.h"
 #include "kernel/ended.h"
+
+#include "hwy/highway.h"
 #include "kernel/motion-inl.h"
+#include "langevin_rigid.h"
+
+namespace lr {
+static_assert(most_kill_volumes == LR_MAX_KILL_VOLUMES);
+} // namespace lr
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
@@ -55,4 +58,3 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
 
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif
