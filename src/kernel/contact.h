@@ -53,4 +53,80 @@ struct NearColliders {
     NearHeightfield heightfields[most_near_heightfields];
 };
 
+// What of a body can touch, at scale 1 (contact/body_shape.h).
+struct ShapeConstants {
+    uint32_t count; // of points; 0: an ellipsoid
+    const float *x, *y, *z;
+    float radius;
+    float center[3], semi_axes[3];
+    float reach;
+};
+
+// Marks with 1 in `near` the bodies of [begin, end) that may touch a collider within `dt`; others get 0. speed: m/s that
+// they may gain beside what they have.
+using NearCollidersFunction = void (*)(const NearColliders&, float reach, float dt, float speed, const BatchArrays&,
+                                       size_t begin, size_t end, uint32_t* near);
+
+inline constexpr size_t contact_lanes = lane_block;
+inline constexpr uint32_t contact_slots = 16, manifold_slots = 4;
+inline constexpr float no_contact = 1e30f; // m, gap of a slot that is empty
+
+using LaneRow = float[contact_lanes];
+
+// Contacts of as many bodies, a slot each. Slots of one body need not be filled from the first on.
+struct ContactSlots {
+    uint32_t used; // slots that any body has
+    struct Slot {
+        alignas(64) LaneRow arm[3]; // m, body frame, from the centre of mass
+        LaneRow normal[3];          // world, unit, from the collider to the body
+        LaneRow gap;                // m, at the end of the substep
+        LaneRow surface[3];         // m/s, velocity of the collider there
+        LaneRow friction, restitution;
+        LaneRow impulse; // out: along the normal, over the body's mass unit, m/s; negative where they do not touch
+        uint32_t collider[contact_lanes]; // slot of it
+    } slot[contact_slots];
+};
+
+// A plane (y = 0) or a heightfield at the end of a substep.
+struct GroundSurface {
+    float position[3], axes[9];  // rows: its own axes in the world
+    float velocity[3], spin[3];  // m/s at `position`; rad/s, world
+    float friction, restitution; // of the pair
+    uint32_t collider;
+    // Of a heightfield; heights are null for a plane.
+    const float* heights;
+    uint32_t counts[2];
+    float spacing[2], inverse_spacing[2];
+    float lowest;
+};
+
+// Bodies [0, count) of `arrays` after a substep, and where they were before it.
+struct ContactBodies {
+    const BodyConstants* body;
+    ShapeConstants shape;
+    float h;       // s, the substep
+    float gravity; // m/s^2, its magnitude
+    float rolling; // resistance to rolling and spinning: moment over normal force and reach
+    BatchArrays arrays;
+    const LaneRow* before; // position, orientation, velocity, spin: 13 rows, fields from field_x on
+    size_t count;          // of lanes, padded
+};
+inline constexpr size_t pose_fields = field_scale;
+
+// Writes up to manifold_slots contacts of each body with the surface. Returns whether there are any, and if not writes
+// nothing. rough: 1 for bodies that touch more than one slope of a heightfield, which need a closer look.
+using GroundFunction = bool (*)(const ContactBodies&, const GroundSurface&, ContactSlots::Slot (&out)[manifold_slots],
+                                uint32_t* rough);
+// Moves bodies out of what they touch, and changes their velocities as contact does.
+using ContactFunction = void (*)(const ContactBodies&, ContactSlots&);
+
+struct ContactTarget {
+    int32_t simd; // LR_SIMD_*
+    NearCollidersFunction near;
+    GroundFunction ground;
+    ContactFunction resolve;
+};
+// Of the same instruction set as a KernelTarget's.
+const ContactTarget& contact_target(int32_t simd);
+
 } // namespace lr

@@ -1,0 +1,281 @@
+#include "contact/contact_group.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+Vector mix(Vector a, Vector b, float part) {
+    return a + part * (b - a);
+}
+Rotation mix(Rotation a, Rotation b, float part) {
+    const float sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0.0f ? -1.0f : 1.0f;
+    const auto between = [&](float from, float to) { return from + part * (sign * to - from); };
+    return normalised({between(a.x, b.x), between(a.y, b.y), between(a.z, b.z), between(a.w, b.w)});
+}
+bool is_ground(const Collider& c) {
+    return c.geometry.kind == ColliderKind::plane || c.geometry.kind == ColliderKind::heightfield;
+}
+
+// Mean velocities of a collider over a stretch of the step.
+struct Motion {
+    Vector velocity{}, spin{}; // m/s of its origin; rad/s
+};
+Motion motion_of(const Collider& c, float begin, float end, float h) {
+    if (!c.moves) return {};
+    const Pose from = pose_at(c, begin), to = pose_at(c, end);
+    const Rotation turn = to.rotation * inverse(from.rotation);
+    const float rate = (turn.w < 0.0f ? -2.0f : 2.0f) / h;
+    return {1.0f / h * (to.position - from.position), {rate * turn.x, rate * turn.y, rate * turn.z}};
+}
+
+// Geometric mean and the larger: a pair slips as its materials do together, and bounces as the springier one.
+float friction_of(const ContactSettings& s, const Collider& c) {
+    return std::sqrt(s.friction * c.friction);
+}
+float restitution_of(const ContactSettings& s, const Collider& c) {
+    return std::max(s.restitution, c.restitution);
+}
+
+} // namespace
+
+Pose pose_at(const Collider& c, float part) {
+    if (!c.moves || part <= 0.0f) return c.begin;
+    if (part >= 1.0f) return c.end;
+    return {mix(c.begin.position, c.end.position, part), mix(c.begin.rotation, c.end.rotation, part)};
+}
+
+ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, const BatchArrays& arrays,
+                           uint32_t count)
+    : step_(&step), body_(&body), arrays_(arrays), count_(count) {
+    std::fill(touches_, touches_ + contact_lanes, false);
+    for (uint32_t i = 0; i < count; ++i) {
+        const Pose pose = pose_of(i);
+        const Vector v{arrays.field[field_vx][i], arrays.field[field_vy][i], arrays.field[field_vz][i]};
+        const float far =
+            1.5f * step.shape->reach * arrays.field[field_scale][i] + step.dt * (1.5f * length(v) + step.gain);
+        const Vector half{far, far, far};
+        Near& near = near_[i];
+        near.count = step.colliders->candidates(pose.position - half, pose.position + half, step.settings->layers,
+                                                near.candidate, missed_);
+        for (uint32_t k = 0; k < near.count; ++k) {
+            const uint32_t slot = near.candidate[k].slot;
+            if (!is_ground(step.colliders->at(slot))) continue;
+            uint32_t* const end = grounds_ + ground_count_;
+            uint32_t* const at = std::lower_bound(grounds_, end, slot);
+            if ((at != end && *at == slot) || ground_count_ == most_candidates) continue;
+            std::copy_backward(at, end, end + 1);
+            *at = slot;
+            ++ground_count_;
+        }
+    }
+}
+
+Pose ContactGroup::pose_of(uint32_t i) const {
+    const auto value = [&](size_t f) { return arrays_.field[f][i]; };
+    return {{value(field_x), value(field_y), value(field_z)},
+            {value(field_qx), value(field_qy), value(field_qz), value(field_qw)}};
+}
+
+void ContactGroup::set_pose(uint32_t i, const Pose& pose) {
+    const float values[7] = {pose.position.x, pose.position.y, pose.position.z, pose.rotation.x,
+                             pose.rotation.y, pose.rotation.z, pose.rotation.w};
+    for (size_t f = 0; f < 7; ++f) arrays_.field[f][i] = values[f];
+}
+
+// Bodies that would pass through something within the substep end it where they meet it.
+void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float end) {
+    for (uint32_t i = 0; i < count_; ++i) {
+        const float scale = arrays_.field[field_scale][i];
+        const Pose from{{before[0][i], before[1][i], before[2][i]},
+                        {before[3][i], before[4][i], before[5][i], before[6][i]}};
+        const Pose to = pose_of(i);
+        float free = 1.0f;
+        for (uint32_t k = 0; k < near_[i].count; ++k) {
+            const Candidate& candidate = near_[i].candidate[k];
+            const Collider& c = step_->colliders->at(candidate.slot);
+            if (c.geometry.kind == ColliderKind::plane) continue;
+            const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), to);
+            free = std::min(free, free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part));
+        }
+        if (free < 1.0f) set_pose(i, {mix(from.position, to.position, free), mix(from.rotation, to.rotation, free)});
+    }
+}
+
+// The slot for one more contact of a body: a free one, or that of its shallowest if this one is deeper; else none.
+uint32_t ContactGroup::place(uint32_t i, float gap) {
+    if (filled_[i] < contact_slots) {
+        const uint32_t at = filled_[i]++;
+        if (at == slots_.used) {
+            slots_.slot[at] = ContactSlots::Slot{};
+            std::fill_n(slots_.slot[at].gap, contact_lanes, no_contact);
+            ++slots_.used;
+        }
+        return at;
+    }
+    uint32_t shallowest = 0;
+    for (uint32_t k = 1; k < contact_slots; ++k)
+        if (slots_.slot[k].gap[i] > slots_.slot[shallowest].gap[i]) shallowest = k;
+    return gap < slots_.slot[shallowest].gap[i] ? shallowest : contact_slots;
+}
+
+void ContactGroup::add(uint32_t i, const ContactSlots::Slot& from) {
+    const uint32_t at = place(i, from.gap[i]);
+    if (at == contact_slots) return;
+    ContactSlots::Slot& to = slots_.slot[at];
+    for (size_t k = 0; k < 3; ++k) {
+        to.arm[k][i] = from.arm[k][i];
+        to.normal[k][i] = from.normal[k][i];
+        to.surface[k][i] = from.surface[k][i];
+    }
+    to.gap[i] = from.gap[i];
+    to.friction[i] = from.friction[i];
+    to.restitution[i] = from.restitution[i];
+    to.collider[i] = from.collider[i];
+}
+
+void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, const Pose& pose, Vector velocity,
+                       Vector spin, Vector middle) {
+    const uint32_t at = place(i, contact.gap);
+    if (at == contact_slots) return;
+    const Collider& c = step_->colliders->at(collider);
+    ContactSlots::Slot& to = slots_.slot[at];
+    const Pose body = pose_of(i);
+    const Vector normal = rotate(pose.rotation, contact.normal);
+    const Vector surface = velocity + cross(spin, to_outer(body, contact.arm) - middle);
+    const auto put = [&](LaneRow(&rows)[3], Vector v) { rows[0][i] = v.x, rows[1][i] = v.y, rows[2][i] = v.z; };
+    put(to.arm, contact.arm);
+    put(to.normal, normal);
+    put(to.surface, surface);
+    to.gap[i] = contact.gap;
+    to.friction[i] = friction_of(*step_->settings, c);
+    to.restitution[i] = restitution_of(*step_->settings, c);
+    to.collider[i] = collider;
+}
+
+// As in the kernel: half a hundredth of the body, what it falls in a substep, and what its position is rounded to.
+float ContactGroup::margin_of(uint32_t i, float h) const {
+    const float reach = step_->shape->reach * arrays_.field[field_scale][i];
+    const Vector x = pose_of(i).position;
+    const float far = std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z)));
+    return 0.005f * reach + 1e-6f * far + step_->gravity * h * h;
+}
+
+void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float end, float h) {
+    ContactSlots::Slot found[manifold_slots];
+    alignas(64) uint32_t rough[contact_lanes];
+    for (uint32_t g = 0; g < ground_count_; ++g) {
+        const Collider& c = step_->colliders->at(grounds_[g]);
+        const Pose pose = pose_at(c, end);
+        const Motion motion = motion_of(c, begin, end, h);
+        GroundSurface s{};
+        const Vector axes[3] = {rotate(pose.rotation, {1, 0, 0}), rotate(pose.rotation, {0, 1, 0}),
+                                rotate(pose.rotation, {0, 0, 1})};
+        const auto put = [](float* to, Vector v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; };
+        put(s.position, pose.position);
+        for (size_t k = 0; k < 3; ++k) put(s.axes + 3 * k, axes[k]);
+        put(s.velocity, motion.velocity);
+        put(s.spin, motion.spin);
+        s.friction = friction_of(*step_->settings, c);
+        s.restitution = restitution_of(*step_->settings, c);
+        s.collider = grounds_[g];
+        if (const HeightfieldGeometry* const f = c.geometry.heightfield) {
+            s.heights = f->heights;
+            s.lowest = f->lowest;
+            for (size_t k = 0; k < 2; ++k) {
+                s.counts[k] = f->counts[k];
+                s.spacing[k] = f->spacing[k];
+                s.inverse_spacing[k] = 1.0f / f->spacing[k];
+            }
+        }
+        std::fill_n(rough, contact_lanes, 0u);
+        if (!step_->target->ground(bodies, s, found, rough)) continue;
+        for (uint32_t i = 0; i < count_; ++i) {
+            // The lists of its own: others' grounds must not matter for a body.
+            const Candidate* const own = near_[i].candidate;
+            const bool listed = std::any_of(own, own + near_[i].count,
+                                            [&](const Candidate& candidate) { return candidate.slot == grounds_[g]; });
+            if (!listed) continue;
+            if (rough[i] == 0) {
+                for (const ContactSlots::Slot& slot : found)
+                    if (slot.gap[i] < 0.5f * no_contact) add(i, slot);
+                continue;
+            }
+            Contact contacts[most_contacts];
+            const uint32_t count =
+                find_contacts(*step_->shape, arrays_.field[field_scale][i], relative(pose, pose_of(i)), c.geometry,
+                              {0, 0}, margin_of(i, h), contacts);
+            for (uint32_t k = 0; k < count; ++k)
+                add(i, grounds_[g], contacts[k], pose, motion.velocity, motion.spin, pose.position);
+        }
+    }
+}
+
+void ContactGroup::touch_others(uint32_t i, const Near& near, float begin, float end, float h) {
+    const float margin = margin_of(i, h);
+    for (uint32_t k = 0; k < near.count; ++k) {
+        const Candidate& candidate = near.candidate[k];
+        const Collider& c = step_->colliders->at(candidate.slot);
+        if (is_ground(c)) continue;
+        const Pose pose = pose_at(c, end);
+        Contact contacts[most_contacts];
+        const uint32_t count = find_contacts(*step_->shape, arrays_.field[field_scale][i], relative(pose, pose_of(i)),
+                                             c.geometry, candidate.part, margin, contacts);
+        if (count == 0) continue;
+        const Motion motion = motion_of(c, begin, end, h);
+        for (uint32_t n = 0; n < count; ++n)
+            add(i, candidate.slot, contacts[n], pose, motion.velocity, motion.spin, pose.position);
+    }
+}
+
+void ContactGroup::resolve(const LaneRow (&before)[pose_fields], float begin, float end, float h) {
+    clip(before, begin, end);
+    slots_.used = 0;
+    std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
+    const ContactBodies bodies{
+        body_,        constants_of(*step_->shape), h, step_->gravity, step_->settings->rolling, arrays_, before,
+        contact_lanes};
+    touch_grounds(bodies, begin, end, h);
+    for (uint32_t i = 0; i < count_; ++i) touch_others(i, near_[i], begin, end, h);
+    std::fill(touches_, touches_ + contact_lanes, false);
+    if (slots_.used == 0) return;
+    step_->target->resolve(bodies, slots_);
+    for (uint32_t i = 0; i < count_; ++i)
+        for (uint32_t k = 0; k < filled_[i]; ++k) touches_[i] = touches_[i] || slots_.slot[k].impulse[i] >= 0.0f;
+}
+
+void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {
+    std::fill(out, out + 4, 0u);
+    if (!touches_[i]) return;
+    float strength[4] = {-1.0f, -1.0f, -1.0f, -1.0f};
+    for (uint32_t k = 0; k < filled_[i]; ++k) {
+        const ContactSlots::Slot& s = slots_.slot[k];
+        if (!(s.impulse[i] >= 0.0f)) continue;
+        const uint32_t id = s.collider[i] + 1;
+        // A place for it: its own, or the weakest that is weaker.
+        size_t at = 0;
+        while (at < 4 && out[at] != id && out[at] != 0) ++at;
+        if (at == 4) at = static_cast<size_t>(std::min_element(strength, strength + 4) - strength);
+        if (out[at] == id || out[at] == 0 || s.impulse[i] > strength[at]) {
+            strength[at] = std::max(out[at] == id ? strength[at] : -1.0f, s.impulse[i]);
+            out[at] = id;
+        }
+    }
+}
+
+NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin,
+                           uint32_t end, float dt)
+    : begin_(begin), live_(live) {
+    step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, begin, end, near_);
+    for (uint32_t i = begin; i < std::min(end, live); ++i)
+        if (near_[i - begin] != 0) index_[count_++] = i;
+}
+
+bool NearContacts::others(uint32_t begin) const {
+    for (uint32_t i = begin; i < std::min(begin + static_cast<uint32_t>(lane_block), live_); ++i)
+        if (near_[i - begin_] == 0) return true;
+    return false;
+}
+
+} // namespace lr

@@ -1,0 +1,105 @@
+// Bodies near colliders: which they are, what they touch after a substep, and what comes of it.
+#pragma once
+
+#include "contact/body_shape.h"
+#include "contact/colliders.h"
+#include "kernel/contact.h"
+#include "kernel/wind.h"
+
+#include <cstdint>
+
+namespace lr {
+
+// How the bodies of a batch meet colliders.
+struct ContactSettings {
+    uint32_t layers = 0xffffffffu;
+    float friction = 0.5f, restitution = 0.1f;
+    float rolling = 0.05f; // of the reach
+    bool may_rest = true;
+};
+
+// Of a batch in a step.
+struct ContactStep {
+    const ContactTarget* target;
+    const Colliders* colliders;
+    const BodyShape* shape;
+    const ContactSettings* settings;
+    float gravity; // m/s^2, magnitude
+    float dt;      // s, of the step
+    float gain;    // m/s that bodies may gain in it beside what they have
+};
+
+constexpr ShapeConstants constants_of(const BodyShape& s) {
+    return {s.count,
+            s.x,
+            s.y,
+            s.z,
+            s.radius,
+            {s.center.x, s.center.y, s.center.z},
+            {s.semi_axes.x, s.semi_axes.y, s.semi_axes.z},
+            s.reach};
+}
+
+// Where a collider is at a part of the step, 0 to 1.
+Pose pose_at(const Collider& collider, float part);
+
+// Up to contact_lanes bodies that may touch something, through a step.
+class ContactGroup {
+public:
+    // bodies: in arrays of contact_lanes, of which the first `count` are bodies and the rest copies of the last.
+    ContactGroup(const ContactStep& step, const BodyConstants& body, const BatchArrays& arrays, uint32_t count);
+
+    // After a substep from `begin` to `end`, parts of the step, 0 to 1; h: s, its length. before: fields of the bodies from
+    // field_x on, as they were before it.
+    void resolve(const LaneRow (&before)[pose_fields], float begin, float end, float h);
+
+    // Of the last substep: the strongest contacts' colliders of a body, slot + 1 each, 0 behind the last; strongest first.
+    void touched(uint32_t lane, uint32_t (&out)[4]) const;
+    bool touches(uint32_t lane) const { return touches_[lane]; }
+    uint32_t missed() const { return missed_; } // candidates without room
+
+private:
+    struct Near {
+        uint32_t count;
+        Candidate candidate[most_candidates];
+    };
+    void clip(const LaneRow (&before)[pose_fields], float begin, float end);
+    void touch_grounds(const ContactBodies& bodies, float begin, float end, float h);
+    void touch_others(uint32_t lane, const Near& near, float begin, float end, float h);
+    void add(uint32_t lane, const ContactSlots::Slot& from);
+    void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, Vector velocity, Vector spin,
+             Vector middle);
+    uint32_t place(uint32_t lane, float gap);
+    Pose pose_of(uint32_t lane) const;
+    void set_pose(uint32_t lane, const Pose& pose);
+    float margin_of(uint32_t lane, float h) const;
+
+    const ContactStep* step_;
+    const BodyConstants* body_;
+    BatchArrays arrays_;
+    uint32_t count_, missed_ = 0;
+    uint32_t ground_count_ = 0;
+    uint32_t grounds_[most_candidates];
+    uint8_t filled_[contact_lanes];
+    bool touches_[contact_lanes];
+    Near near_[contact_lanes];
+    ContactSlots slots_;
+};
+
+// Of [begin, end), field_block at most: the bodies that may touch something within `dt`.
+class NearContacts {
+public:
+    NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin, uint32_t end,
+                 float dt);
+    uint32_t count() const { return count_; }
+    uint32_t index(uint32_t i) const { return index_[i]; }
+    // Is there a body in this lane block that is not among them?
+    bool others(uint32_t begin) const;
+
+private:
+    uint32_t begin_, live_, count_ = 0;
+    alignas(64) uint32_t near_[field_block];
+    uint32_t index_[field_block];
+};
+
+} // namespace lr

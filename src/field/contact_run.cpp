@@ -1,0 +1,185 @@
+#include "field/contact_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+constexpr auto lanes = static_cast<uint32_t>(contact_lanes), most = static_cast<uint32_t>(field_block);
+
+// Near bodies of a block in arrays of their own; the last one fills up the lanes.
+struct States {
+    const NearContacts* near;
+    uint32_t padded;
+    alignas(64) float field[field_count][field_block];
+    alignas(64) uint32_t key[field_block];
+    alignas(64) float force[force_components][field_block];
+
+    void take(const BatchArrays& from, const NearContacts& some) {
+        near = &some;
+        padded = (some.count() + lanes - 1) / lanes * lanes;
+        const auto gather = [&](const auto* source, auto* to) {
+            for (uint32_t i = 0; i < padded; ++i) to[i] = source[some.index(std::min(i, some.count() - 1))];
+        };
+        for (size_t f = 0; f < field_count; ++f)
+            if (from.field[f]) gather(from.field[f], field[f]);
+        gather(from.key, key);
+    }
+    // They are for what follows alone.
+    void take_forces(const ExternalInput& in) {
+        for (size_t c = 0; c < force_components && in.used != 0; ++c) {
+            float* const source = in.bodies + c * in.stride;
+            for (uint32_t i = 0; i < padded; ++i) force[c][i] = source[near->index(std::min(i, near->count() - 1))];
+            for (uint32_t i = 0; i < near->count(); ++i) source[near->index(i)] = 0.0f;
+        }
+    }
+    void put_back(const BatchArrays& to) const {
+        for (size_t f = 0; f < field_count; ++f)
+            for (uint32_t i = 0; i < near->count() && to.field[f]; ++i) to.field[f][near->index(i)] = field[f][i];
+    }
+    BatchArrays group(uint32_t first) {
+        BatchArrays a{};
+        for (size_t f = 0; f < field_count; ++f) a.field[f] = field[f] + first;
+        a.key = key + first;
+        return a;
+    }
+    uint32_t bodies(uint32_t first) const { return std::min(lanes, near->count() - first); }
+};
+
+// After a substep: what the bodies of a group touch, and how long they have lain still.
+void enter(const ContactRun& run, const ContactGroup& group, const States& states, uint32_t first, float seconds,
+           bool last) {
+    const ContactBook& book = run.book;
+    if (!book.rest_time) return;
+    for (uint32_t i = 0; i < states.bodies(first); ++i) {
+        const uint32_t at = states.near->index(first + i);
+        const auto value = [&](size_t f) { return states.field[f][first + i]; };
+        const auto square = [&](size_t f) {
+            return value(f) * value(f) + value(f + 1) * value(f + 1) + value(f + 2) * value(f + 2);
+        };
+        const float reach = run.step.shape->reach * value(field_scale);
+        const float limit = run.still * std::sqrt(reach);
+        const float speed = std::sqrt(square(field_vx)) + reach * std::sqrt(square(field_wx));
+        const bool still = group.touches(i) && speed <= limit;
+        book.rest_time[at] = still ? book.rest_time[at] + seconds : 0.0f;
+        uint32_t now[4];
+        group.touched(i, now);
+        if (!last && now[0] == 0) continue; // it may come back within the step
+        for (size_t k = 0; k < 4; ++k) book.touching[k][at] = now[k];
+    }
+}
+
+// Bodies that were far all through the step touch nothing.
+void leave(const ContactBook& book, const NearContacts& near, uint32_t begin, uint32_t end) {
+    if (!book.rest_time) return;
+    uint32_t next = 0;
+    for (uint32_t i = begin; i < end; ++i) {
+        if (next < near.count() && near.index(next) == i) {
+            ++next;
+            continue;
+        }
+        book.rest_time[i] = 0.0f;
+        for (uint32_t* row : book.touching) row[i] = 0;
+    }
+}
+
+void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, States& states, uint32_t first) {
+    const BatchArrays arrays = states.group(first);
+    const uint32_t count = states.bodies(first);
+    ContactGroup group(run.step, in.body, arrays, count);
+    StepInput one = in;
+    one.substeps = 1;
+    one.external.bodies = states.force[0] + first;
+    one.external.stride = field_block;
+    one.external.clear = false;
+    SurfaceStep wet{};
+    if (run.surface) wet = *run.surface;
+    const auto n = static_cast<float>(in.substeps);
+    const auto h = static_cast<float>(run.time.h);
+    alignas(64) LaneRow before[pose_fields];
+    for (uint32_t i = 0; i < in.substeps; ++i) {
+        for (size_t f = 0; f < pose_fields; ++f) std::copy_n(arrays.field[f], contact_lanes, before[f]);
+        one.first_substep = in.first_substep + i;
+        const float begin = static_cast<float>(i) / n, end = static_cast<float>(i + 1) / n;
+        if (in.wind_changes) {
+            for (size_t k = 0; k < 3; ++k) {
+                const float change = in.wind[k] - in.wind_begin[k];
+                one.wind_begin[k] = in.wind_begin[k] + begin * change;
+                one.wind[k] = i + 1 < in.substeps ? in.wind_begin[k] + end * change : in.wind[k];
+            }
+        }
+        if (run.surface && in.water) {
+            wet.time = {run.time.begin + i * run.time.h, run.time.h, 1};
+            step_at_surface(wet, one, arrays, batch, count, 0, lanes);
+        } else {
+            run.target->step(one, arrays, 0, lanes);
+        }
+        group.resolve(before, begin, end, h);
+        enter(run, group, states, first, h, i + 1 == in.substeps);
+    }
+}
+
+} // namespace
+
+void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
+                         uint32_t live, uint32_t begin, uint32_t end) {
+    const auto step_lanes = [&](uint32_t from, uint32_t to) {
+        if (run.surface && in.water) {
+            SurfaceStep wet = *run.surface;
+            wet.time = run.time;
+            step_at_surface(wet, in, arrays, batch, live, from, to);
+        } else {
+            run.target->step(in, arrays, from, to);
+        }
+    };
+    for (uint32_t at = begin; at < end; at += most) {
+        const uint32_t last = std::min(at + most, end);
+        const NearContacts near(run.step, arrays, live, at, last, run.step.dt);
+        leave(run.book, near, at, std::min(last, live));
+        if (near.count() == 0) {
+            step_lanes(at, last);
+            continue;
+        }
+        States states;
+        states.take(arrays, near);
+        states.take_forces(in.external);
+        for (uint32_t from = at; from < last;) {
+            uint32_t to = from;
+            while (to < last && near.others(to)) to += static_cast<uint32_t>(lane_block);
+            if (to != from) step_lanes(from, to);
+            from = to + static_cast<uint32_t>(lane_block);
+        }
+        for (uint32_t first = 0; first < near.count(); first += lanes) step_group(run, in, batch, states, first);
+        states.put_back(arrays);
+    }
+}
+
+ContactPass::ContactPass(const ContactRun& run, const BodyConstants& body, const BatchArrays& arrays, uint32_t live,
+                         uint32_t begin, uint32_t end, uint32_t substep)
+    : run_(&run), body_(&body), arrays_(&arrays), substep_(substep),
+      near_(run.step, arrays, live, begin, end, static_cast<float>(run.time.h)) {
+    if (substep + 1 == run.time.substeps) leave(run.book, near_, begin, std::min(end, live));
+    for (size_t f = 0; f < pose_fields && near_.count() != 0; ++f)
+        for (uint32_t i = 0; i < field_block; ++i)
+            before_[f][i] = arrays.field[f][near_.index(std::min(i, near_.count() - 1))];
+}
+
+void ContactPass::resolve() {
+    if (near_.count() == 0) return;
+    States states;
+    states.take(*arrays_, near_);
+    const auto n = static_cast<float>(run_->time.substeps);
+    const float begin = static_cast<float>(substep_) / n, end = static_cast<float>(substep_ + 1) / n;
+    for (uint32_t first = 0; first < near_.count(); first += lanes) {
+        const BatchArrays arrays = states.group(first);
+        ContactGroup group(run_->step, *body_, arrays, states.bodies(first));
+        alignas(64) LaneRow before[pose_fields];
+        for (size_t f = 0; f < pose_fields; ++f) std::copy_n(before_[f] + first, contact_lanes, before[f]);
+        group.resolve(before, begin, end, static_cast<float>(run_->time.h));
+        enter(*run_, group, states, first, static_cast<float>(run_->time.h), substep_ + 1 == run_->time.substeps);
+    }
+    states.put_back(*arrays_);
+}
+
+} // namespace lr

@@ -1,0 +1,65 @@
+// What contact needs of vectors beside the kernel's.
+#if defined(LR_KERNEL_CONTACT_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LR_KERNEL_CONTACT_LANES_INL_H_
+#undef LR_KERNEL_CONTACT_LANES_INL_H_
+#else
+#define LR_KERNEL_CONTACT_LANES_INL_H_
+#endif
+
+#include "kernel/batch_arrays.h"
+#include "kernel/contact.h"
+#include "kernel/motion-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::HWY_NAMESPACE {
+
+#if LR_KERNEL_PAIRS
+namespace pairs {
+template <class V> HWY_INLINE Pair<V> Shr(Pair<V> v, Pair<V> bits) {
+    return {one::Shr(v.a, bits.a), one::Shr(v.b, bits.b)};
+}
+} // namespace pairs
+#endif
+
+HWY_INLINE Vec3 load3(const BatchArrays& a, size_t field, size_t at) {
+    const DF d;
+    return {hn::Load(d, a.field[field] + at), hn::Load(d, a.field[field + 1] + at),
+            hn::Load(d, a.field[field + 2] + at)};
+}
+HWY_INLINE void store3(const BatchArrays& a, size_t field, size_t at, Vec3 v) {
+    const DF d;
+    hn::Store(v.x, d, a.field[field] + at);
+    hn::Store(v.y, d, a.field[field + 1] + at);
+    hn::Store(v.z, d, a.field[field + 2] + at);
+}
+HWY_INLINE Vec3 load3(const LaneRow* rows, size_t at) {
+    const DF d;
+    return {hn::Load(d, rows[0] + at), hn::Load(d, rows[1] + at), hn::Load(d, rows[2] + at)};
+}
+HWY_INLINE void store3(LaneRow* rows, size_t at, Vec3 v) {
+    const DF d;
+    hn::Store(v.x, d, rows[0] + at);
+    hn::Store(v.y, d, rows[1] + at);
+    hn::Store(v.z, d, rows[2] + at);
+}
+HWY_INLINE Quaternion load4(const BatchArrays& a, size_t at) {
+    const DF d;
+    return {hn::Load(d, a.field[field_qx] + at), hn::Load(d, a.field[field_qy] + at),
+            hn::Load(d, a.field[field_qz] + at), hn::Load(d, a.field[field_qw] + at)};
+}
+HWY_INLINE Quaternion load4(const LaneRow* rows, size_t at) {
+    const DF d;
+    return {hn::Load(d, rows[0] + at), hn::Load(d, rows[1] + at), hn::Load(d, rows[2] + at), hn::Load(d, rows[3] + at)};
+}
+template <class M> HWY_INLINE Vec3 select(M mask, Vec3 yes, Vec3 no) {
+    return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
+}
+// A vector's length, and its inverse that is 0 for no vector at all.
+HWY_INLINE VF inverse_length(VF length) {
+    const VF least = constant(1e-30f);
+    return hn::IfThenElseZero(hn::Gt(length, least), hn::Div(constant(1.0f), hn::Max(length, least)));
+}
+
+} // namespace lr::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
