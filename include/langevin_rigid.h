@@ -85,6 +85,7 @@ typedef int32_t lr_status;
 #define LR_ERROR_SUBSTEPS (-24)            /* substeps is 0 or over LR_MAX_SUBSTEPS */
 #define LR_ERROR_INTERNAL (-25)            /* a defect of the library: please report */
 #define LR_ERROR_STALE_WIND_SOURCE (-26)   /* the wind source was removed, or never was */
+#define LR_ERROR_STALE_COLLIDER (-27)      /* the collider was destroyed, or never was */
 
 #define LR_MAX_SUBSTEP 1.0f    /* s: the longest dt / substeps that is taken */
 #define LR_MAX_SUBSTEPS 65536u /* the most substeps in one step */
@@ -356,6 +357,7 @@ typedef struct lr_world_info {
     uint64_t substep_count; /* substeps since creation; the time index of the noise */
     double time;            /* s since creation: the sum of all dt, in double */
     uint64_t memory_bytes;  /* taken from the allocator at present */
+    uint64_t collider_count;
 } lr_world_info;
 
 LR_API lr_status lr_world_info_init(lr_world_info* info, uint32_t struct_size);
@@ -613,7 +615,7 @@ LR_API lr_status lr_world_get_step_report(const lr_world* world, lr_step_report*
 
 /* A hash of the state of all bodies and the time index. Independent of the order of bodies in memory, of the processor
  * and of worker_count; equal hashes mean equal motion from here on, given equal worlds. Wind sources are part of it,
- * grids by the hash of their samples, and the surface.
+ * grids by the hash of their samples, the surface, and colliders.
  * LR_OK, LR_ERROR_NULL_ARGUMENT. */
 LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 
@@ -621,15 +623,15 @@ LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
 /* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter, rates,
- * budget)
+ * budget, colliders with their ids)
  * into `size` bytes at `memory`, any alignment. Assets, batches' settings, threads, callbacks are not part of it, nor
- * the samples of wind grids, which are named by their hash. written: bytes used; may be null.
+ * the samples of wind grids and the data of hulls, heightfields and meshes, which are named by their hash. written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
 
 /* Puts a saved state back, also into another world or process whose batches were created in the same order from equal
- * assets with equal capacities. Bodies and wind sources have the same ids as when it was saved; grids of wind must be
- * in the world already, in any place. Checked whole before anything changes.
+ * assets with equal capacities. Bodies, wind sources and colliders have the same ids as when it was saved; grids of
+ * wind, hulls, heightfields and meshes must be in the world already, in any place. Checked whole before anything changes.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size);
 
@@ -944,6 +946,132 @@ LR_API lr_status lr_batch_force_init(lr_batch_force* force, uint32_t struct_size
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Contact: what bodies land on. docs/contact.md                                                                      */
+
+/* Handles are values, 0 is never one, and those of destroyed colliders are recognised. */
+typedef uint64_t lr_collider;
+
+/* Each in its own frame, which `position` and `orientation` put into the world. size[] is
+ *   PLANE        nothing: all below its y = 0 is solid, without bounds
+ *   SPHERE       radius
+ *   CAPSULE      radius, half length of its axis: from (0, -size[1], 0) to (0, size[1], 0)
+ *   BOX          half extents along x, y, z
+ *   HULL         nothing: the convex hull of vertices
+ *   HEIGHTFIELD  nothing: solid below its surface, along -y. Sample (i, k) lies at (i spacing[0], heights[i + counts[0] k],
+ *                k spacing[1]); each cell is two triangles, parted from (i, k) to (i + 1, k + 1)
+ *   MESH         nothing: triangles without an inside, met from both sides; which way round they are does not matter
+ */
+#define LR_COLLIDER_PLANE 1
+#define LR_COLLIDER_SPHERE 2
+#define LR_COLLIDER_CAPSULE 3
+#define LR_COLLIDER_BOX 4
+#define LR_COLLIDER_HULL 5
+#define LR_COLLIDER_HEIGHTFIELD 6
+#define LR_COLLIDER_MESH 7
+
+#define LR_MAX_COLLIDERS 67108864u         /* in a world, at a time */
+#define LR_MAX_HULL_VERTICES 256u          /* given for one hull */
+#define LR_MAX_COLLIDER_VERTICES 67108864u /* of one mesh; and triangles of one, and heights of one heightfield */
+
+/* Fields that a kind does not have are not used. */
+typedef struct lr_collider_desc {
+    uint32_t struct_size;     /* the same in all elements of an array: it is the array's stride */
+    int32_t kind;             /* LR_COLLIDER_*; initially 0, which is none of them */
+    float position[3];        /* m, up to 1e9 in magnitude; initially 0 */
+    float orientation[4];     /* quaternion x y z w, normalised when taken; initially 0 0 0 1 */
+    float linear_velocity[3]; /* m/s, of the frame's origin, up to 1e6; initially 0. It moves so until told otherwise */
+    float angular_velocity[3]; /* rad/s, world frame, up to 1e6; initially 0 */
+    float size[3];             /* m, > 0, up to 1e6; initially 0 */
+    float friction;            /* 0 to 10; initially 0.5 */
+    float restitution;         /* 0 to 1; initially 0.2 */
+    uint32_t layers;           /* bits: it meets bodies that have one of them; initially 1 */
+    uint32_t flags;            /* 0 */
+    uint32_t vertex_count;     /* hull: 4 to LR_MAX_HULL_VERTICES; mesh: 3 to LR_MAX_COLLIDER_VERTICES */
+    uint32_t triangle_count;   /* mesh: 1 to LR_MAX_COLLIDER_VERTICES */
+    uint32_t counts[2];        /* heightfield: samples along x and z, each >= 2 */
+    float spacing[2];          /* heightfield: m between samples, 1e-6 to 1e6; initially 1 */
+    uint32_t reserved;         /* 0 */
+    const float* vertices;     /* m, x y z each, up to 1e6 in magnitude; copied, as are the others */
+    const uint32_t* indices;   /* 3 a triangle, each < vertex_count */
+    const float* heights;      /* m, up to 1e6 in magnitude; x varies fastest */
+} lr_collider_desc;
+
+LR_API lr_status lr_collider_desc_init(lr_collider_desc* desc, uint32_t struct_size);
+
+/* Creates `count` colliders, all or none. They are there from the next step on. Hulls, heightfields and meshes that are equal
+ * share one copy of their data. descs: `count` elements. out_ids: receives `count` ids; may be null.
+ * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT (also arrays that the kind needs), LR_ERROR_STRUCT_SIZE,
+ * LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also a hull that is flat: thinner than 1e-4 of its largest extent; a mesh
+ * with an index out of range, or no triangle with an area), LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_collider_create(lr_world* world, const lr_collider_desc* descs, uint32_t count,
+                                    lr_collider* out_ids);
+
+/* Destroys `count` colliders, all or none: if one of them is stale, or given twice, nothing is destroyed.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER. */
+LR_API lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uint32_t count);
+
+#define LR_MOVE_TO 1       /* over the next step it goes from where it is to this pose, and stands still afterwards */
+#define LR_MOVE_PLACE 2    /* it is there at once, and has these velocities from now on */
+#define LR_MOVE_VELOCITY 3 /* it stays where it is, and has these velocities from now on */
+
+/* How one collider moves. Within a step its position goes evenly from where it begins to where it ends, and its
+ * orientation by the normalised linear quaternion, the shorter way round: what turns by more than half a turn in a step
+ * seems to turn by less. */
+typedef struct lr_collider_motion {
+    uint32_t struct_size; /* the same in all elements of an array: it is the array's stride */
+    int32_t mode;         /* LR_MOVE_*; initially LR_MOVE_TO */
+    lr_collider collider;
+    float position[3];         /* m, as in lr_collider_desc; LR_MOVE_TO, LR_MOVE_PLACE; initially 0 */
+    float orientation[4];      /* alike; initially 0 0 0 1 */
+    float linear_velocity[3];  /* m/s; LR_MOVE_PLACE, LR_MOVE_VELOCITY; initially 0 */
+    float angular_velocity[3]; /* rad/s; alike */
+    uint32_t reserved;         /* 0 */
+} lr_collider_motion;
+
+LR_API lr_status lr_collider_motion_init(lr_collider_motion* motion, uint32_t struct_size);
+
+/* Moves `count` colliders, all or none, in this order: of several motions of one collider the last holds. Planes that turn
+ * keep all bodies of the world from the fast path while they do.
+ * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_STALE_COLLIDER, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_collider_move(lr_world* world, const lr_collider_motion* motions, uint32_t count);
+
+typedef struct lr_collider_state {
+    uint32_t struct_size;
+    int32_t kind;              /* LR_COLLIDER_* */
+    float position[3];         /* m, world frame */
+    float orientation[4];      /* unit quaternion x y z w, collider to world */
+    float linear_velocity[3];  /* m/s, that it has until told otherwise; 0 while LR_MOVE_TO is pending */
+    float angular_velocity[3]; /* rad/s, world frame; alike */
+    float friction;
+    float restitution;
+    uint32_t layers;
+    uint32_t flags; /* 0 */
+} lr_collider_state;
+
+LR_API lr_status lr_collider_state_init(lr_collider_state* state, uint32_t struct_size);
+
+/* state: initialised, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_collider_get_state(const lr_world* world, lr_collider collider, lr_collider_state* state);
+
+/* What can be changed of a collider besides its motion. */
+typedef struct lr_collider_surface {
+    uint32_t struct_size;
+    uint32_t layers;   /* as in lr_collider_desc; initially 1 */
+    float friction;    /* initially 0.5 */
+    float restitution; /* initially 0.2 */
+} lr_collider_surface;
+
+LR_API lr_status lr_collider_surface_init(lr_collider_surface* surface, uint32_t struct_size);
+
+/* Gives `count` colliders the same surface, all or none, from the next step on.
+ * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_collider_set_surface(lr_world* world, const lr_collider* colliders, uint32_t count,
+                                         const lr_collider_surface* surface);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Births and ends: storms that run by themselves. docs/lifecycle.md                                                  */

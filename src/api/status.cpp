@@ -64,6 +64,8 @@ const char* lr_status_string(lr_status status) {
         return "substeps is zero or too large";
     case LR_ERROR_STALE_WIND_SOURCE:
         return "the wind source was removed";
+    case LR_ERROR_STALE_COLLIDER:
+        return "the collider was destroyed, or never was";
     case LR_ERROR_INTERNAL:
         return "a defect of the library";
     default:

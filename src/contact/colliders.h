@@ -2,7 +2,9 @@
 #pragma once
 
 #include "contact/geometry.h"
+#include "contact/geometry_store.h"
 #include "contact/narrow.h"
+#include "contact/proxy_grid.h"
 #include "kernel/contact.h"
 #include "langevin_rigid.h"
 #include "world/allocator.h"
@@ -13,7 +15,7 @@ namespace lr {
 
 struct Collider {
     Geometry geometry;
-    Pose begin, end; // of the present step
+    Pose begin, end; // of the present step; between steps `begin` is where it is
     float friction, restitution;
     uint32_t layers;
     bool moves; // in this step
@@ -26,9 +28,36 @@ struct Candidate {
 };
 inline constexpr uint32_t most_candidates = 64;
 
+struct ColliderMotion {
+    Vector linear, angular; // m/s, rad/s
+    Vector rest;            // m, what rounding has taken from the position
+    bool pending;           // the next step goes to Collider::end, and ends the motion
+};
+
 class Colliders {
 public:
-    explicit Colliders(Allocator& allocator);
+    explicit Colliders(Allocator& allocator) : geometries_(allocator), allocator_(&allocator) {}
+    ~Colliders();
+    Colliders(const Colliders&) = delete;
+    Colliders& operator=(const Colliders&) = delete;
+
+    // Creating, all or none: begin_create, then create for each, then finish_create; cancel_create after a failure of any
+    // of them. Descs have been checked.
+    lr_status begin_create(uint32_t count);
+    lr_status create(const lr_collider_desc& desc);
+    lr_status finish_create(lr_collider* ids); // ids: may be null
+    void cancel_create();
+
+    bool find(lr_collider collider, uint32_t& slot) const;
+    // All or none; LR_ERROR_STALE_COLLIDER also when one is given twice.
+    lr_status destroy(const lr_collider* ids, uint32_t count);
+
+    // Moving several: reserve_move for each, finish_reserve, and then move each, which cannot fail.
+    void begin_reserve() { reserved_ = mover_proxies_; }
+    void reserve_move(uint32_t slot, const lr_collider_motion& motion);
+    bool finish_reserve();
+    void move(uint32_t slot, const lr_collider_motion& motion);
+    void set_surface(uint32_t slot, float friction, float restitution, uint32_t layers);
 
     // A step begins: where colliders are at its ends, and what the broad phase needs of it. Allocates nothing. reach: m, of
     // ordinary bodies and their way in the step.
@@ -36,15 +65,77 @@ public:
     // Colliders are at the ends of their ways.
     void end_step();
 
-    bool any() const;
-    const NearColliders& near() const; // of the step
-    const Collider& at(uint32_t slot) const;
+    bool any() const { return count_ != 0; }
+    uint32_t count() const { return count_; }
+    const NearColliders& near() const { return near_; } // of the step
+    const Collider& at(uint32_t slot) const { return colliders_[slot]; }
+    const ColliderMotion& motion(uint32_t slot) const { return motions_[slot]; }
     lr_collider id(uint32_t slot) const;
 
     // Those whose boxes, over all of the step, reach into [low, high] (m, world) and that are in one of `layers`: in order of
-    // slots and parts, each once, at most most_candidates. `missed` counts those without room. Any thread.
+    // slots and parts, each once, at most most_candidates: the first ones. `missed` counts those without room. Any thread.
     uint32_t candidates(Vector low, Vector high, uint32_t layers, Candidate (&out)[most_candidates],
                         uint32_t& missed) const;
+
+    // Of everything that matters for motion; 0 without colliders. Independent of the order of slots but for their ids.
+    uint64_t hash() const;
+
+private:
+    friend class ColliderSnapshot;
+    static constexpr uint32_t none = UINT32_MAX;
+    enum class Where : uint8_t { free, marked, still, active, unbounded };
+    struct Slot {
+        SharedGeometry* shared;
+        uint32_t generation; // of the collider in it, or of the next
+        uint32_t link;       // free: the next free slot; active, unbounded: its index in that list
+        Where where;
+    };
+    // The slots that the next colliders will be in.
+    struct Cursor {
+        uint32_t free, used;
+    };
+
+    bool reserve_slots(uint32_t slots);
+    bool reserve_grids(uint64_t proxies, uint64_t movers);
+    bool reserve_unbounded(uint64_t count);
+    uint32_t next_slot(Cursor& cursor) const;
+    uint32_t proxies_of(uint32_t slot) const; // 0 for planes and heightfields
+    bool moving(uint32_t slot) const;         // in the next step
+    void enlist(uint32_t slot);
+    void delist(uint32_t slot);
+    void release(uint32_t slot);
+    void advance(uint32_t slot, double dt);
+    void add_proxies(uint32_t slot, ProxyGrid& to) const;
+    void rebuild_still();
+    void clear_lists();
+    void fill_near();
+    void add_near(const Collider& collider);
+
+    GeometryStore geometries_;
+    Allocator* allocator_;
+    Buffer<Collider> colliders_;
+    Buffer<ColliderMotion> motions_;
+    Buffer<Slot> slots_;
+    // Finite colliders are in the grid of those that stand still, which is built now and then, or in `active_`, of which a
+    // grid is built in each step: those that move, and those that do not but have not been entered in the other yet.
+    Buffer<uint32_t> active_, unbounded_;
+    ProxyGrid still_grid_, active_grid_;
+    NearColliders near_{};
+
+    uint32_t used_ = 0, count_ = 0; // slots
+    uint32_t free_first_ = none, free_last_ = none;
+    uint32_t active_count_ = 0, unbounded_count_ = 0;
+    uint64_t proxies_ = 0, mover_proxies_ = 0; // of all finite colliders; of those that move in the next step
+    uint64_t still_proxies_ = 0;               // of those in the still grid
+    uint64_t debt_ = 0;                        // entries that a newer still grid would have saved
+    bool stale_ = false;                       // the still grid must be built
+    float dilation_ = 0.0f;
+
+    Cursor staging_{none, 0};
+    uint32_t staged_ = 0;
+    uint64_t reserved_ = 0;
+    lr_collider_desc last_desc_{}; // while creating: the last with shared geometry
+    SharedGeometry* last_shared_ = nullptr;
 };
 
 } // namespace lr

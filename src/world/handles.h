@@ -44,4 +44,14 @@ inline BatchHandle unpack_batch(lr_batch batch) {
     return {batch & ((1u << batch_bits) - 1), batch >> batch_bits};
 }
 
+struct ColliderHandle {
+    uint32_t slot, generation;
+};
+inline lr_collider pack(ColliderHandle h) {
+    return static_cast<lr_collider>(h.slot) | static_cast<lr_collider>(h.generation) << 32;
+}
+inline ColliderHandle unpack_collider(lr_collider collider) {
+    return {static_cast<uint32_t>(collider), static_cast<uint32_t>(collider >> 32)};
+}
+
 } // namespace lr

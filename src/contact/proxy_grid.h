@@ -1,0 +1,123 @@
+// Broad phase: boxes in hashed grids of several cell sizes, and the bits that tell the kernel which cells they reach into.
+#pragma once
+
+#include "contact/geometry_store.h"
+#include "kernel/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace lr {
+
+// A collider, or a part of one, as the broad phase knows it.
+struct Proxy {
+    Box box; // over all of a step
+    uint32_t slot;
+    ColliderPart part;
+};
+
+inline bool overlap(const Box& a, const Box& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+// floor(x inverse_cell), clamped. Rises with x, so that a box's cells lie between those of its corners.
+inline int32_t cell_number(float x, float inverse_cell) {
+    const float cell = std::floor(x * inverse_cell);
+    if (!(cell > -most_cells)) return static_cast<int32_t>(-most_cells); // also what is no number
+    return static_cast<int32_t>(cell < most_cells ? cell : most_cells);
+}
+
+class ProxyGrid {
+public:
+    // Memory for `proxies` of them; what was built is gone when this had to take more. False: out of memory, all as before.
+    bool reserve(Allocator& allocator, size_t proxies);
+    size_t capacity() const { return proxies_.size(); }
+    uint32_t size() const { return count_; }
+
+    // Building: clear, add up to capacity(), build. Levels hold at most `levels` cell sizes, up to most_occupancy_levels;
+    // bodies that reach no farther than `dilation` (m) are found by the bits.
+    void clear();
+    void add(const Proxy& proxy) { proxies_[count_++] = proxy; }
+    void build(float dilation, uint32_t levels);
+
+    uint32_t level_count() const { return level_count_; }
+    const OccupancyLevel& level(uint32_t i) const { return levels_[i].near; }
+
+    // Calls found(proxy) once for each whose box reaches into `box`, in no certain order.
+    template <class Found> void query(const Box& box, Found&& found) const;
+
+private:
+    static constexpr int least_rung = -24, rungs = 48; // cells of 2^rung m
+    struct Level {
+        OccupancyLevel near;
+        float spread[3]; // m: no box reaches farther from its middle
+        uint32_t count;
+    };
+    struct Cells {
+        int32_t low[3], high[3];
+    };
+    static constexpr uint64_t most_visited = 4096; // cells in a query; then all proxies are gone through
+
+    static Cells cells_of(const Box& box, float grow_x, float grow_y, float grow_z, float inverse_cell);
+    uint32_t bucket(int32_t x, int32_t y, int32_t z, uint32_t level) const {
+        return (cell_hash(x, y, z) ^ level * 0x9e3779b9u) & (bucket_count_ - 1);
+    }
+    void choose_levels(float dilation, uint32_t levels);
+    void enter(uint32_t level, const Box& box);
+
+    Buffer<Proxy> proxies_;
+    Buffer<uint8_t> level_of_; // of each proxy
+    Buffer<uint32_t> buckets_; // where each begins in entries_, and an end
+    Buffer<uint32_t> entries_; // proxies, by the bucket of their middle
+    Buffer<uint32_t> words_;   // bits of all levels
+    uint32_t count_ = 0, bucket_count_ = 1, level_count_ = 0;
+    Level levels_[most_occupancy_levels] = {};
+};
+
+inline Vector middle_of(const Box& box) {
+    return 0.5f * (box.low + box.high);
+}
+
+template <class Found> void ProxyGrid::query(const Box& box, Found&& found) const {
+    Cells cells[most_occupancy_levels];
+    uint64_t visits = 0;
+    for (uint32_t l = 0; l < level_count_; ++l) {
+        const Level& level = levels_[l];
+        cells[l] = cells_of(box, level.spread[0], level.spread[1], level.spread[2], level.near.inverse_cell);
+        double all = 1.0;
+        for (int k = 0; k < 3; ++k)
+            all *= static_cast<double>(cells[l].high[k]) - static_cast<double>(cells[l].low[k]) + 1.0;
+        visits += static_cast<uint64_t>(std::min(all, 1e15));
+    }
+    if (visits > most_visited && visits > count_) {
+        for (uint32_t i = 0; i < count_; ++i)
+            if (overlap(proxies_[i].box, box)) found(proxies_[i]);
+        return;
+    }
+    for (uint32_t l = 0; l < level_count_; ++l) {
+        const float inverse = levels_[l].near.inverse_cell;
+        const Cells& c = cells[l];
+        for (int32_t z = c.low[2]; z <= c.high[2]; ++z)
+            for (int32_t y = c.low[1]; y <= c.high[1]; ++y)
+                for (int32_t x = c.low[0]; x <= c.high[0]; ++x) {
+                    const uint32_t b = bucket(x, y, z, l);
+                    for (uint32_t e = buckets_[b]; e < buckets_[b + 1]; ++e) {
+                        const Proxy& proxy = proxies_[entries_[e]];
+                        if (!overlap(proxy.box, box) || level_of_[entries_[e]] != l) continue;
+                        // Of the cells that share the bucket only one holds its middle.
+                        const Vector at = middle_of(proxy.box);
+                        if (cell_number(at.x, inverse) == x && cell_number(at.y, inverse) == y &&
+                            cell_number(at.z, inverse) == z)
+                            found(proxy);
+                    }
+                }
+    }
+}
+
+// Whether a body about `position` that reaches no farther than `reach` (m) can touch anything: what the kernel computes for
+// its vectors.
+bool maybe_near(const NearColliders& near, Vector position, float reach);
+
+} // namespace lr
