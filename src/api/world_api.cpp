@@ -86,6 +86,7 @@ lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
     const lr::KernelTarget* const found = lr::find_target(target);
     if (!found) return refuse(world, "lr_world_set_simd_target", LR_ERROR_UNSUPPORTED);
     world->target = found;
+    world->contact = &lr::contact_target(found->simd);
     return LR_OK;
 }
 

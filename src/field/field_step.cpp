@@ -50,8 +50,33 @@ void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlo
 
 } // namespace
 
-void step_in_field(const FieldSlice& slice, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
-                   uint32_t live, uint32_t begin, uint32_t end) {
+namespace {
+
+// One substep of a block whose wind is known.
+void step_block(const FieldSlice& slice, const StepInput& in, const StepInput& substep, const FieldBlock& block,
+                const FluidSample& sample, const BatchArrays& bodies, const BatchArrays& arrays, lr_batch batch,
+                uint32_t live, uint32_t begin, uint32_t end, uint32_t index) {
+    const auto h = static_cast<float>(slice.time.h);
+    const auto step = [&] {
+        slice.target->step(substep, bodies, begin, end);
+        slice.target->settle(in.body, h, block, sample, arrays, begin, end);
+    };
+    if (!slice.surface || !in.water) {
+        step();
+        return;
+    }
+    NearBodies near(*slice.surface, in, arrays, live, begin, end, slice.time.h, false);
+    step();
+    if (!near.any()) return;
+    near.set_wind(sample.wind);
+    near.run(in, batch, slice.first + index, 1);
+    near.put_back(arrays);
+}
+
+} // namespace
+
+void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRun* contact, const BatchArrays& arrays,
+                   lr_batch batch, uint32_t live, uint32_t begin, uint32_t end) {
     const auto h = static_cast<float>(slice.time.h);
     FieldBlock block;
     FluidSample sample;
@@ -69,20 +94,16 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const BatchArra
             slice.target->evaluate(slice.field->instant(i), last - at, block);
             if (slice.field->callback() && at < live) ask(*slice.field, time, batch, std::min(last, live) - at, block);
             slice.target->combine(h, last - at, block, sample);
-            const auto step_block = [&] {
-                slice.target->step(substep, bodies, at, last);
-                slice.target->settle(in.body, h, block, sample, arrays, at, last);
+            const auto step = [&] {
+                step_block(slice, in, substep, block, sample, bodies, arrays, batch, live, at, last, i);
             };
-            if (!slice.surface || !in.water) {
-                step_block();
+            if (!contact) {
+                step();
                 continue;
             }
-            NearBodies near(*slice.surface, in, arrays, live, at, last, slice.time.h, false);
-            step_block();
-            if (!near.any()) continue;
-            near.set_wind(sample.wind);
-            near.run(in, batch, slice.first + i, 1);
-            near.put_back(arrays);
+            ContactPass pass(*contact, in.body, arrays, live, at, last, slice.first + i);
+            step();
+            pass.resolve();
         }
     }
 }

@@ -1,6 +1,7 @@
 // Bodies through a slice of a step in a wind field: wind at a block of bodies, then that block's substep.
 #pragma once
 
+#include "field/contact_run.h"
 #include "field/surface_step.h"
 #include "field/wind_field.h"
 
@@ -14,9 +15,10 @@ struct FieldSlice {
     const SurfaceStep* surface; // null without one
 };
 
-// batch: handle, for the caller's own field. live: bodies of the batch; lanes from it on have none.
-void step_in_field(const FieldSlice& slice, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
-                   uint32_t live, uint32_t begin, uint32_t end);
+// batch: handle, for the caller's own field. live: bodies of the batch; lanes from it on have none. contact: null where
+// there is nothing to touch.
+void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRun* contact, const BatchArrays& arrays,
+                   lr_batch batch, uint32_t live, uint32_t begin, uint32_t end);
 
 // Velocities at the prepared moment. positions, velocities: x y z of each, may be the same array.
 void sample_field(const KernelTarget& target, WindField& field, double time, const float* positions, uint32_t count,

@@ -52,10 +52,10 @@ HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF du
     Vec3 rolled{zero, zero, zero}; // impulse couple against rolling and spinning
     for (uint32_t sweep = 0; sweep < contact_sweeps; ++sweep) {
         VF change = zero, load = zero;
-        for (uint32_t k = 0; k < count; ++k) {
-            Row& r = rows[k];
+        for (uint32_t i = 0; i < count; ++i) {
+            Row& r = rows[(sweep & 1) == 0 ? i : count - 1 - i];
             Vec3 at = velocity_at(t, r.arm);
-            const VF wanted = hn::Mul(hn::Sub(r.target, dot(r.normal, at)), r.inverse);
+            const VF wanted = hn::Mul(hn::Sub(r.target, dot(r.normal, at)), hn::Mul(constant(1.3f), r.inverse));
             VF pressed = hn::Max(hn::Add(r.pressed, wanted), zero);
             VF more = hn::Sub(pressed, r.pressed);
             // Each lane by itself: what is under the dust stays as it is, in every later sweep too.
@@ -104,13 +104,15 @@ HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF du
     }
 }
 
+template <class M> HWY_INLINE Twist select(M mask, const Twist& yes, const Twist& no) {
+    return {select(mask, yes.v, no.v), select(mask, yes.u, no.u)};
+}
+
 template <bool kFull, class C> HWY_INLINE void set_row(const C& c, Vec3 normal, Vec3 arm, Row& r) {
     r.normal = normal;
     r.arm = arm;
     r.response = acceleration<kFull>(c, impulse_at(normal, arm));
     r.inverse = inverse_length(dot(normal, velocity_at(r.response, arm)));
-    r.pressed = hn::Zero(DF());
-    r.dragged = {r.pressed, r.pressed, r.pressed};
 }
 
 template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots) {
@@ -147,16 +149,19 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         angle = scale(hn::IfThenElse(hn::Lt(w, zero), constant(-2.0f), constant(2.0f)), angle);
         const Twist way{to_body(q, sub(x, x0)), scale(length, angle)};
 
-        VF gap[contact_slots], before[contact_slots], bounce[contact_slots];
+        VF gap[contact_slots], before[contact_slots], bounce[contact_slots], depth = zero;
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 normal = load3(s.normal, at), arm = load3(s.arm, at), surface = load3(s.surface, at);
             Row& r = rows[k];
             set_row<kFull>(c, to_body(q, normal), scale(inverse, arm), r);
+            r.pressed = zero;
+            r.dragged = {zero, zero, zero};
             gap[k] = hn::Load(d, s.gap + at);
             const auto empty_slot = hn::Ge(gap[k], empty);
             // Deep overlap, as of a body that a collider was put on, is undone over a few substeps.
             const VF push = hn::Max(gap[k], hn::Mul(constant(-0.5f), reach));
+            depth = hn::Max(depth, hn::IfThenElse(empty_slot, zero, hn::Neg(gap[k])));
             r.inverse = hn::IfThenElse(empty_slot, zero, r.inverse);
             r.target = hn::Sub(dot(r.normal, velocity_at(way, r.arm)), push);
             r.surface = scale(h, to_body(q, surface));
@@ -176,7 +181,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         }
         const VF rolling = hn::Mul(constant(b.rolling), hn::Mul(reach, inverse));
         Twist moved = way;
-        project<kFull>(c, rows, count, rolling, hn::Mul(constant(1e-3f), slop), moved);
+        project<kFull>(c, rows, count, rolling, hn::Mul(constant(1e-4f), slop), moved);
         Twist correction{sub(moved.v, way.v), sub(moved.u, way.u)};
         // A twist is a small rotation.
         const VF large = hn::Mul(greatest(correction.u), inverse);
@@ -194,7 +199,12 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         const Twist met{load3(b.arrays, field_vx, at), scale(length, load3(b.arrays, field_wx, at))};
         Twist t = met;
         const VF slow = constant(2.0f * b.gravity * b.h);
-        VF carried = zero;
+        VF carried = zero, shallow = zero; // shallow: the least gap that the substep began with
+        auto any_touch = hn::Lt(reach, zero);
+        // A body that rests falls half of g h^2 in a substep and gains g h: the impulses that undo the one are a good guess of those
+        // that undo the other.
+        const auto rests = hn::Lt(depth, mul_add(constant(2.0f), slop, constant(b.gravity * (b.h * b.h))));
+        const VF guess = hn::IfThenElseZero(rests, constant(2.0f / b.h));
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 surface = to_body(q, load3(s.surface, at));
@@ -206,9 +216,15 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
                                                    hn::Neg(hn::Mul(hn::Load(d, s.restitution + at), bounce[k])));
             r.target = hn::Add(dot(r.normal, surface), back_off);
             r.surface = surface;
+            const VF kept = hn::IfThenElseZero(touches, guess);
+            r.pressed = hn::Mul(kept, r.pressed);
+            r.dragged = scale(kept, r.dragged);
+            t = add(t, acceleration<kFull>(c, impulse_at(add_scaled(r.dragged, r.pressed, r.normal), r.arm)));
             carried = hn::Max(carried, hn::IfThenElseZero(touches, greatest(surface)));
+            any_touch = hn::Or(any_touch, touches);
+            shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
-        project<kFull>(c, rows, count, rolling, hn::Mul(constant(1e-3f), slow), t);
+        project<kFull>(c, rows, count, rolling, hn::Mul(constant(1e-5f), slow), t);
         // Restitution and friction of several contacts together could give energy (Kane 1984): still surfaces have none to give.
         const auto energy = [&](const Twist& of) LR_LAMBDA {
             const Twist p = momentum<kFull>(c, of);
@@ -218,6 +234,21 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         const auto gained = hn::And(hn::Gt(has, had), hn::Eq(carried, zero));
         const VF factor = hn::IfThenElse(gained, hn::Sqrt(hn::Div(had, hn::Max(has, constant(1e-30f)))), one);
         t = {scale(factor, t.v), scale(factor, t.u)};
+
+        // What is left of the sweeps would make bodies at rest creep. One that neither moved before nor does now stays where it
+        // was, to the bit: less than 1/500 of gravity does not get it going.
+        const auto size = [&](const Twist& of) LR_LAMBDA {
+            const VF spin = hn::Mul(hn::Mul(reach, inverse), hn::Sqrt(dot(of.u, of.u)));
+            return hn::Add(hn::Sqrt(dot(of.v, of.v)), spin);
+        };
+        const VF creep = constant(0.002f * b.gravity * b.h);
+        auto stays = hn::And(hn::Lt(size(began), creep), hn::Lt(size(t), creep));
+        stays = hn::And(hn::And(stays, any_touch),
+                        hn::And(hn::Eq(carried, zero), hn::Gt(shallow, hn::Neg(hn::Add(slop, slop)))));
+        x = select(stays, x0, x);
+        q = {hn::IfThenElse(stays, q0.x, q.x), hn::IfThenElse(stays, q0.y, q.y), hn::IfThenElse(stays, q0.z, q.z),
+             hn::IfThenElse(stays, q0.w, q.w)};
+        t = select(stays, Twist{{zero, zero, zero}, {zero, zero, zero}}, t);
 
         for (uint32_t k = 0; k < count; ++k) {
             ContactSlots::Slot& s = slots.slot[used[k]];

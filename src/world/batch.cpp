@@ -29,6 +29,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->first_generation_ = first_generation;
     batch->asset_ = &asset;
     retain(asset);
+    batch->shape = make_body_shape(asset.data);
     batch->step = StepInput{};
     batch->step.loads = settings.loads;
     batch->step.integrator = settings.integrator;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "asset/asset.h"
+#include "contact/contact_group.h"
+#include "field/contact_run.h"
 #include "kernel/batch_arrays.h"
 #include "kernel/step.h"
 #include "world/allocator.h"
@@ -85,6 +87,10 @@ public:
 
     Lifecycle* lifecycle() const { return lifecycle_; } // null before the first rules or emitter
     bool reserve_lifecycle();                           // false when out of memory
+
+    ContactSettings contact;
+    BodyShape shape{}; // what of its bodies can touch
+    ContactBook contact_book() const { return {}; }
 
     StepInput step; // constants of the shape, filled up by World::step
     Pace pace;

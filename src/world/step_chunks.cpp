@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace lr {
 namespace {
@@ -57,13 +58,27 @@ void StepChunks::run(void* context, uint32_t chunk) {
     }
 }
 
+ContactRun StepChunks::contact_run(const Batch& batch, const SurfaceStep* water) const {
+    const float* const g = world_->gravity;
+    const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const auto seconds = static_cast<float>(batch.pace.behind());
+    const ContactStep step{
+        contact, colliders, &batch.shape, &batch.contact, gravity, seconds, world_->contact_gain(batch, seconds)};
+    // The speed of a fall by a thousandth of the reach.
+    return {step, world_->target, water, batch.pace.time(), batch.contact_book(), std::sqrt(0.002f * gravity)};
+}
+
 void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const {
     Batch& batch = *item.batch;
     const BatchArrays& arrays = batch.arrays();
     bool last = true;
+    const bool touching = colliders && batch.contact.layers != 0;
     if (slice) {
-        step_in_field(*slice, batch.step, arrays, item.handle, batch.count(), begin, end);
+        const ContactRun run = touching ? contact_run(batch, slice->surface) : ContactRun{};
+        step_in_field(*slice, batch.step, touching ? &run : nullptr, arrays, item.handle, batch.count(), begin, end);
         last = slice->first + slice->count == slice->time.substeps;
+    } else if (touching) {
+        step_near_colliders(contact_run(batch, surface), batch.step, arrays, item.handle, batch.count(), begin, end);
     } else if (surface && batch.step.water) {
         SurfaceStep here = *surface;
         here.time = batch.pace.time();

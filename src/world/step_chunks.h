@@ -13,6 +13,9 @@ namespace lr {
 class Batch;
 struct FieldSlice;
 struct SurfaceStep;
+struct ContactRun;
+class Colliders;
+struct ContactTarget;
 
 // Tests build it with other lengths (-DLR_CHUNK_BODIES): motion must not depend on it.
 #if !defined(LR_CHUNK_BODIES)
@@ -53,7 +56,9 @@ public:
 
     const FieldSlice* slice = nullptr;    // null where there is no wind but a uniform one
     const SurfaceStep* surface = nullptr; // null without one; each batch has its own time
-    bool timed = false;                   // Batch::spent is kept
+    const Colliders* colliders = nullptr; // null without one
+    const ContactTarget* contact = nullptr;
+    bool timed = false; // Batch::spent is kept
 
     uint32_t count() const { return static_cast<uint32_t>((blocks_ + chunk_ - 1) / chunk_); }
     uint32_t helpers() const { return helpers_; } // threads besides the caller that are worth their waking
@@ -61,6 +66,7 @@ public:
 
 private:
     void step(const StepItem& item, uint32_t begin, uint32_t end) const;
+    ContactRun contact_run(const Batch& batch, const SurfaceStep* water) const;
 
     const lr_world* world_;
     const StepItem* items_;

@@ -26,6 +26,7 @@ lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
     }
     lr_world* const world = new (memory) lr_world(allocator);
     world->target = target;
+    world->contact = &lr::contact_target(target->simd);
     // Four lanes take two thirds of the time of the 16 or 32 that AVX2 and AVX-512 take together.
     if (desc.simd_target == LR_SIMD_AUTO && (target->simd == LR_SIMD_AVX512 || target->simd == LR_SIMD_AVX2))
         world->narrow = lr::find_target(LR_SIMD_SSE4);
@@ -180,6 +181,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
     pace_batches(dt, substeps);
+    if (colliders.any()) colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
     uint32_t item_count = 0;
     bool unfit = false;
     for (uint32_t i = 0; i < batch_slots; ++i) {
@@ -207,6 +209,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
             log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
     }
     wind.end_step(dt);
+    if (colliders.any()) colliders.end_step();
     if (unfit)
         log(LR_LOG_WARNING, "surface", "a batch's mass matrix is singular in its fluid, which is not there for it");
     if (surface.present() && surface.take_blame())
@@ -232,6 +235,10 @@ void lr_world::run(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at
     }
     lr::StepChunks chunks(*this, some, count, blocks, work, crew.helpers());
     chunks.surface = at_surface;
+    if (colliders.any()) {
+        chunks.colliders = &colliders;
+        chunks.contact = contact;
+    }
     chunks.timed = pacing.timed();
     if (!field || count == 0) {
         crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
@@ -252,6 +259,22 @@ void lr_world::run(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at
         wind.prepare(t, uniform, slice.first, slice.count, seed);
         crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
     }
+}
+
+// Of the largest ordinary bodies and their way in a step, at the speeds that things which flutter fall with.
+float lr_world::contact_reach(float dt) const {
+    float most = 0.0f;
+    for (uint32_t i = 0; i < batch_slots; ++i)
+        if (batches[i].batch) most = std::max(most, batches[i].batch->shape.reach);
+    return 1.5f * most + 4.0f * dt;
+}
+
+// Gravity twice, for what else pulls; part of the wind, which light bodies take on within a step; and much for forces from
+// outside, which may be anything.
+float lr_world::contact_gain(const Batch& batch, float dt) const {
+    const auto size = [](const float(&v)[3]) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); };
+    const float forced = batch.step.external.any ? 50.0f : 0.0f;
+    return 2.0f * dt * size(gravity) + 0.5f * size(wind.uniform.wind) + forced;
 }
 
 void lr_world::finish_batches(double dt) {

@@ -1,6 +1,7 @@
 // The world: batches, time, wind, workers. Behind lr_world.
 #pragma once
 
+#include "contact/colliders.h"
 #include "field/surface.h"
 #include "field/wind_field.h"
 #include "langevin_rigid.h"
@@ -32,15 +33,21 @@ struct lr_world {
     void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
 
+    // m/s that the bodies of a batch may gain in so long beside what they have: how far they look for what they may touch.
+    float contact_reach(float dt) const; // m, for the broad phase
+    float contact_gain(const lr::Batch& batch, float dt) const;
+
     void log(int32_t level, const char* function, const char* message) const;
 
     lr::Crew crew; // first: it is aligned to cache lines
     mutable lr::Allocator allocator;
     const lr::KernelTarget* target = nullptr;
-    const lr::KernelTarget* narrow = nullptr; // for the last few bodies of a batch; null: they go with the others
+    const lr::ContactTarget* contact = nullptr; // of the same instruction set
+    const lr::KernelTarget* narrow = nullptr;   // for the last few bodies of a batch; null: they go with the others
     uint64_t seed = 0;
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
     lr::Surface surface;
+    lr::Colliders colliders{allocator};
     uint64_t step_count = 0, substep_count = 0;
     double time = 0.0; // s
     lr::Pacing pacing;
