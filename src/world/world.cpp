@@ -180,6 +180,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
     pace_batches(dt, substeps);
+    colliders.begin_step(static_cast<double>(dt), contact_reach());
     uint32_t item_count = 0;
     bool unfit = false;
     for (uint32_t i = 0; i < batch_slots; ++i) {
@@ -207,6 +208,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
             log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
     }
     wind.end_step(dt);
+    colliders.end_step();
     if (unfit)
         log(LR_LOG_WARNING, "surface", "a batch's mass matrix is singular in its fluid, which is not there for it");
     if (surface.present() && surface.take_blame())
@@ -326,6 +328,7 @@ uint64_t lr_world::hash() const {
     pacing.hash([&](uint64_t word) { result = mix(result ^ word); });
     if (const uint64_t sources = wind.hash(time)) result = mix(result ^ sources);
     if (const uint64_t water = surface.hash()) result = mix(result ^ water);
+    if (const uint64_t solid = colliders.hash()) result = mix(result ^ solid);
     return result;
 }
 

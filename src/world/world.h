@@ -1,6 +1,7 @@
 // The world: batches, time, wind, workers. Behind lr_world.
 #pragma once
 
+#include "contact/colliders.h"
 #include "field/surface.h"
 #include "field/wind_field.h"
 #include "langevin_rigid.h"
@@ -31,6 +32,7 @@ struct lr_world {
     void step(float dt, uint32_t substeps, const lr::FloatMode& mode);
     void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
+    float contact_reach() const { return 0.25f; } // m: of ordinary bodies and their way in a step
 
     void log(int32_t level, const char* function, const char* message) const;
 
@@ -41,6 +43,7 @@ struct lr_world {
     uint64_t seed = 0;
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
     lr::Surface surface;
+    lr::Colliders colliders{allocator};
     uint64_t step_count = 0, substep_count = 0;
     double time = 0.0; // s
     lr::Pacing pacing;
