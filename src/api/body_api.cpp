@@ -8,7 +8,7 @@ namespace {
 
 using namespace lr::api;
 using lr::rotate;
-using lr::Vector;
+using lr::WideVector;
 
 constexpr double least_scale = static_cast<double>(1e-3f), most_scale = 1e3;
 constexpr double most_speed = 1e6; // m/s and rad/s: far beyond physics, far below overflow
@@ -45,7 +45,7 @@ template <class T> lr::BodyState to_storage(const T& s) {
         // A quaternion that is a unit one already keeps its bits.
         out.value[lr::field_qx + i] = std::abs(n - 1.0) < 1e-7 ? s.orientation[i] : static_cast<float>(q[i]);
     }
-    const Vector v = rotate(q, s.linear_velocity, true), w = rotate(q, s.angular_velocity, true);
+    const WideVector v = rotate(q, s.linear_velocity, true), w = rotate(q, s.angular_velocity, true);
     for (size_t i = 0; i < 3; ++i) {
         out.value[lr::field_x + i] = s.position[i];
         out.value[lr::field_vx + i] = static_cast<float>(v.v[i]);
@@ -131,7 +131,7 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
         out.orientation[i] = s.value[lr::field_qx + i];
         q[i] = static_cast<double>(out.orientation[i]);
     }
-    const Vector v = rotate(q, &s.value[lr::field_vx], false), w = rotate(q, &s.value[lr::field_wx], false);
+    const WideVector v = rotate(q, &s.value[lr::field_vx], false), w = rotate(q, &s.value[lr::field_wx], false);
     for (size_t i = 0; i < 3; ++i) {
         out.position[i] = s.value[lr::field_x + i];
         out.linear_velocity[i] = static_cast<float>(v.v[i]);

@@ -38,7 +38,7 @@ lr::Kick kick_of(const lr::Batch& batch, const lr::BodyState& body, const Push& 
     std::copy(p.force, p.force + 3, kick.v);
     std::copy(p.torque, p.torque + 3, kick.w);
     if (p.frame == LR_FRAME_WORLD) {
-        const lr::Vector v = lr::rotate(q, p.force, true), w = lr::rotate(q, p.torque, true);
+        const lr::WideVector v = lr::rotate(q, p.force, true), w = lr::rotate(q, p.torque, true);
         std::copy(v.v, v.v + 3, kick.v);
         std::copy(w.v, w.v + 3, kick.w);
     }

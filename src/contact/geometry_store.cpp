@@ -69,7 +69,7 @@ Box around(const float* points, size_t count) {
     return box;
 }
 
-lr_status build_hull(Allocator& allocator, const lr_collider_desc& desc, SharedGeometry& to) {
+lr_status make_hull(Allocator& allocator, const lr_collider_desc& desc, SharedGeometry& to) {
     std::vector<float> vertices, faces;
     if (!build_hull(desc.vertices, desc.vertex_count, vertices, faces)) return LR_ERROR_INVALID_ARGUMENT;
     if (!copy(allocator, vertices.data(), vertices.size(), to.points) ||
@@ -81,7 +81,7 @@ lr_status build_hull(Allocator& allocator, const lr_collider_desc& desc, SharedG
     return LR_OK;
 }
 
-lr_status build_heightfield(Allocator& allocator, const lr_collider_desc& desc, SharedGeometry& to) {
+lr_status make_heightfield(Allocator& allocator, const lr_collider_desc& desc, SharedGeometry& to) {
     HeightfieldGeometry& field = to.heightfield;
     std::vector<float> coarse;
     if (!build_coarse(desc.counts, desc.heights, coarse, field.coarse_counts, field.lowest, field.highest))
@@ -99,7 +99,7 @@ lr_status build_heightfield(Allocator& allocator, const lr_collider_desc& desc, 
     return LR_OK;
 }
 
-lr_status build_mesh(Allocator& allocator, const lr_collider_desc& desc, SharedGeometry& to) {
+lr_status make_mesh(Allocator& allocator, const lr_collider_desc& desc, SharedGeometry& to) {
     if (!copy(allocator, desc.vertices, size_t{3} * desc.vertex_count, to.points) ||
         !copy(allocator, desc.indices, size_t{3} * desc.triangle_count, to.indices))
         return LR_ERROR_OUT_OF_MEMORY;
@@ -135,11 +135,11 @@ lr_status GeometryStore::build(const lr_collider_desc& desc, SharedGeometry& to)
     try {
         switch (to.kind) {
         case ColliderKind::hull:
-            return build_hull(*allocator_, desc, to);
+            return make_hull(*allocator_, desc, to);
         case ColliderKind::heightfield:
-            return build_heightfield(*allocator_, desc, to);
+            return make_heightfield(*allocator_, desc, to);
         default:
-            return build_mesh(*allocator_, desc, to);
+            return make_mesh(*allocator_, desc, to);
         }
     } catch (const std::bad_alloc&) {
         return LR_ERROR_OUT_OF_MEMORY;

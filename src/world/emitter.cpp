@@ -41,12 +41,12 @@ double one_minus_cosine(double x) {
     return 2.0 * sine * sine;
 }
 
-Vector add_scaled(const Vector& a, double s, const Vector& b) {
+WideVector add_scaled(const WideVector& a, double s, const WideVector& b) {
     return {{a.v[0] + s * b.v[0], a.v[1] + s * b.v[1], a.v[2] + s * b.v[2]}};
 }
 
 // A unit vector in any direction (Marsaglia 1972).
-Vector direction(CounterRandom& random) {
+WideVector direction(CounterRandom& random) {
     double x, y;
     const double s = random.disc(x, y);
     const double r = 2.0 * std::sqrt(1.0 - s);
@@ -62,20 +62,20 @@ void orientation(CounterRandom& random, double (&q)[4]) {
 }
 
 // On the surface of a box of these half extents: a face by its area, a point on it.
-Vector on_box(CounterRandom& random, const float (&half)[3]) {
+WideVector on_box(CounterRandom& random, const float (&half)[3]) {
     const double h[3] = {wide(half[0]), wide(half[1]), wide(half[2])};
     const double area[3] = {h[1] * h[2], h[2] * h[0], h[0] * h[1]};
     const double at = random.uniform() * (area[0] + area[1] + area[2]);
     const size_t face = at < area[0] ? 0 : at < area[0] + area[1] ? 1 : 2;
-    Vector p;
+    WideVector p;
     for (size_t i = 0; i < 3; ++i) p.v[i] = random.between(-1.0, 1.0);
     p.v[face] = p.v[face] < 0.0 ? -1.0 : 1.0;
     return p;
 }
 
 // In a shape of unit size.
-Vector place(CounterRandom& random, int32_t shape, const float (&size)[3]) {
-    Vector p{};
+WideVector place(CounterRandom& random, int32_t shape, const float (&size)[3]) {
+    WideVector p{};
     switch (shape) {
     case LR_EMIT_BOX:
         for (double& x : p.v) x = random.between(-1.0, 1.0);
@@ -157,9 +157,9 @@ BodyState Emitter::draw(uint64_t seed, uint32_t key, uint32_t life) const {
     CounterRandom random(seed, key, life);
     BodyState out{};
     out.key = key;
-    Vector local = place(random, desc_.shape, desc_.size);
+    WideVector local = place(random, desc_.shape, desc_.size);
     for (size_t i = 0; i < 3; ++i) local.v[i] *= wide(desc_.size[i]);
-    const Vector at = rotate(orientation_, local.v, false);
+    const WideVector at = rotate(orientation_, local.v, false);
 
     double q[4];
     std::copy(pose_, pose_ + 4, q);
@@ -168,10 +168,10 @@ BodyState Emitter::draw(uint64_t seed, uint32_t key, uint32_t life) const {
     double x, y;
     const double s = std::sqrt(random.disc(x, y));
     const double down = random.uniform() * cone_, aside = std::sqrt(down * (2.0 - down)) / s;
-    Vector v = add_scaled(add_scaled({}, 1.0 - down, axis_), aside * x, side_[0]);
+    WideVector v = add_scaled(add_scaled({}, 1.0 - down, axis_), aside * x, side_[0]);
     v = add_scaled({}, random.between(wide(desc_.speed_min), wide(desc_.speed_max)),
                    add_scaled(v, aside * y, side_[1]));
-    Vector w = direction(random);
+    WideVector w = direction(random);
     w = add_scaled({}, random.between(wide(desc_.spin_min), wide(desc_.spin_max)), w);
     v = rotate(q, v.v, true);
     w = rotate(q, w.v, true);

@@ -26,7 +26,7 @@ private:
     lr_emitter_desc desc_{};
     double orientation_[4] = {0.0, 0.0, 0.0, 1.0}; // of the shape
     double pose_[4] = {0.0, 0.0, 0.0, 1.0};        // of bodies, if fixed
-    Vector axis_{}, side_[2] = {};                 // of the cone of velocities
+    WideVector axis_{}, side_[2] = {};             // of the cone of velocities
     double cone_ = 0.0;                            // 1 - cos(spread)
 };
 

@@ -4,12 +4,12 @@
 
 namespace lr {
 
-struct Vector {
+struct WideVector {
     double v[3];
 };
 
 // R(q)^T a or R(q) a, for a unit quaternion x y z w.
-template <class T> Vector rotate(const double q[4], const T a[3], bool to_body) {
+template <class T> WideVector rotate(const double q[4], const T a[3], bool to_body) {
     const double s = to_body ? -1.0 : 1.0;
     const double x = s * q[0], y = s * q[1], z = s * q[2], w = q[3];
     const double ax = static_cast<double>(a[0]), ay = static_cast<double>(a[1]), az = static_cast<double>(a[2]);
