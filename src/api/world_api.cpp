@@ -65,6 +65,7 @@ lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
     out.substep_count = world->substep_count;
     out.time = world->time;
     out.memory_bytes = world->allocator.bytes();
+    out.collider_count = world->colliders.count();
     write_struct(out, info);
     return LR_OK;
 }

@@ -34,6 +34,8 @@ struct ColliderMotion {
     bool pending;           // the next step goes to Collider::end, and ends the motion
 };
 
+void set_shared(Geometry& geometry, const SharedGeometry* shared);
+
 class Colliders {
 public:
     explicit Colliders(Allocator& allocator) : geometries_(allocator), allocator_(&allocator) {}
@@ -83,12 +85,13 @@ public:
 private:
     friend class ColliderSnapshot;
     static constexpr uint32_t none = UINT32_MAX;
-    enum class Where : uint8_t { free, marked, still, active, unbounded };
+    enum class Where : uint8_t { free, still, active, unbounded };
     struct Slot {
         SharedGeometry* shared;
         uint32_t generation; // of the collider in it, or of the next
         uint32_t link;       // free: the next free slot; active, unbounded: its index in that list
         Where where;
+        bool marked; // to be destroyed
     };
     // The slots that the next colliders will be in.
     struct Cursor {
@@ -107,9 +110,9 @@ private:
     void advance(uint32_t slot, double dt);
     void add_proxies(uint32_t slot, ProxyGrid& to) const;
     void rebuild_still();
-    void clear_lists();
     void fill_near();
-    void add_near(const Collider& collider);
+    void add_near(uint32_t slot);
+    bool in_reach(const Collider& collider, const Box& box) const;
 
     GeometryStore geometries_;
     Allocator* allocator_;

@@ -1,5 +1,6 @@
 #include "world/snapshot.h"
 
+#include "contact/collider_snapshot.h"
 #include "field/wind_snapshot.h"
 #include "kernel/aerodynamics.h"
 #include "world/snapshot_parts.h"
@@ -15,7 +16,7 @@ namespace lr {
 namespace {
 
 constexpr uint64_t magic = 0x31304e53444c524cull; // "LRLDSN01", little-endian
-constexpr uint32_t version = 5;
+constexpr uint32_t version = 6;
 
 struct Header {
     uint64_t magic;
@@ -206,7 +207,8 @@ public:
 };
 
 uint64_t snapshot_size(const lr_world& w) {
-    uint64_t size = sizeof(Header) + WindSnapshot::bytes(w.wind) + sizeof(Surface::Record);
+    uint64_t size =
+        sizeof(Header) + WindSnapshot::bytes(w.wind) + sizeof(Surface::Record) + ColliderSnapshot::bytes(w.colliders);
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         size += sizeof(BatchHeader);
@@ -239,6 +241,8 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     const Surface::Record surface = w.surface.record();
     std::memcpy(at, &surface, sizeof surface);
     at += sizeof surface;
+    ColliderSnapshot::save(w.colliders, at);
+    at += ColliderSnapshot::bytes(w.colliders);
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         std::memcpy(at, &h, sizeof h);
@@ -283,6 +287,8 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
     WindSnapshot wind(w.wind);
     uint64_t wind_bytes = 0;
     Surface::Record surface{};
+    ColliderSnapshot colliders(w.colliders);
+    uint64_t collider_bytes = 0;
     const auto check = [&]() -> lr_status {
         const lr_status windy = wind.read(begin + sizeof header, header.size - sizeof header, header.seed, wind_bytes);
         if (windy != LR_OK) return windy;
@@ -291,6 +297,9 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         std::memcpy(static_cast<void*>(&surface), begin + at, sizeof surface);
         if (!Surface::consistent(surface)) return LR_ERROR_SNAPSHOT_FORMAT;
         at += sizeof surface;
+        const lr_status solid = colliders.read(begin + at, header.size - at, collider_bytes);
+        if (solid != LR_OK) return solid;
+        at += collider_bytes;
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
             BatchHeader h{};
             if (header.size - at < sizeof h) return LR_ERROR_SNAPSHOT_FORMAT;
@@ -326,8 +335,9 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
     };
     const lr_status status = check();
     if (status == LR_OK) {
-        const unsigned char* at = begin + sizeof header + wind_bytes + sizeof surface;
+        const unsigned char* at = begin + sizeof header + wind_bytes + sizeof surface + collider_bytes;
         wind.commit();
+        colliders.commit();
         w.surface.restore(surface);
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
             BatchHeader h{};

@@ -266,7 +266,10 @@ float lr_world::contact_reach(float dt) const {
     float most = 0.0f;
     for (uint32_t i = 0; i < batch_slots; ++i)
         if (batches[i].batch) most = std::max(most, batches[i].batch->shape.reach);
-    return 1.5f * most + 4.0f * dt;
+    // A power of two, so that the grid is not made anew for each other dt.
+    float reach = 0x1p-10f;
+    while (reach < 1.5f * most + 4.0f * dt) reach += reach;
+    return reach;
 }
 
 // Gravity twice, for what else pulls; part of the wind, which light bodies take on within a step; and much for forces from
@@ -349,6 +352,7 @@ uint64_t lr_world::hash() const {
     pacing.hash([&](uint64_t word) { result = mix(result ^ word); });
     if (const uint64_t sources = wind.hash(time)) result = mix(result ^ sources);
     if (const uint64_t water = surface.hash()) result = mix(result ^ water);
+    if (const uint64_t solid = colliders.hash()) result = mix(result ^ solid);
     return result;
 }
 

@@ -1,0 +1,212 @@
+#include "contact/collider_snapshot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace lr {
+namespace {
+
+struct SavedList {
+    uint32_t slots, count;
+    uint32_t free_first, free_last;
+};
+struct SavedSlot {
+    uint32_t generation;
+    uint32_t link; // the next free slot, or `taken`
+};
+constexpr uint32_t taken = UINT32_MAX - 1, none = UINT32_MAX;
+static_assert(LR_MAX_COLLIDERS < taken);
+
+struct SavedCollider {
+    uint64_t data; // hash of hull, heightfield or mesh; else 0
+    int32_t kind;
+    uint32_t pending;
+    float size[3];
+    float friction, restitution;
+    uint32_t layers;
+    Pose begin, end;
+    Vector linear, angular, rest;
+    uint32_t reserved;
+};
+static_assert(sizeof(SavedList) % 8 == 0 && sizeof(SavedSlot) % 8 == 0 && sizeof(SavedCollider) % 8 == 0);
+
+template <class T> T at(const unsigned char* from, uint64_t index) {
+    T value;
+    std::memcpy(static_cast<void*>(&value), from + index * sizeof(T), sizeof(T));
+    return value;
+}
+
+bool has_data(ColliderKind kind) {
+    return kind == ColliderKind::hull || kind == ColliderKind::heightfield || kind == ColliderKind::mesh;
+}
+bool within(Vector v, float most) {
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most; // false for NaN
+}
+
+// Long steps at high speed may take colliders farther than they can be put.
+constexpr float farthest = 1e30f;
+
+bool consistent(const Pose& pose) {
+    const Rotation& q = pose.rotation;
+    const float n = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+    return within(pose.position, farthest) && n > 0.999f && n < 1.001f;
+}
+
+bool consistent(const SavedCollider& c) {
+    if (c.kind < LR_COLLIDER_PLANE || c.kind > LR_COLLIDER_MESH || c.pending > 1 || c.reserved != 0) return false;
+    const int sizes = c.kind == LR_COLLIDER_SPHERE    ? 1
+                      : c.kind == LR_COLLIDER_CAPSULE ? 2
+                      : c.kind == LR_COLLIDER_BOX     ? 3
+                                                      : 0;
+    for (int i = 0; i < 3; ++i)
+        if (i < sizes ? !(c.size[i] > 0.0f && c.size[i] <= 1e6f) : c.size[i] != 0.0f) return false;
+    const bool still = within(c.linear, 0.0f) && within(c.angular, 0.0f);
+    return consistent(c.begin) && consistent(c.end) && within(c.linear, 1e6f) && within(c.angular, 1e6f) &&
+           within(c.rest, farthest) && c.friction >= 0.0f && c.friction <= 10.0f && c.restitution >= 0.0f &&
+           c.restitution <= 1.0f && (c.pending == 0 || still);
+}
+
+// Free slots make one chain from the first to the last.
+bool consistent(const SavedList& list, const unsigned char* slots) {
+    uint32_t free = 0;
+    for (uint32_t i = 0; i < list.slots; ++i) {
+        const SavedSlot s = at<SavedSlot>(slots, i);
+        if (s.generation == 0) return false;
+        if (s.link != taken) ++free;
+    }
+    if (free != list.slots - list.count) return false;
+    if (free == 0) return list.free_first == none && list.free_last == none;
+    uint32_t slot = list.free_first;
+    for (uint32_t i = 0; i < free; ++i) {
+        if (slot >= list.slots) return false;
+        const uint32_t next = at<SavedSlot>(slots, slot).link;
+        if (next == taken || (i + 1 == free) != (next == none) || (next == none && slot != list.free_last))
+            return false;
+        slot = next;
+    }
+    return true;
+}
+
+} // namespace
+
+uint64_t ColliderSnapshot::bytes(const Colliders& c) {
+    return sizeof(SavedList) + sizeof(SavedSlot) * uint64_t{c.used_} + sizeof(SavedCollider) * uint64_t{c.count_};
+}
+
+void ColliderSnapshot::save(const Colliders& c, unsigned char* to) {
+    const SavedList list{c.used_, c.count_, c.free_first_, c.free_last_};
+    std::memcpy(to, &list, sizeof list);
+    to += sizeof list;
+    for (uint32_t i = 0; i < c.used_; ++i) {
+        const Colliders::Slot& s = c.slots_[i];
+        const SavedSlot saved{s.generation, s.where == Colliders::Where::free ? s.link : taken};
+        std::memcpy(to, &saved, sizeof saved);
+        to += sizeof saved;
+    }
+    for (uint32_t i = 0; i < c.used_; ++i) {
+        const Colliders::Slot& s = c.slots_[i];
+        if (s.where == Colliders::Where::free) continue;
+        const Collider& collider = c.colliders_[i];
+        const ColliderMotion& m = c.motions_[i];
+        SavedCollider saved{};
+        saved.data = s.shared ? s.shared->hash : 0;
+        saved.kind = static_cast<int32_t>(collider.geometry.kind);
+        saved.pending = m.pending ? 1 : 0;
+        std::copy_n(collider.geometry.size, 3, saved.size);
+        saved.friction = collider.friction;
+        saved.restitution = collider.restitution;
+        saved.layers = collider.layers;
+        saved.begin = collider.begin;
+        saved.end = m.pending ? collider.end : collider.begin;
+        saved.linear = m.linear;
+        saved.angular = m.angular;
+        saved.rest = m.rest;
+        std::memcpy(to, &saved, sizeof saved);
+        to += sizeof saved;
+    }
+}
+
+lr_status ColliderSnapshot::read(const unsigned char* from, uint64_t size, uint64_t& used) {
+    if (size < sizeof(SavedList)) return LR_ERROR_SNAPSHOT_FORMAT;
+    const auto list = at<SavedList>(from, 0);
+    used = sizeof list + sizeof(SavedSlot) * uint64_t{list.slots} + sizeof(SavedCollider) * uint64_t{list.count};
+    if (list.slots > LR_MAX_COLLIDERS || list.count > list.slots || size < used) return LR_ERROR_SNAPSHOT_FORMAT;
+    const unsigned char* const slots = from + sizeof list;
+    const unsigned char* const colliders = slots + sizeof(SavedSlot) * uint64_t{list.slots};
+    if (!consistent(list, slots)) return LR_ERROR_SNAPSHOT_FORMAT;
+    uint64_t proxies = 0, movers = 0, unbounded = 0;
+    bool there = true;
+    for (uint32_t i = 0; i < list.count; ++i) {
+        const auto saved = at<SavedCollider>(colliders, i);
+        if (!consistent(saved)) return LR_ERROR_SNAPSHOT_FORMAT;
+        const auto kind = static_cast<ColliderKind>(saved.kind);
+        const SharedGeometry* const shared = has_data(kind) ? to_->geometries_.find(kind, saved.data) : nullptr;
+        there = there && (shared || !has_data(kind));
+        if (!has_data(kind) && saved.data != 0) return LR_ERROR_SNAPSHOT_FORMAT;
+        if (kind == ColliderKind::plane || kind == ColliderKind::heightfield) {
+            ++unbounded;
+            continue;
+        }
+        const uint64_t n = kind == ColliderKind::mesh && shared ? shared->parts.size() : 1;
+        proxies += n;
+        if (saved.pending != 0 || !within(saved.linear, 0.0f) || !within(saved.angular, 0.0f)) movers += n;
+    }
+    if (!there) return LR_ERROR_SNAPSHOT_MISMATCH;
+    if (proxies > INT32_MAX) return LR_ERROR_SNAPSHOT_FORMAT;
+    if (!to_->reserve_slots(list.slots) || !to_->reserve_grids(proxies, movers) || !to_->reserve_unbounded(unbounded))
+        return LR_ERROR_OUT_OF_MEMORY;
+    from_ = from;
+    return LR_OK;
+}
+
+void ColliderSnapshot::commit() {
+    Colliders& c = *to_;
+    const auto list = at<SavedList>(from_, 0);
+    const unsigned char* const slots = from_ + sizeof list;
+    const unsigned char* const colliders = slots + sizeof(SavedSlot) * uint64_t{list.slots};
+    // Data is taken before any is given back: the same may be both.
+    for (uint32_t i = 0; i < list.count; ++i) {
+        const auto saved = at<SavedCollider>(colliders, i);
+        const auto kind = static_cast<ColliderKind>(saved.kind);
+        if (has_data(kind)) ++c.geometries_.find(kind, saved.data)->users;
+    }
+    for (uint32_t i = 0; i < c.used_; ++i)
+        if (c.slots_[i].where != Colliders::Where::free) c.geometries_.release(c.slots_[i].shared);
+    c.used_ = list.slots;
+    c.count_ = list.count;
+    c.free_first_ = list.free_first;
+    c.free_last_ = list.free_last;
+    c.active_count_ = c.unbounded_count_ = 0;
+    c.proxies_ = c.mover_proxies_ = c.still_proxies_ = c.debt_ = 0;
+    c.still_grid_.clear();
+    c.active_grid_.clear();
+    c.near_ = NearColliders{};
+    c.stale_ = true;
+    uint32_t next = 0;
+    for (uint32_t slot = 0; slot < list.slots; ++slot) {
+        const auto saved_slot = at<SavedSlot>(slots, slot);
+        c.slots_[slot] = {nullptr, saved_slot.generation, saved_slot.link, Colliders::Where::free, false};
+        if (saved_slot.link != taken) continue;
+        const auto saved = at<SavedCollider>(colliders, next++);
+        const auto kind = static_cast<ColliderKind>(saved.kind);
+        SharedGeometry* const shared = has_data(kind) ? c.geometries_.find(kind, saved.data) : nullptr;
+        c.slots_[slot].shared = shared;
+        Collider& collider = c.colliders_[slot];
+        collider = {{kind, {saved.size[0], saved.size[1], saved.size[2]}, nullptr, nullptr, nullptr},
+                    saved.begin,
+                    saved.pending != 0 ? saved.end : saved.begin,
+                    saved.friction,
+                    saved.restitution,
+                    saved.layers,
+                    false};
+        set_shared(collider.geometry, shared);
+        c.motions_[slot] = {saved.linear, saved.angular, saved.rest, saved.pending != 0};
+        const uint32_t proxies = c.proxies_of(slot);
+        c.proxies_ += proxies;
+        if (c.moving(slot)) c.mover_proxies_ += proxies;
+        c.enlist(slot);
+    }
+}
+
+} // namespace lr

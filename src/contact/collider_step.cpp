@@ -1,0 +1,229 @@
+#include "contact/collider_motion.h"
+#include "contact/colliders.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+// Levels of the grid that is built in each step; the other has the rest.
+constexpr uint32_t active_levels = 3, still_levels = most_occupancy_levels - active_levels;
+
+// The next larger of four steps an octave: the grid of those that stand still is not built anew for every change, nor does
+// it depend on what the reach was before.
+float coarsened(float reach) {
+    int power = 0;
+    const float m = std::frexp(reach, &power); // 0.5 to 1
+    return std::ldexp(std::ceil(m * 8.0f) / 8.0f, power);
+}
+
+// Columns of R(q): its own axes in the world.
+struct Axes {
+    Vector x, y, z;
+};
+Axes axes_of(const Rotation& q) {
+    return {rotate(q, {1.0f, 0.0f, 0.0f}), rotate(q, {0.0f, 1.0f, 0.0f}), rotate(q, {0.0f, 0.0f, 1.0f})};
+}
+
+bool turns(const Collider& c) {
+    const Rotation &a = c.begin.rotation, &b = c.end.rotation;
+    return c.moves && (a.x != b.x || a.y != b.y || a.z != b.z || a.w != b.w);
+}
+
+void put(Vector v, float* to) {
+    to[0] = v.x, to[1] = v.y, to[2] = v.z;
+}
+
+double along(Vector axis, Vector a, Vector b) { // axis . (a - b)
+    return static_cast<double>(axis.x) * (static_cast<double>(a.x) - static_cast<double>(b.x)) +
+           static_cast<double>(axis.y) * (static_cast<double>(a.y) - static_cast<double>(b.y)) +
+           static_cast<double>(axis.z) * (static_cast<double>(a.z) - static_cast<double>(b.z));
+}
+
+// The middle of `box` seen from `origin` along `axis`, half its width along that, and what rounding may take from them.
+struct Span {
+    double middle, half, slack;
+};
+Span span(const Box& box, Vector axis, Vector origin) {
+    const double low = along(axis, box.low, origin), high = along(axis, box.high, origin);
+    const Vector e = box.high - box.low;
+    const double half =
+        0.5 * static_cast<double>(std::abs(axis.x) * e.x + std::abs(axis.y) * e.y + std::abs(axis.z) * e.z);
+    const double far = std::abs(static_cast<double>(box.low.x) - static_cast<double>(origin.x)) +
+                       std::abs(static_cast<double>(box.low.y) - static_cast<double>(origin.y)) +
+                       std::abs(static_cast<double>(box.low.z) - static_cast<double>(origin.z));
+    return {0.5 * (low + high), half, 1e-6 * (far + half)};
+}
+
+} // namespace
+
+void Colliders::advance(uint32_t slot, double dt) {
+    Collider& c = colliders_[slot];
+    ColliderMotion& m = motions_[slot];
+    c.moves = moving(slot);
+    if (c.moves && !m.pending) c.end = advanced(c.begin, m.linear, m.angular, dt, m.rest);
+}
+
+void Colliders::add_proxies(uint32_t slot, ProxyGrid& to) const {
+    const Collider& c = colliders_[slot];
+    const SharedGeometry* const shared = slots_[slot].shared;
+    if (c.geometry.kind != ColliderKind::mesh) {
+        to.add({swept_box(bounds_of(c.geometry, shared), c.begin, c.end, c.moves), slot, {0, 0}});
+        return;
+    }
+    for (size_t i = 0; i < shared->parts.size(); ++i) {
+        const MeshPart& part = shared->parts[i];
+        to.add({swept_box({part.box, 0.0f}, c.begin, c.end, c.moves), slot, part.part});
+    }
+}
+
+void Colliders::rebuild_still() {
+    still_grid_.clear();
+    still_proxies_ = 0;
+    for (uint32_t i = active_count_; i-- > 0;) {
+        const uint32_t slot = active_[i];
+        if (colliders_[slot].moves) continue;
+        delist(slot);
+        slots_[slot].where = Where::still;
+    }
+    for (uint32_t slot = 0; slot < used_; ++slot)
+        if (slots_[slot].where == Where::still) add_proxies(slot, still_grid_);
+    still_proxies_ = still_grid_.size();
+    still_grid_.build(dilation_, still_levels);
+    stale_ = false;
+    debt_ = 0;
+}
+
+void Colliders::begin_step(double dt, float reach) {
+    for (uint32_t i = 0; i < active_count_; ++i) advance(active_[i], dt);
+    for (uint32_t i = 0; i < unbounded_count_; ++i) advance(unbounded_[i], dt);
+    const float dilation = coarsened(reach);
+    // What a newer grid would save in each step adds up to the cost of building it.
+    const uint64_t active = proxies_ - still_proxies_;
+    const uint64_t spoiled = active - mover_proxies_ + still_grid_.size() - still_proxies_;
+    debt_ += spoiled;
+    if (stale_ || dilation != dilation_ || active > active_grid_.capacity() || (spoiled != 0 && debt_ >= proxies_)) {
+        dilation_ = dilation;
+        rebuild_still();
+    }
+    active_grid_.clear();
+    for (uint32_t i = 0; i < active_count_; ++i) add_proxies(active_[i], active_grid_);
+    active_grid_.build(dilation_, active_levels);
+    fill_near();
+}
+
+void Colliders::end_step() {
+    const auto arrive = [this](uint32_t slot) {
+        Collider& c = colliders_[slot];
+        if (!c.moves) return;
+        c.begin = c.end;
+        c.moves = false;
+        ColliderMotion& m = motions_[slot];
+        if (m.pending) mover_proxies_ -= proxies_of(slot);
+        m.pending = false;
+    };
+    for (uint32_t i = 0; i < active_count_; ++i) arrive(active_[i]);
+    for (uint32_t i = 0; i < unbounded_count_; ++i) arrive(unbounded_[i]);
+}
+
+void Colliders::add_near(uint32_t slot) {
+    const Collider& c = colliders_[slot];
+    const Axes axes = axes_of(c.begin.rotation);
+    if (c.geometry.kind == ColliderKind::plane) {
+        if (turns(c) || near_.plane_count == most_near_planes) {
+            near_.everywhere = true;
+            return;
+        }
+        NearPlane& plane = near_.planes[near_.plane_count++];
+        const double rise = c.moves ? along(axes.y, c.end.position, c.begin.position) : 0.0;
+        put(rise > 0.0 ? c.end.position : c.begin.position, plane.point);
+        put(axes.y, plane.normal);
+        plane.travel = static_cast<float>(std::abs(rise));
+        return;
+    }
+    if (near_.heightfield_count == most_near_heightfields) {
+        near_.everywhere = true;
+        return;
+    }
+    NearHeightfield& near = near_.heightfields[near_.heightfield_count++];
+    const HeightfieldGeometry& field = *c.geometry.heightfield;
+    put(c.begin.position, near.position);
+    put(axes.x, near.axes);
+    put(axes.y, near.axes + 3);
+    put(axes.z, near.axes + 6);
+    near.travel = c.moves ? most_travel(slots_[slot].shared->box, c.begin, c.end) : 0.0f;
+    for (size_t k = 0; k < 2; ++k) {
+        near.inverse_coarse[k] = 1.0f / (field.spacing[k] * static_cast<float>(HeightfieldGeometry::coarse_cells));
+        near.extent[k] = field.spacing[k] * static_cast<float>(field.counts[k] - 1);
+        near.counts[k] = field.coarse_counts[k];
+    }
+    near.coarse_size =
+        static_cast<float>(HeightfieldGeometry::coarse_cells) * std::min(field.spacing[0], field.spacing[1]);
+    near.coarse = field.coarse;
+    near.lowest = field.lowest;
+    near.highest = field.highest;
+}
+
+void Colliders::fill_near() {
+    near_.level_count = near_.plane_count = near_.heightfield_count = 0;
+    near_.everywhere = false;
+    for (const ProxyGrid* grid : {&still_grid_, &active_grid_})
+        for (uint32_t l = 0; l < grid->level_count(); ++l) near_.levels[near_.level_count++] = grid->level(l);
+    for (uint32_t i = 0; i < unbounded_count_; ++i) add_near(unbounded_[i]);
+}
+
+// A plane or heightfield.
+bool Colliders::in_reach(const Collider& c, const Box& box) const {
+    const Axes axes = axes_of(c.begin.rotation);
+    const Span up = span(box, axes.y, c.begin.position);
+    const double lowest = up.middle - up.half - up.slack;
+    if (c.geometry.kind == ColliderKind::plane) {
+        if (turns(c)) return true;
+        const double rise = c.moves ? along(axes.y, c.end.position, c.begin.position) : 0.0;
+        return lowest <= std::max(rise, 0.0);
+    }
+    const HeightfieldGeometry& field = *c.geometry.heightfield;
+    const Box own{{0.0f, field.lowest, 0.0f},
+                  {field.spacing[0] * static_cast<float>(field.counts[0] - 1), field.highest,
+                   field.spacing[1] * static_cast<float>(field.counts[1] - 1)}};
+    const double travel = c.moves ? static_cast<double>(most_travel(own, c.begin, c.end)) : 0.0;
+    if (lowest > static_cast<double>(own.high.y) + travel) return false;
+    const auto outside = [travel](const Span& s, float high) {
+        const double reach = s.half + s.slack + travel;
+        return s.middle + reach < 0.0 || s.middle - reach > static_cast<double>(high);
+    };
+    return !outside(span(box, axes.x, c.begin.position), own.high.x) &&
+           !outside(span(box, axes.z, c.begin.position), own.high.z);
+}
+
+uint32_t Colliders::candidates(Vector low, Vector high, uint32_t layers, Candidate (&out)[most_candidates],
+                               uint32_t& missed) const {
+    uint32_t count = 0;
+    missed = 0;
+    const auto take = [&](uint32_t slot, ColliderPart part) {
+        if ((colliders_[slot].layers & layers) == 0) return;
+        if (count == most_candidates) ++missed;
+        uint32_t at = count;
+        for (; at > 0; --at) {
+            const Candidate& before = out[at - 1];
+            if (before.slot < slot || (before.slot == slot && before.part.first < part.first)) break;
+            if (at < most_candidates) out[at] = before;
+        }
+        if (at == most_candidates) return;
+        out[at] = {slot, part};
+        if (count < most_candidates) ++count;
+    };
+    const Box box{low, high};
+    still_grid_.query(box, [&](const Proxy& p) {
+        if (slots_[p.slot].where == Where::still) take(p.slot, p.part);
+    });
+    active_grid_.query(box, [&](const Proxy& p) {
+        if (slots_[p.slot].where == Where::active) take(p.slot, p.part);
+    });
+    for (uint32_t i = 0; i < unbounded_count_; ++i)
+        if (in_reach(colliders_[unbounded_[i]], box)) take(unbounded_[i], {0, 0});
+    return count;
+}
+
+} // namespace lr

@@ -1,0 +1,215 @@
+#include "contact/geometry_store.h"
+
+#include "contact/build_geometry.h"
+#include "contact/mesh_parts.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <new>
+#include <vector>
+
+namespace lr {
+namespace {
+
+// A bijection of the state for each word.
+struct Hash {
+    uint64_t state = 0x9e3779b97f4a7c15ull;
+    void add(uint64_t word) {
+        state = (state ^ word) * 0xbf58476d1ce4e5b9ull;
+        state ^= state >> 29;
+    }
+    void add(const void* words, uint64_t count) {
+        const auto* const bytes = static_cast<const unsigned char*>(words);
+        add(count);
+        for (uint64_t i = 0; i < count; ++i) {
+            uint32_t word;
+            std::memcpy(&word, bytes + 4 * i, 4);
+            add(word);
+        }
+    }
+    uint64_t value() const {
+        uint64_t v = (state ^ state >> 30) * 0x94d049bb133111ebull;
+        v ^= v >> 31;
+        return v != 0 ? v : 1;
+    }
+};
+
+uint64_t heights_of(const lr_collider_desc& desc) {
+    return uint64_t{desc.counts[0]} * desc.counts[1];
+}
+
+uint64_t content_hash(const lr_collider_desc& desc) {
+    Hash hash;
+    hash.add(static_cast<uint64_t>(desc.kind));
+    if (desc.kind == LR_COLLIDER_HEIGHTFIELD) {
+        hash.add(desc.counts, 2);
+        hash.add(desc.spacing, 2);
+        hash.add(desc.heights, heights_of(desc));
+    } else {
+        hash.add(desc.vertices, uint64_t{3} * desc.vertex_count);
+        if (desc.kind == LR_COLLIDER_MESH) hash.add(desc.indices, uint64_t{3} * desc.triangle_count);
+    }
+    return hash.value();
+}
+
+template <class T> bool copy(Allocator& allocator, const T* from, size_t count, Buffer<T>& to) {
+    if (!to.allocate(allocator, count)) return false;
+    std::copy_n(from, count, to.data());
+    return true;
+}
+
+Box around(const float* points, size_t count) {
+    Box box{{points[0], points[1], points[2]}, {points[0], points[1], points[2]}};
+    for (size_t i = 0; i < count; ++i) {
+        const Vector p{points[3 * i], points[3 * i + 1], points[3 * i + 2]};
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+    }
+    return box;
+}
+
+lr_status make_hull(Allocator& allocator, const lr_collider_desc& desc, SharedGeometry& to) {
+    std::vector<float> vertices, faces;
+    if (!build_hull(desc.vertices, desc.vertex_count, vertices, faces)) return LR_ERROR_INVALID_ARGUMENT;
+    if (!copy(allocator, vertices.data(), vertices.size(), to.points) ||
+        !copy(allocator, faces.data(), faces.size(), to.more))
+        return LR_ERROR_OUT_OF_MEMORY;
+    to.hull = {static_cast<uint32_t>(vertices.size() / 3), static_cast<uint32_t>(faces.size() / 4), to.points.data(),
+               to.more.data()};
+    to.box = around(to.points.data(), to.hull.vertex_count);
+    return LR_OK;
+}
+
+lr_status make_heightfield(Allocator& allocator, const lr_collider_desc& desc, SharedGeometry& to) {
+    HeightfieldGeometry& field = to.heightfield;
+    std::vector<float> coarse;
+    if (!build_coarse(desc.counts, desc.heights, coarse, field.coarse_counts, field.lowest, field.highest))
+        return LR_ERROR_INVALID_ARGUMENT;
+    if (!copy(allocator, desc.heights, heights_of(desc), to.points) ||
+        !copy(allocator, coarse.data(), coarse.size(), to.more))
+        return LR_ERROR_OUT_OF_MEMORY;
+    std::copy_n(desc.counts, 2, field.counts);
+    std::copy_n(desc.spacing, 2, field.spacing);
+    field.heights = to.points.data();
+    field.coarse = to.more.data();
+    to.box = {{0.0f, field.lowest, 0.0f},
+              {field.spacing[0] * static_cast<float>(field.counts[0] - 1), field.highest,
+               field.spacing[1] * static_cast<float>(field.counts[1] - 1)}};
+    return LR_OK;
+}
+
+lr_status make_mesh(Allocator& allocator, const lr_collider_desc& desc, SharedGeometry& to) {
+    if (!copy(allocator, desc.vertices, size_t{3} * desc.vertex_count, to.points) ||
+        !copy(allocator, desc.indices, size_t{3} * desc.triangle_count, to.indices))
+        return LR_ERROR_OUT_OF_MEMORY;
+    std::vector<MeshPart> parts;
+    make_mesh_parts(to.points.data(), to.indices.data(), desc.triangle_count, parts);
+    std::vector<float> normals;
+    std::vector<uint8_t> hidden;
+    if (!build_mesh(to.points.data(), desc.vertex_count, to.indices.data(), desc.triangle_count, normals, hidden))
+        return LR_ERROR_INVALID_ARGUMENT;
+    if (!copy(allocator, parts.data(), parts.size(), to.parts) ||
+        !copy(allocator, normals.data(), normals.size(), to.more) ||
+        !copy(allocator, hidden.data(), hidden.size(), to.hidden_edges))
+        return LR_ERROR_OUT_OF_MEMORY;
+    to.mesh = {desc.vertex_count, desc.triangle_count, to.points.data(),
+               to.indices.data(), to.more.data(),      to.hidden_edges.data()};
+    to.box = around(to.points.data(), desc.vertex_count);
+    return LR_OK;
+}
+
+} // namespace
+
+GeometryStore::~GeometryStore() {
+    for (size_t i = 0; i < table_.size(); ++i)
+        if (table_[i]) free(table_[i]);
+}
+
+void GeometryStore::free(SharedGeometry* geometry) {
+    geometry->~SharedGeometry();
+    allocator_->release(geometry, sizeof(SharedGeometry));
+}
+
+lr_status GeometryStore::build(const lr_collider_desc& desc, SharedGeometry& to) {
+    try {
+        switch (to.kind) {
+        case ColliderKind::hull:
+            return make_hull(*allocator_, desc, to);
+        case ColliderKind::heightfield:
+            return make_heightfield(*allocator_, desc, to);
+        default:
+            return make_mesh(*allocator_, desc, to);
+        }
+    } catch (const std::bad_alloc&) {
+        return LR_ERROR_OUT_OF_MEMORY;
+    }
+}
+
+SharedGeometry* GeometryStore::find(ColliderKind kind, uint64_t hash) const {
+    if (count_ == 0) return nullptr;
+    for (size_t i = home(hash); table_[i]; i = (i + 1) & (table_.size() - 1))
+        if (table_[i]->hash == hash && table_[i]->kind == kind) return table_[i];
+    return nullptr;
+}
+
+bool GeometryStore::grow() {
+    Buffer<SharedGeometry*> larger;
+    if (!larger.allocate(*allocator_, std::max<size_t>(8, 2 * table_.size()))) return false;
+    std::fill_n(larger.data(), larger.size(), nullptr);
+    table_.swap(larger);
+    for (size_t i = 0; i < larger.size(); ++i) {
+        if (!larger[i]) continue;
+        size_t at = home(larger[i]->hash);
+        while (table_[at]) at = (at + 1) & (table_.size() - 1);
+        table_[at] = larger[i];
+    }
+    return true;
+}
+
+lr_status GeometryStore::acquire(const lr_collider_desc& desc, SharedGeometry*& out) {
+    const auto kind = static_cast<ColliderKind>(desc.kind);
+    const uint64_t hash = content_hash(desc);
+    out = find(kind, hash);
+    if (out) {
+        ++out->users;
+        return LR_OK;
+    }
+    if (2 * (count_ + 1) > table_.size() && !grow()) return LR_ERROR_OUT_OF_MEMORY;
+    void* const memory = allocator_->allocate(sizeof(SharedGeometry));
+    if (!memory) return LR_ERROR_OUT_OF_MEMORY;
+    auto* const geometry = new (memory) SharedGeometry{};
+    geometry->kind = kind;
+    geometry->hash = hash;
+    geometry->users = 1;
+    const lr_status status = build(desc, *geometry);
+    if (status != LR_OK) {
+        free(geometry);
+        return status;
+    }
+    size_t at = home(hash);
+    while (table_[at]) at = (at + 1) & (table_.size() - 1);
+    table_[at] = geometry;
+    ++count_;
+    out = geometry;
+    return LR_OK;
+}
+
+void GeometryStore::release(SharedGeometry* geometry) {
+    if (!geometry || --geometry->users != 0) return;
+    const size_t mask = table_.size() - 1;
+    size_t hole = home(geometry->hash);
+    while (table_[hole] != geometry) hole = (hole + 1) & mask;
+    free(geometry);
+    table_[hole] = nullptr;
+    --count_;
+    // Those that the hole would cut off from their home move into it.
+    for (size_t at = (hole + 1) & mask; table_[at]; at = (at + 1) & mask) {
+        if (((at - home(table_[at]->hash)) & mask) < ((at - hole) & mask)) continue;
+        table_[hole] = table_[at];
+        table_[at] = nullptr;
+        hole = at;
+    }
+}
+
+} // namespace lr
