@@ -36,7 +36,7 @@ inline uint32_t cut_count(uint32_t lanes) {
     return (lanes + cut_bodies - 1) / cut_bodies;
 }
 
-// A batch that has bodies, on the line of all lane blocks of a step.
+// A batch with bodies that move, on the line of all lane blocks of a step.
 struct StepItem {
     Batch* batch;
     lr_batch handle;
@@ -61,6 +61,7 @@ public:
 
 private:
     void step(const StepItem& item, uint32_t begin, uint32_t end) const;
+    void move_bodies(const StepItem& item, uint32_t begin, uint32_t end) const;
 
     const lr_world* world_;
     const StepItem* items_;
