@@ -19,6 +19,8 @@ inline constexpr uint32_t max_struct_size = 65536;
 template <class T> inline constexpr uint32_t first_size = sizeof(T);
 template <> inline constexpr uint32_t first_size<lr_world_desc> = offsetof(lr_world_desc, jobs);
 template <> inline constexpr uint32_t first_size<lr_world_info> = offsetof(lr_world_info, collider_count);
+template <> inline constexpr uint32_t first_size<lr_batch_view> = offsetof(lr_batch_view, revision);
+template <> inline constexpr uint32_t first_size<lr_body_state> = offsetof(lr_body_state, resting);
 
 // Besides larger ones, of newer headers. A size between would cut a field in two.
 template <class T> bool is_struct_size(uint32_t size) {

@@ -140,6 +140,7 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
     out.scale = s.value[lr::field_scale];
     out.age = s.value[lr::field_age];
     out.key = s.key;
+    out.resting = b->rests(index) ? LR_REST_RESTING : LR_REST_AWAKE;
     write_struct(out, state);
     return LR_OK;
 }
@@ -156,7 +157,37 @@ lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* 
     if (status != LR_OK) return refuse(world, name, status);
     if (!all_finite(s)) return refuse(world, name, LR_ERROR_NOT_FINITE);
     if (const char* why = wrong_in(s)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
+    if (b->rests(index)) index = b->wake(index);
     b->write(index, to_storage(s));
+    return LR_OK;
+}
+
+lr_status lr_body_set_rest(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest) {
+    constexpr const char* name = "lr_body_set_rest";
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    if (rest != LR_REST_AWAKE && rest != LR_REST_RESTING)
+        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "rest is neither LR_REST_AWAKE nor LR_REST_RESTING");
+    if (count == 0) return LR_OK;
+    if (!bodies) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
+    const lr::FloatMode mode;
+    const lr_status status = world->set_rest(bodies, count, rest == LR_REST_RESTING);
+    return status == LR_OK ? status : refuse(world, name, status);
+}
+
+lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {
+    const lr::FloatMode mode;
+    constexpr const char* name = "lr_world_wake_box";
+    if (woken) *woken = 0;
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    if (!low || !high) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
+    float from[3], to[3];
+    std::copy(low, low + 3, from);
+    std::copy(high, high + 3, to);
+    if (!finite(from) || !finite(to)) return refuse(world, name, LR_ERROR_NOT_FINITE);
+    for (size_t k = 0; k < 3; ++k)
+        if (from[k] > to[k]) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "low is above high");
+    const uint32_t count = world->wake_box(from, to);
+    if (woken) *woken = count;
     return LR_OK;
 }
 

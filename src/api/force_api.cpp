@@ -67,7 +67,13 @@ const char* too_large(const lr::Batch& batch, uint32_t index, const Push& p) {
     return nullptr;
 }
 
+// Wakes the body where there is anything to apply: it then changes places with one before it.
 void apply(lr::Batch& batch, uint32_t index, const Push& p) {
+    const auto nothing = [](double v) { return v == 0.0; };
+    if (batch.rests(index)) {
+        if (std::all_of(p.force, p.force + 3, nothing) && std::all_of(p.torque, p.torque + 3, nothing)) return;
+        index = batch.wake(index);
+    }
     if (continuous(p.mode)) {
         const bool force = p.mode == LR_FORCE_MODE_FORCE;
         batch.external.add(index, p.frame, force ? lr::force_newton : lr::force_acceleration, p.force);
@@ -212,6 +218,7 @@ lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_ar
         if (const char* why = too_large(*b, a.first + i, p)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
     if (continuous(a.mode) && !b->reserve_forces()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+    // From the first to the last: who changes places with one that wakes has been served.
     for (uint32_t i = 0; i < a.count; ++i) {
         force.read(i, p.force);
         torque.read(i, p.torque);
@@ -251,6 +258,8 @@ lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_for
             if (!(v >= -most_on_batch && v <= most_on_batch))
                 return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "a component is over 1e9");
     }
+    // Compared as they are kept, without negative zeros.
+    if (!std::equal(values, values + lr::force_components, b->external.batch())) b->wake_all();
     b->external.set_batch(values);
     return LR_OK;
 }

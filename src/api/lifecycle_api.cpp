@@ -33,6 +33,7 @@ lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rul
         return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "LR_END_RESPAWN needs an emitter: set it first");
     if (!b->reserve_lifecycle()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     b->lifecycle()->set_rules(&r);
+    if (b->resting()) b->resting()->ask_again();
     return LR_OK;
 }
 

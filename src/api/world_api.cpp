@@ -61,6 +61,7 @@ lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
         if (!world->batches[i].batch) continue;
         ++out.batch_count;
         out.body_count += world->batches[i].batch->count();
+        out.awake_count += world->batches[i].batch->awake();
     }
     out.substep_count = world->substep_count;
     out.time = world->time;
@@ -72,12 +73,14 @@ lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
 
 lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
     if (!world || !gravity) return LR_ERROR_NULL_ARGUMENT;
+    float to[3];
+    std::copy(gravity, gravity + 3, to);
     for (int i = 0; i < 3; ++i) {
         if (!std::isfinite(gravity[i])) return refuse(world, "lr_world_set_gravity", LR_ERROR_NOT_FINITE);
         if (!in_range(gravity[i], -1e4, 1e4))
             return refuse(world, "lr_world_set_gravity", LR_ERROR_INVALID_ARGUMENT, "gravity is over 1e4 m/s^2");
     }
-    std::copy(gravity, gravity + 3, world->gravity);
+    world->set_gravity(to);
     return LR_OK;
 }
 

@@ -2,9 +2,13 @@
 
 #include "kernel/aerodynamics.h"
 #include "world/lifecycle.h"
+#include "world/step_chunks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <new>
+#include <utility>
 
 namespace lr {
 namespace {
@@ -14,6 +18,18 @@ constexpr uint32_t mark_bit = 1u << 31; // above every generation
 uint32_t padded(uint32_t count) {
     constexpr auto block = static_cast<uint32_t>(lane_block);
     return (count + block - 1) / block * block;
+}
+
+// The hull of an ellipsoid is a little smaller than that is.
+double reach_of(const AssetData& a) {
+    const auto norm = [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); };
+    const auto& b = a.center_of_buoyancy;
+    double reach = 0.5 * a.length_d + norm(b[0], b[1], b[2]);
+    const std::vector<float>& v = a.hull.vertices;
+    for (size_t i = 0; i + 3 <= v.size(); i += 3)
+        reach = std::max(reach,
+                         norm(static_cast<double>(v[i]), static_cast<double>(v[i + 1]), static_cast<double>(v[i + 2])));
+    return reach;
 }
 
 } // namespace
@@ -28,6 +44,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->index_ = index;
     batch->first_generation_ = first_generation;
     batch->asset_ = &asset;
+    batch->reach_ = reach_of(asset.data);
     retain(asset);
     batch->shape = make_body_shape(asset.data);
     batch->step = StepInput{};
@@ -56,6 +73,7 @@ void Batch::destroy(Batch* batch) {
 
 Batch::~Batch() {
     Lifecycle::destroy(*allocator_, lifecycle_);
+    Resting::destroy(*allocator_, resting_);
     release(asset_);
 }
 
@@ -90,13 +108,19 @@ void Batch::clear_lane(uint32_t index) {
 lr_body Batch::add(const BodyState& state) {
     const uint32_t slot = free_first_;
     free_first_ = dense_[slot] & ~free_bit;
-    const uint32_t index = count_++;
+    if (awake_ < count_) {
+        move(awake_, count_);
+        ++revision_;
+    }
+    ++count_;
+    const uint32_t index = awake_++;
     const uint32_t generation = generations_[slot];
     last_generation_ = std::max(last_generation_, generation);
     dense_[slot] = index;
     ids_[index] = pack(BodyHandle{slot, generation, index_});
     write(index, state);
     arrays_.key[index] = state.key;
+    if (resting_) resting_->clear(index);
     return ids_[index];
 }
 
@@ -110,17 +134,133 @@ void Batch::remove(lr_body body) {
     free_last_ = slot;
     generations_[slot] = next_generation(generations_[slot]);
     dense_[slot] = free_bit;
-    if (index != last) {
-        for (size_t f = 0; f < fields(); ++f) arrays_.field[f][index] = arrays_.field[f][last];
-        arrays_.key[index] = arrays_.key[last];
-        ids_[index] = ids_[last];
-        dense_[unpack(ids_[index]).slot] = index;
+    if (awake_ < count_) ++revision_;
+    uint32_t hole = index;
+    if (rests(index)) {
+        resting_->leave(slot);
+    } else {
+        hole = --awake_;
+        move(hole, index);
     }
-    external.move(last, index);
-    if (lifecycle_) lifecycle_->move(last, index);
+    move(last, hole);
     clear_lane(last);
+    if (resting_) resting_->clear(last);
     ids_[last] = 0;
     --count_;
+}
+
+// The body at `from` takes a place that none has, or ends when both are the same.
+void Batch::move(uint32_t from, uint32_t to) {
+    external.move(from, to);
+    if (lifecycle_) lifecycle_->move(from, to);
+    if (resting_) resting_->move(from, to);
+    if (from == to) return;
+    for (size_t f = 0; f < fields(); ++f) arrays_.field[f][to] = arrays_.field[f][from];
+    arrays_.key[to] = arrays_.key[from];
+    ids_[to] = ids_[from];
+    dense_[unpack(ids_[to]).slot] = to;
+}
+
+void Batch::swap(uint32_t a, uint32_t b) {
+    if (a == b) return;
+    for (size_t f = 0; f < fields(); ++f) std::swap(arrays_.field[f][a], arrays_.field[f][b]);
+    std::swap(arrays_.key[a], arrays_.key[b]);
+    std::swap(ids_[a], ids_[b]);
+    dense_[unpack(ids_[a]).slot] = a;
+    dense_[unpack(ids_[b]).slot] = b;
+    external.swap(a, b);
+    if (lifecycle_) lifecycle_->swap(a, b);
+    if (resting_) resting_->swap(a, b);
+}
+
+uint32_t Batch::rest(uint32_t index) {
+    if (awake_ == count_) resting_->begin();
+    const uint32_t to = --awake_;
+    swap(index, to);
+    lie_down(to, resting_->birth_of(arrays_.field[field_age][to], arrays_.field[field_age_rest][to]));
+    return to;
+}
+
+void Batch::lie_down(uint32_t index, double birth) {
+    for (size_t f : {field_vx, field_vy, field_vz, field_wx, field_wy, field_wz}) arrays_.field[f][index] = 0.0f;
+    for (size_t f = field_gust_x; f < fields(); ++f) arrays_.field[f][index] = 0.0f;
+    external.clear(index);
+    const float position[3] = {arrays_.field[field_x][index], arrays_.field[field_y][index],
+                               arrays_.field[field_z][index]};
+    resting_->enter(index, unpack(ids_[index]).slot, position, arrays_.field[field_scale][index], birth);
+}
+
+uint32_t Batch::wake(uint32_t index) {
+    resting_->leave(unpack(ids_[index]).slot);
+    resting_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_rest][index]);
+    if (resting_->contact.rest_time) resting_->contact.rest_time[index] = 0.0f;
+    swap(index, awake_);
+    ++revision_;
+    return awake_++;
+}
+
+void Batch::wake_all() {
+    while (awake_ < count_) wake(awake_);
+}
+
+uint32_t Batch::wake_box(const float (&low)[3], const float (&high)[3]) {
+    if (awake_ == count_) return 0;
+    const uint32_t before = awake_;
+    const auto reaches = [&](uint32_t index) {
+        const double r = reach() * static_cast<double>(arrays_.field[field_scale][index]);
+        bool in = true;
+        for (size_t k = 0; k < 3; ++k) {
+            const auto x = static_cast<double>(arrays_.field[field_x + k][index]);
+            in = in && x + r >= static_cast<double>(low[k]) && x - r <= static_cast<double>(high[k]);
+        }
+        return in;
+    };
+    const bool found = resting_->grid.visit(low, high, count_ - awake_, [&](uint32_t slot) {
+        if (reaches(dense_[slot])) wake(dense_[slot]);
+    });
+    // One that wakes changes places with one that has been looked at.
+    for (uint32_t i = awake_; !found && i < count_; ++i)
+        if (reaches(i)) wake(i);
+    return awake_ - before;
+}
+
+bool Batch::reserve_rest() {
+    if (!resting_) resting_ = Resting::create(*allocator_, capacity_, reach(), index_);
+    return resting_ != nullptr;
+}
+
+void Batch::restore_rest(const unsigned char* from) {
+    Resting::Record record{};
+    if (from) std::memcpy(&record, from, sizeof record);
+    awake_ = from ? record.awake : count_;
+    ++revision_;
+    if (!resting_) return;
+    resting_->restore(record);
+    for (uint32_t i = awake_; i < count_; ++i) {
+        double birth = 0.0;
+        std::memcpy(&birth, from + sizeof record + 8 * uint64_t{i}, sizeof birth);
+        lie_down(i, birth);
+    }
+}
+
+bool Batch::reserve_contact() {
+    return reserve_rest() && resting_->reserve_contact(*allocator_, padded(capacity_));
+}
+
+void Batch::make_ages_exact() {
+    for (uint32_t i = awake_; i < count_; ++i)
+        resting_->age_of(i, arrays_.field[field_age][i], arrays_.field[field_age_rest][i]);
+}
+
+// From the last to the first: one that is noted too never moves to a place that has been passed.
+void Batch::settle_noted() {
+    if (!resting_ || !resting_->contact.rest_time) return;
+    for (uint32_t cut = cut_count(padded_awake()); cut-- > 0;) {
+        if (!resting_->take_cut(cut)) continue;
+        const uint32_t begin = cut * cut_bodies;
+        for (uint32_t i = std::min(begin + cut_bodies, awake_); i-- > begin;)
+            if (resting_->take_note(i)) rest(i);
+    }
 }
 
 bool Batch::find(lr_body body, uint32_t& index) const {
@@ -147,6 +287,7 @@ BodyState Batch::read(uint32_t index) const {
     BodyState s{};
     for (size_t f = 0; f < fields(); ++f) s.value[f] = arrays_.field[f][index];
     s.key = arrays_.key[index];
+    if (rests(index)) resting_->age_of(index, s.value[field_age], s.value[field_age_rest]);
     return s;
 }
 
@@ -156,6 +297,10 @@ void Batch::write(uint32_t index, const BodyState& state) {
 
 uint32_t Batch::padded_count() const {
     return padded(count_);
+}
+
+uint32_t Batch::padded_awake() const {
+    return padded(awake_);
 }
 
 bool Batch::make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const {

@@ -10,6 +10,7 @@
 #include "world/external_forces.h"
 #include "world/handles.h"
 #include "world/pace.h"
+#include "world/resting.h"
 
 #include <atomic>
 
@@ -50,7 +51,7 @@ public:
                          uint32_t index, uint32_t first_generation, lr_status& status);
     static void destroy(Batch* batch);
 
-    lr_body add(const BodyState& state); // count() < capacity()
+    lr_body add(const BodyState& state); // count() < capacity(); awake
     void remove(lr_body body);           // find(body) holds
     // The dense index of a living body; false for a stale one.
     bool find(lr_body body, uint32_t& index) const;
@@ -69,9 +70,34 @@ public:
     const AerodynamicData& aerodynamics() const { return aerodynamics_; }
     const Gains& gains() const { return settings_.gains; }
 
+    // Bodies [0, awake()) move, [awake(), count()) are at rest and are not stepped. Order in either part has no meaning.
     uint32_t count() const { return count_; }
+    uint32_t awake() const { return awake_; }
     uint32_t capacity() const { return capacity_; }
     uint32_t padded_count() const; // whole lane blocks
+    uint32_t padded_awake() const;
+    bool rests(uint32_t index) const { return index >= awake_; }
+    // Return the body's new index. Its velocities and the forces on it end where it comes to rest; its age is exact when it wakes.
+    uint32_t rest(uint32_t index); // awake, and reserve_rest() has held
+    uint32_t wake(uint32_t index); // at rest
+    void wake_all();
+    uint32_t wake_box(const float (&low)[3], const float (&high)[3]); // those whose boxes reach into it; how many
+    bool reserve_rest();                                              // false when out of memory
+    Resting* resting() const { return resting_; }                     // null before reserve_rest()
+    // Ages of bodies at rest, in the arrays, up to the present.
+    void make_ages_exact();
+    double reach() const { return reach_; } // m: no part of a body of scale 1 is farther from its centre of mass
+    // Grows whenever bodies at rest wake, end, or change their indices.
+    uint64_t revision() const { return revision_; }
+
+    // Memory for ContactArrays; false when out of memory.
+    bool reserve_contact();
+    // After all bodies are back. from: a Resting::Record and a birth for each body, of any alignment; null: none rests.
+    void restore_rest(const unsigned char* from);
+    ContactArrays contact() const { return resting_ ? resting_->contact : ContactArrays{}; }
+    // A body of a chunk that is stepped is to rest from the end of the step on; from any thread.
+    void note_rest(uint32_t index) { resting_->note(index); }
+    void settle_noted(); // after the step
     const lr_asset& asset() const { return *asset_; }
     const BatchArrays& arrays() const { return arrays_; }
     const lr_body* ids() const { return ids_.data(); }
@@ -105,6 +131,9 @@ private:
     ~Batch();
     bool allocate(uint32_t capacity);
     void clear_lane(uint32_t index);
+    void swap(uint32_t a, uint32_t b);
+    void lie_down(uint32_t index, double birth);
+    void move(uint32_t from, uint32_t to);
     bool fill_table(const TableView& table);
     bool make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const;
 
@@ -112,7 +141,9 @@ private:
     const lr_asset* asset_ = nullptr;
     BatchSettings settings_;
     uint32_t index_ = 0;
-    uint32_t capacity_ = 0, count_ = 0;
+    uint32_t capacity_ = 0, count_ = 0, awake_ = 0;
+    uint64_t revision_ = 0;
+    double reach_ = 0.0;
     uint32_t first_generation_ = 1, last_generation_ = 0;
     BatchArrays arrays_{};
     Buffer<float> fields_; // arrays of padded capacity
@@ -129,6 +160,7 @@ private:
     float water_density_ = 0.0f, water_viscosity_ = 0.0f;
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
     Lifecycle* lifecycle_ = nullptr;
+    Resting* resting_ = nullptr;
 };
 
 } // namespace lr

@@ -1,6 +1,7 @@
 #include "world/external_forces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lr {
 
@@ -26,6 +27,19 @@ void ExternalForces::move(uint32_t from, uint32_t to) {
         component[to] = component[from];
         component[from] = 0.0f;
     }
+}
+
+void ExternalForces::swap(uint32_t a, uint32_t b) {
+    if (!pending()) return;
+    for (size_t i = 0; i < force_components; ++i) {
+        float* const component = bodies_.data() + i * stride_;
+        std::swap(component[a], component[b]);
+    }
+}
+
+void ExternalForces::clear(uint32_t index) {
+    if (!pending()) return;
+    for (size_t i = 0; i < force_components; ++i) bodies_[i * stride_ + index] = 0.0f;
 }
 
 void ExternalForces::clear() {

@@ -14,7 +14,9 @@ public:
     void add(uint32_t index, size_t frame, size_t kind, const double value[3]); // reserve() has held
     // The body at `from` moves into the place of another, or ends when both are the same.
     void move(uint32_t from, uint32_t to);
+    void swap(uint32_t a, uint32_t b);
     void clear();
+    void clear(uint32_t index); // those on one body
 
     void set_batch(const float (&force)[force_components]);
     const float (&batch() const)[force_components] { return batch_; }

@@ -64,22 +64,53 @@ void Lifecycle::finish(Batch& batch, lr_world& world, double dt) {
     if (has_emitter_) bear(batch, world, dt);
 }
 
-// From the last to the first: a body that moves into the place of one that ends has been judged already. What becomes of
-// a body depends on its key and life alone, so that the order does not matter.
-void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
-    for (uint32_t cut = cut_count(batch.padded_count()); cut-- > 0;) {
+void Lifecycle::judge_rest(EndedFunction ended, Batch& batch) {
+    Resting* const resting = batch.resting();
+    if (!has_rules_ || !resting->in_question(rules_.max_age)) return;
+    batch.make_ages_exact();
+    // With them those that move in the first one's cut: they have been judged alike.
+    judge(ended, batch.arrays(), batch.awake() / cut_bodies * cut_bodies, batch.padded_count());
+    resting->answered(batch.awake(), batch.count(), rules_.max_age);
+    rest_judged_ = true;
+}
+
+// From the last to the first of [begin, end).
+template <class Function> void Lifecycle::for_ended(uint32_t begin, uint32_t end, Function&& function) {
+    for (uint32_t cut = cut_count(end); cut-- > begin / cut_bodies;) {
         if (cut_has_ended_[cut] == 0) continue;
-        const uint32_t begin = cut * cut_bodies;
-        for (uint32_t i = std::min(begin + cut_bodies, batch.count()); i-- > begin;) {
+        const uint32_t first = std::max(begin, cut * cut_bodies);
+        for (uint32_t i = std::min((cut + 1) * cut_bodies, end); i-- > first;) {
             if (cause_[i] == cause_none) continue;
-            ++by_cause_[cause_[i]];
-            ended_ids_[ended_++] = batch.ids()[i];
-            if (ended_respawned_)
-                batch.write(i, emitter_.draw(world.seed, batch.arrays().key[i], ++life_[i]));
-            else
-                batch.remove(batch.ids()[i]);
+            function(i);
         }
     }
+}
+
+void Lifecycle::respawn(Batch& batch, const lr_world& world, uint32_t index) {
+    if (batch.rests(index)) index = batch.wake(index);
+    batch.write(index, emitter_.draw(world.seed, batch.arrays().key[index], ++life_[index]));
+    if (batch.resting()) batch.resting()->forget(index);
+}
+
+// A body that moves into the place of one that ends has been judged already. What becomes of a body depends on its key and
+// life alone, so that the order does not matter.
+void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
+    const uint32_t awake = batch.awake(), count = batch.count();
+    const auto note = [&](uint32_t i) {
+        ++by_cause_[cause_[i]];
+        ended_ids_[ended_++] = batch.ids()[i];
+    };
+    if (ended_respawned_) {
+        for_ended(0, awake, [&](uint32_t i) { note(i), respawn(batch, world, i); });
+        // From the first to the last: one that wakes changes places with one before it.
+        for (uint32_t i = rest_judged_ ? awake : count; i < count; ++i)
+            if (cause_[i] != cause_none) note(i), respawn(batch, world, i);
+    } else {
+        const auto end = [&](uint32_t i) { note(i), batch.remove(batch.ids()[i]); };
+        if (rest_judged_) for_ended(awake, count, end);
+        for_ended(0, awake, end);
+    }
+    rest_judged_ = false;
     (ended_respawned_ ? total_respawned_ : total_destroyed_) += ended_;
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace lr {
 
@@ -26,8 +27,11 @@ public:
     bool has_emitter() const { return has_emitter_; }
     bool respawns() const { return has_rules_ && rules_.action == LR_END_RESPAWN; }
 
-    // A step: judge() for all bodies, from any threads, each for whole cuts (world/step_chunks.h); then finish() once.
+    // A step: judge() for all bodies that move, from any threads, each for whole cuts (world/step_chunks.h); then judge_rest(),
+    // and finish() once.
     void judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end);
+    // Those at rest, where the rules may have something new to say about them.
+    void judge_rest(EndedFunction ended, Batch& batch);
     void finish(Batch& batch, lr_world& world, double dt);
     // A step of the world in which the batch waits.
     void pass() { ended_ = born_ = missed_ = 0, std::fill_n(by_cause_, cause_count, 0u); }
@@ -36,8 +40,9 @@ public:
     uint32_t emit(Batch& batch, lr_world& world, uint32_t count, lr_body* out_ids);
 
     uint32_t life(uint32_t index) const { return life_[index]; }
-    // As ExternalForces::move.
+    // As in ExternalForces.
     void move(uint32_t from, uint32_t to);
+    void swap(uint32_t a, uint32_t b) { std::swap(life_[a], life_[b]); }
 
     // `out` has the size of this library.
     void report(lr_batch_events& out) const;
@@ -64,9 +69,12 @@ public:
 private:
     Lifecycle() = default;
     void end_bodies(Batch& batch, lr_world& world);
+    void respawn(Batch& batch, const lr_world& world, uint32_t index);
+    template <class Function> void for_ended(uint32_t begin, uint32_t end, Function&& function);
     void bear(Batch& batch, lr_world& world, double dt);
 
     bool has_rules_ = false, has_emitter_ = false;
+    bool rest_judged_ = false; // in this step
     lr_batch_rules rules_{};
     Emitter emitter_;
     double due_ = 0.0, burst_clock_ = 0.0; // bodies; s since the last burst

@@ -59,7 +59,7 @@ void Pacing::ask(Batch& batch, uint32_t slot, const Step& step) {
     claim = {};
     claim.batch = &batch;
     claim.slot = slot;
-    claim.bodies = batch.count();
+    claim.bodies = batch.awake();
     claim.divisor = pace.divisor(step.h);
     if (limited()) claim.largest = pace.largest_divisor(step.h);
     claim.forced = batch.external.pending();

@@ -30,7 +30,7 @@ public:
     };
     // A step begins: nobody has been asked.
     void begin();
-    // A batch with bodies, each once, its pace told of the step.
+    // A batch with bodies that move, each once, its pace told of the step.
     void ask(Batch& batch, uint32_t slot, const Step& step);
     // Grants substeps to all that were asked.
     void decide(const Step& step);

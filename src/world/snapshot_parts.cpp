@@ -12,6 +12,7 @@ constexpr uint64_t even(uint64_t words) {
     return (words + 1) / 2 * 2;
 }
 constexpr uint64_t record_words = sizeof(Lifecycle::Record) / 4;
+constexpr uint64_t rest_words = sizeof(Resting::Record) / 4;
 static_assert(sizeof(Lifecycle::Record) % 8 == 0 && force_components % 2 == 0);
 
 bool finite(const unsigned char* from, uint64_t words) {
@@ -28,14 +29,18 @@ bool finite(const unsigned char* from, uint64_t words) {
 uint32_t parts_of(const Batch& batch) {
     const Lifecycle* const lifecycle = batch.lifecycle();
     return (batch.external.on_batch() ? part_batch_force : 0u) | (batch.external.pending() ? part_body_forces : 0u) |
-           (lifecycle && lifecycle->in_use() ? part_lifecycle : 0u);
+           (lifecycle && lifecycle->in_use() ? part_lifecycle : 0u) | (batch.awake() < batch.count() ? part_rest : 0u) |
+           (batch.contact().rest_time ? part_contact : 0u);
 }
 
+// A birth for each body, of which those that move have none: so that the size depends on these two alone.
 uint64_t parts_bytes(uint32_t parts, uint32_t count) {
     uint64_t words = 0;
     if (parts & part_batch_force) words += force_components;
     if (parts & part_body_forces) words += force_components * even(count);
     if (parts & part_lifecycle) words += record_words + even(count);
+    if (parts & part_rest) words += rest_words + 2 * uint64_t{count};
+    if (parts & part_contact) words += (1 + most_touched) * even(count);
     return 4 * words;
 }
 
@@ -54,6 +59,19 @@ void save_parts(Batch& batch, unsigned char* to) {
         put(&record, record_words);
         put(batch.lifecycle()->lives(), count);
     }
+    if (parts & part_rest) {
+        const Resting::Record record = batch.resting()->record(batch.awake());
+        put(&record, rest_words);
+        for (uint32_t i = 0; i < count; ++i) {
+            const double birth = batch.rests(i) ? batch.resting()->birth(i) : 0.0;
+            put(&birth, 2);
+        }
+    }
+    if (parts & part_contact) {
+        const ContactArrays contact = batch.contact();
+        put(contact.rest_time, count);
+        for (const uint32_t* touching : contact.touching) put(touching, count);
+    }
 }
 
 bool parts_consistent(uint32_t parts, uint32_t count, const unsigned char* from) {
@@ -70,13 +88,34 @@ bool parts_consistent(uint32_t parts, uint32_t count, const unsigned char* from)
         Lifecycle::Record record;
         std::memcpy(&record, from, sizeof record);
         if (!Lifecycle::consistent(record)) return false;
+        from += 4 * (record_words + even(count));
+    }
+    if (parts & part_rest) {
+        Resting::Record record;
+        std::memcpy(&record, from, sizeof record);
+        if (!Resting::consistent(record, count)) return false;
+        from += sizeof record;
+        for (uint32_t i = 0; i < count; ++i, from += 8) {
+            double birth;
+            std::memcpy(&birth, from, 8);
+            if (i >= record.awake && !Resting::consistent(record, birth)) return false;
+        }
+    }
+    if (parts & part_contact) {
+        for (uint32_t i = 0; i < count; ++i) {
+            float rest_time;
+            std::memcpy(&rest_time, from + 4 * uint64_t{i}, 4);
+            if (!(rest_time >= 0.0f) || !std::isfinite(rest_time)) return false;
+        }
     }
     return true;
 }
 
 bool reserve_parts(Batch& batch, uint32_t parts) {
     if ((parts & part_body_forces) && !batch.reserve_forces()) return false;
-    return !(parts & part_lifecycle) || batch.reserve_lifecycle();
+    if ((parts & part_lifecycle) && !batch.reserve_lifecycle()) return false;
+    if ((parts & part_rest) && !batch.reserve_rest()) return false;
+    return !(parts & part_contact) || batch.reserve_contact();
 }
 
 void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned char* from) {
@@ -92,12 +131,19 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned 
         for (size_t i = 0; i < force_components; ++i) get(batch.external.bodies() + i * batch.external.stride(), count);
         batch.external.restored_pending();
     }
-    Lifecycle* const lifecycle = batch.lifecycle();
-    if (!lifecycle) return;
-    Lifecycle::Record record{};
-    if (parts & part_lifecycle) get(&record, record_words);
-    lifecycle->restore(record, parts & part_lifecycle ? count : 0);
-    if (parts & part_lifecycle) get(lifecycle->lives(), count);
+    if (Lifecycle* const lifecycle = batch.lifecycle()) {
+        Lifecycle::Record record{};
+        if (parts & part_lifecycle) get(&record, record_words);
+        lifecycle->restore(record, parts & part_lifecycle ? count : 0);
+        if (parts & part_lifecycle) get(lifecycle->lives(), count);
+    }
+    batch.restore_rest(parts & part_rest ? from : nullptr);
+    if (parts & part_rest) from += 4 * rest_words + 8 * uint64_t{count};
+    if (parts & part_contact) {
+        const ContactArrays contact = batch.contact();
+        get(contact.rest_time, count);
+        for (uint32_t* touching : contact.touching) get(touching, count);
+    }
 }
 
 } // namespace lr

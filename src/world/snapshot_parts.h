@@ -8,8 +8,14 @@
 namespace lr {
 
 // Bits of a batch's header.
-enum SnapshotPart : uint32_t { part_batch_force = 1, part_body_forces = 2, part_lifecycle = 4 };
-inline constexpr uint32_t all_parts = part_batch_force | part_body_forces | part_lifecycle;
+enum SnapshotPart : uint32_t {
+    part_batch_force = 1,
+    part_body_forces = 2,
+    part_lifecycle = 4,
+    part_rest = 8,
+    part_contact = 16
+};
+inline constexpr uint32_t all_parts = part_batch_force | part_body_forces | part_lifecycle | part_rest | part_contact;
 
 uint32_t parts_of(const Batch& batch);
 // Bytes, a multiple of 8.

@@ -15,6 +15,21 @@ constexpr uint64_t cut_blocks = cut_bodies / lane_block;
 constexpr uint64_t chunks_a_thread = 8; // so that none waits long for the last
 constexpr uint64_t most_chunks = 1u << 24;
 
+// Bodies at rest in the lanes behind the last that moves, which vectors step along with it.
+class KeptLanes {
+public:
+    KeptLanes(const Batch& batch, uint32_t first, uint32_t last) : first_(first), count_(last - first) {
+        for (size_t f = 0; f < batch.fields(); ++f) std::copy_n(batch.arrays().field[f] + first, count_, lanes_[f]);
+    }
+    void put_back(const Batch& batch) const {
+        for (size_t f = 0; f < batch.fields(); ++f) std::copy_n(lanes_[f], count_, batch.arrays().field[f] + first_);
+    }
+
+private:
+    uint32_t first_, count_;
+    float lanes_[field_count][lane_block];
+};
+
 } // namespace
 
 StepChunks::StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks,
@@ -43,7 +58,7 @@ void StepChunks::run(void* context, uint32_t chunk) {
             : std::upper_bound(c.items_, end, from, [](uint64_t at, const StepItem& i) { return at < i.begin; }) - 1;
     const auto cut = [](uint64_t blocks) { return static_cast<uint32_t>(blocks / cut_blocks * cut_bodies); };
     for (; item != end && item->begin < to; ++item) {
-        const uint32_t lanes = item->batch->padded_count();
+        const uint32_t lanes = item->batch->padded_awake();
         const uint32_t first = from <= item->begin ? 0 : cut(from - item->begin);
         const uint32_t last = to - item->begin >= lanes / lane_block ? lanes : cut(to - item->begin);
         if (first == last) continue;
@@ -70,27 +85,38 @@ ContactRun StepChunks::contact_run(const Batch& batch, const SurfaceStep* water)
 
 void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const {
     Batch& batch = *item.batch;
+    const uint32_t first = batch.awake(), last = std::min(end, batch.count());
+    if (first < last) {
+        const KeptLanes kept(batch, first, last);
+        move_bodies(item, begin, end);
+        kept.put_back(batch);
+    } else {
+        move_bodies(item, begin, end);
+    }
+    // While the bodies are still in the cache.
+    if (batch.lifecycle() && (!slice || slice->first + slice->count == slice->time.substeps))
+        batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
+}
+
+void StepChunks::move_bodies(const StepItem& item, uint32_t begin, uint32_t end) const {
+    Batch& batch = *item.batch;
     const BatchArrays& arrays = batch.arrays();
-    bool last = true;
     const bool touching = colliders && batch.contact.layers != 0;
     if (slice) {
         const ContactRun run = touching ? contact_run(batch, slice->surface) : ContactRun{};
-        step_in_field(*slice, batch.step, touching ? &run : nullptr, arrays, item.handle, batch.count(), begin, end);
-        last = slice->first + slice->count == slice->time.substeps;
+        step_in_field(*slice, batch.step, touching ? &run : nullptr, arrays, item.handle, batch.awake(), begin, end);
     } else if (touching) {
-        step_near_colliders(contact_run(batch, surface), batch.step, arrays, item.handle, batch.count(), begin, end);
+        step_near_colliders(contact_run(batch, surface), batch.step, arrays, item.handle, batch.awake(), begin, end);
     } else if (surface && batch.step.water) {
         SurfaceStep here = *surface;
         here.time = batch.pace.time();
-        step_at_surface(here, batch.step, arrays, item.handle, batch.count(), begin, end);
+        step_at_surface(here, batch.step, arrays, item.handle, batch.awake(), begin, end);
     } else {
-        const uint32_t alive = std::min(end, batch.count()), whole = alive - alive % uint32_t{lane_block};
+        const uint32_t alive = std::min(end, batch.awake()), whole = alive - alive % uint32_t{lane_block};
         const bool few = world_->narrow && alive > whole && alive - whole <= narrow_lanes;
         if (!few || whole > begin) world_->target->step(batch.step, arrays, begin, few ? whole : end);
         if (few) world_->narrow->step(batch.step, arrays, whole, whole + narrow_lanes);
     }
-    // While the bodies are still in the cache.
-    if (last && batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, arrays, begin, end);
 }
 
 } // namespace lr

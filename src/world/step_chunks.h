@@ -39,7 +39,7 @@ inline uint32_t cut_count(uint32_t lanes) {
     return (lanes + cut_bodies - 1) / cut_bodies;
 }
 
-// A batch that has bodies, on the line of all lane blocks of a step.
+// A batch with bodies that move, on the line of all lane blocks of a step.
 struct StepItem {
     Batch* batch;
     lr_batch handle;
@@ -67,6 +67,7 @@ public:
 private:
     void step(const StepItem& item, uint32_t begin, uint32_t end) const;
     ContactRun contact_run(const Batch& batch, const SurfaceStep* water) const;
+    void move_bodies(const StepItem& item, uint32_t begin, uint32_t end) const;
 
     const lr_world* world_;
     const StepItem* items_;

@@ -122,6 +122,39 @@ lr_status lr_world::destroy_bodies(const lr_body* bodies, uint32_t count) {
     return LR_OK;
 }
 
+lr_status lr_world::set_rest(const lr_body* bodies, uint32_t count, bool rest) {
+    uint32_t index = 0;
+    for (uint32_t i = 0; i < count; ++i)
+        if (!find(bodies[i], index)) return LR_ERROR_STALE_BODY;
+    for (uint32_t i = 0; i < count && rest; ++i)
+        if (!find(bodies[i], index)->reserve_rest()) return LR_ERROR_OUT_OF_MEMORY;
+    for (uint32_t i = 0; i < count; ++i) {
+        Batch& batch = *find(bodies[i], index);
+        if (batch.rests(index) == rest) continue;
+        if (!rest) {
+            batch.wake(index);
+            continue;
+        }
+        batch.rest(index);
+        batch.resting()->ask_again(); // it has perhaps never been in a step
+    }
+    return LR_OK;
+}
+
+uint32_t lr_world::wake_box(const float (&low)[3], const float (&high)[3]) {
+    uint32_t woken = 0;
+    for (uint32_t i = 0; i < batch_slots; ++i)
+        if (batches[i].batch) woken += batches[i].batch->wake_box(low, high);
+    return woken;
+}
+
+void lr_world::set_gravity(const float (&to)[3]) {
+    if (std::equal(to, to + 3, gravity)) return;
+    std::copy(to, to + 3, gravity);
+    for (uint32_t i = 0; i < batch_slots; ++i)
+        if (batches[i].batch) batches[i].batch->wake_all();
+}
+
 uint32_t lr_world::take_key() {
     const uint32_t key = next_key;
     next_key = key == UINT32_MAX ? 1 : key + 1;
@@ -134,7 +167,9 @@ void lr_world::pace_batches(float dt, uint32_t substeps) {
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
         if (!batch) continue;
-        if (batch->count() == 0) {
+        if (batch->awake() == 0) {
+            // What the batch had still to make up for passes for those at rest as well.
+            if (batch->count() != 0) batch->resting()->pass(batch->pace.behind(), 0);
             batch->pace.rest();
             continue;
         }
@@ -163,7 +198,7 @@ void lr_world::fill_input(Batch& batch, float dt, bool& unfit) {
     in.sqrt_h = roots.sqrt;
     in.inverse_sqrt_h = roots.inverse_sqrt;
     std::copy(gravity, gravity + 3, in.gravity);
-    if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.count());
+    if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.awake());
     batch.external.fill(in.external);
     in.water = surface.present() ? batch.water_body(surface.desc(), unfit) : nullptr;
     std::copy(begin, begin + 3, in.wind_begin);
@@ -186,7 +221,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     bool unfit = false;
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
-        if (!batch || batch->count() == 0 || batch->pace.granted() == 0) continue;
+        if (!batch || batch->awake() == 0 || batch->pace.granted() == 0) continue;
         items[item_count++] = {batch, lr::pack(lr::BatchHandle{i, batches[i].generation}), 0};
         fill_input(*batch, dt, unfit);
     }
@@ -228,10 +263,10 @@ void lr_world::run(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at
     for (uint32_t i = 0; i < count; ++i) {
         const Batch& batch = *some[i].batch;
         some[i].begin = blocks;
-        blocks += batch.padded_count() / lr::lane_block;
+        blocks += batch.padded_awake() / lr::lane_block;
         // In a field the workers are called for each slice of the step.
         const uint32_t at_a_time = field ? std::min(batch.step.substeps, lr::WindField::slice) : batch.step.substeps;
-        work += uint64_t{batch.padded_count()} * at_a_time;
+        work += uint64_t{batch.padded_awake()} * at_a_time;
     }
     lr::StepChunks chunks(*this, some, count, blocks, work, crew.helpers());
     chunks.surface = at_surface;
@@ -284,17 +319,22 @@ void lr_world::finish_batches(double dt) {
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
         if (!batch) continue;
-        const bool waits = batch->count() != 0 && batch->pace.granted() == 0;
-        const double seconds = batch->count() == 0 ? dt : batch->pace.behind();
-        if (!waits) {
-            batch->external.stepped();
-            batch->pace.stepped(batch->count());
+        const bool still = batch->awake() == 0, waits = !still && batch->pace.granted() == 0;
+        lr::Lifecycle* const lifecycle = batch->lifecycle();
+        if (waits) {
+            if (lifecycle) lifecycle->pass();
+            continue;
         }
-        if (!batch->lifecycle()) continue;
-        if (waits)
-            batch->lifecycle()->pass();
-        else
-            batch->lifecycle()->finish(*batch, *this, seconds);
+        const double seconds = still ? dt : batch->pace.behind();
+        const uint32_t steps = still ? 1 : batch->pace.record().steps;
+        batch->external.stepped();
+        batch->pace.stepped(batch->awake());
+        const bool turn = batch->awake() < batch->count() && batch->resting()->pass(seconds, steps);
+        if (lifecycle) {
+            if (turn) lifecycle->judge_rest(target->ended, *batch);
+            lifecycle->finish(*batch, *this, seconds);
+        }
+        batch->settle_noted();
     }
 }
 
@@ -323,14 +363,18 @@ uint64_t lr_world::hash() const {
         // A sum over bodies, so that their order in memory does not matter.
         uint64_t sum = 0;
         for (uint32_t i = 0; i < batch.count(); ++i) {
+            const bool rests = batch.rests(i);
             uint64_t body = mix(batch.arrays().key[i] + 1ull);
-            for (size_t f = 0; f < lr::field_age_rest; ++f)
+            for (size_t f = 0; f < (rests ? lr::field_age : lr::field_age_rest); ++f)
                 body = mix(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
             // What most bodies do not have goes in only where it is.
             const auto rare = [&](uint64_t tag, uint32_t bits) {
                 if (bits != 0) body = mix(body ^ (bits + (tag << 32)));
             };
-            rare(lr::field_age_rest, std::bit_cast<uint32_t>(batch.arrays().field[lr::field_age_rest][i]));
+            if (rests)
+                body = mix(body ^ mix(std::bit_cast<uint64_t>(batch.resting()->birth(i)) + 1ull));
+            else
+                rare(lr::field_age_rest, std::bit_cast<uint32_t>(batch.arrays().field[lr::field_age_rest][i]));
             if (lr::is_aerodynamic(batch.step.loads))
                 for (size_t f : {lr::field_gust_x, lr::field_gust_y, lr::field_gust_z})
                     body = mix(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
@@ -338,9 +382,18 @@ uint64_t lr_world::hash() const {
             if (batch.external.pending())
                 for (size_t c = 0; c < lr::force_components; ++c)
                     rare(64 + c, std::bit_cast<uint32_t>(batch.external.bodies()[c * batch.external.stride() + i]));
+            if (const lr::ContactArrays contact = batch.contact(); contact.rest_time) {
+                rare(128, std::bit_cast<uint32_t>(contact.rest_time[i]));
+                for (size_t k = 0; k < lr::most_touched; ++k) rare(129 + k, contact.touching[k][i]);
+            }
             sum += body;
         }
         result = mix(result ^ mix(b)) + sum;
+        if (batch.awake() < batch.count()) {
+            const lr::Resting::Record rest = batch.resting()->record(batch.awake());
+            for (uint64_t word : {std::bit_cast<uint64_t>(rest.clock), rest.steps | uint64_t{rest.unjudged} << 32})
+                result = mix(result ^ word);
+        }
         batch.pace.hash([&](uint64_t word) { result = mix(result ^ word); });
         paced = paced || !batch.pace.plain();
         if (batch.lifecycle() && batch.lifecycle()->has_emitter())

@@ -26,6 +26,11 @@ struct lr_world {
     void destroy_batch(lr_batch batch);
     lr_status destroy_bodies(const lr_body* bodies, uint32_t count);
 
+    // All or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
+    lr_status set_rest(const lr_body* bodies, uint32_t count, bool rest);
+    uint32_t wake_box(const float (&low)[3], const float (&high)[3]); // m; how many
+    void set_gravity(const float (&to)[3]);                           // wakes all where it changes
+
     uint32_t take_key(); // that tells the next body from all others
 
     // mode: what the caller's floating-point mode is kept in.

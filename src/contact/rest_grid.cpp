@@ -1,0 +1,60 @@
+#include "contact/rest_grid.h"
+
+namespace lr {
+namespace {
+
+constexpr double least_scale = 1e-3;
+
+} // namespace
+
+bool RestGrid::create(Allocator& allocator, uint32_t capacity, double reach) {
+    uint32_t buckets = 16;
+    while (buckets < capacity) buckets *= 2;
+    if (!heads_.allocate(allocator, buckets) || !next_.allocate(allocator, capacity) ||
+        !previous_.allocate(allocator, capacity) || !level_.allocate(allocator, capacity))
+        return false;
+    mask_ = buckets - 1;
+    reach_ = reach;
+    double size = 2.0 * reach * least_scale;
+    for (double& s : size_) s = size, size *= 4.0;
+    clear();
+    return true;
+}
+
+uint32_t RestGrid::level_of(float scale) const {
+    const double width = 2.0 * reach_ * static_cast<double>(scale);
+    uint32_t level = 0;
+    while (level + 1 < level_count && size_[level] < width) ++level;
+    return level;
+}
+
+void RestGrid::insert(uint32_t slot, const float (&position)[3], float scale) {
+    const uint32_t level = level_of(scale);
+    int32_t at[3];
+    for (size_t k = 0; k < 3; ++k) at[k] = cell(static_cast<double>(position[k]), size_[level]);
+    const uint32_t to = bucket(level, at[0], at[1], at[2]);
+    const uint32_t first = heads_[to];
+    next_[slot] = first;
+    previous_[slot] = head_bit | to;
+    level_[slot] = static_cast<uint8_t>(level);
+    if (first != none) previous_[first] = slot;
+    heads_[to] = slot;
+    ++population_[level];
+}
+
+void RestGrid::remove(uint32_t slot) {
+    const uint32_t next = next_[slot], previous = previous_[slot];
+    if (next != none) previous_[next] = previous;
+    if (previous & head_bit)
+        heads_[previous & ~head_bit] = next;
+    else
+        next_[previous] = next;
+    --population_[level_[slot]];
+}
+
+void RestGrid::clear() {
+    std::fill_n(heads_.data(), heads_.size(), none);
+    std::fill_n(population_, level_count, 0u);
+}
+
+} // namespace lr

@@ -1,0 +1,170 @@
+#include "world/resting.h"
+
+#include "world/step_chunks.h"
+
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace lr {
+namespace {
+
+// From this age on what rounding adds is kept, as the kernel does for bodies that move.
+constexpr float plain_age = 2.0f; // s
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double longest = 1e12; // s: of clocks and ages, far beyond what steps come to
+constexpr double slack = 1.0;    // s: an age of 0 may be less by rounding
+
+} // namespace
+
+Resting* Resting::create(Allocator& allocator, uint32_t capacity, double reach, uint32_t phase) {
+    void* const memory = allocator.allocate(sizeof(Resting));
+    if (!memory) return nullptr;
+    auto* const made = new (memory) Resting();
+    made->phase_ = phase % rule_steps;
+    if (made->birth_.allocate(allocator, capacity) && made->grid.create(allocator, capacity, reach)) {
+        std::fill_n(made->birth_.data(), capacity, 0.0);
+        made->begin();
+        return made;
+    }
+    destroy(allocator, made);
+    return nullptr;
+}
+
+void Resting::destroy(Allocator& allocator, Resting* resting) {
+    if (!resting) return;
+    resting->~Resting();
+    allocator.release(resting, sizeof(Resting));
+}
+
+bool Resting::reserve_contact(Allocator& allocator, uint32_t lanes) {
+    if (contact.rest_time) return true;
+    Buffer<float> rest_time;
+    Buffer<uint32_t> touching;
+    Buffer<uint8_t> noted, cut_noted;
+    if (!rest_time.allocate(allocator, lanes) || !touching.allocate(allocator, size_t{most_touched} * lanes) ||
+        !noted.allocate(allocator, lanes) || !cut_noted.allocate(allocator, cut_count(lanes)))
+        return false;
+    std::fill_n(rest_time.data(), rest_time.size(), 0.0f);
+    std::fill_n(touching.data(), touching.size(), 0u);
+    std::fill_n(noted.data(), noted.size(), uint8_t{0});
+    std::fill_n(cut_noted.data(), cut_noted.size(), uint8_t{0});
+    rest_time_.swap(rest_time);
+    touching_.swap(touching);
+    noted_.swap(noted);
+    cut_noted_.swap(cut_noted);
+    contact.rest_time = rest_time_.data();
+    for (size_t k = 0; k < most_touched; ++k) contact.touching[k] = touching_.data() + k * lanes;
+    return true;
+}
+
+void Resting::begin() {
+    clock_ = 0.0;
+    earliest_ = never;
+    steps_ = phase_;
+    unjudged_ = false;
+}
+
+void Resting::enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth) {
+    birth_[index] = birth;
+    earliest_ = std::min(earliest_, birth);
+    grid.insert(slot, position, scale);
+}
+
+void Resting::age_of(uint32_t index, float& age, float& age_rest) const {
+    const double exact = std::max(clock_ - birth_[index], 0.0);
+    age = static_cast<float>(exact);
+    age_rest = age >= plain_age ? static_cast<float>(static_cast<double>(age) - exact) : 0.0f;
+}
+
+void Resting::swap(uint32_t a, uint32_t b) {
+    std::swap(birth_[a], birth_[b]);
+    if (!contact.rest_time) return;
+    std::swap(rest_time_[a], rest_time_[b]);
+    for (uint32_t* touching : contact.touching) std::swap(touching[a], touching[b]);
+    std::swap(noted_[a], noted_[b]);
+    for (uint32_t i : {a, b})
+        if (noted_[i] != 0) cut_noted_[i / cut_bodies] = 1;
+}
+
+void Resting::move(uint32_t from, uint32_t to) {
+    if (from == to) return;
+    birth_[to] = birth_[from];
+    if (!contact.rest_time) return;
+    rest_time_[to] = rest_time_[from];
+    for (uint32_t* touching : contact.touching) touching[to] = touching[from];
+    noted_[to] = noted_[from];
+    if (noted_[to] != 0) cut_noted_[to / cut_bodies] = 1;
+}
+
+void Resting::clear(uint32_t index) {
+    birth_[index] = 0.0;
+    forget(index);
+}
+
+void Resting::forget(uint32_t index) {
+    if (!contact.rest_time) return;
+    rest_time_[index] = 0.0f;
+    for (uint32_t* touching : contact.touching) touching[index] = 0;
+    noted_[index] = 0;
+}
+
+bool Resting::pass(double seconds, uint32_t steps) {
+    clock_ += seconds;
+    steps_ += steps;
+    if (steps_ < rule_steps) return false;
+    steps_ %= rule_steps;
+    return true;
+}
+
+// The eldest decides, rounded as its age will be: whether this says yes too often must not matter.
+bool Resting::in_question(float max_age) const {
+    return unjudged_ || (max_age > 0.0f && static_cast<float>(clock_ - earliest_) >= max_age);
+}
+
+void Resting::answered(uint32_t begin, uint32_t end, float max_age) {
+    unjudged_ = false;
+    earliest_ = never;
+    for (uint32_t i = begin; i < end; ++i) {
+        const bool stays = max_age <= 0.0f || static_cast<float>(clock_ - birth_[i]) < max_age;
+        if (stays) earliest_ = std::min(earliest_, birth_[i]);
+    }
+}
+
+void Resting::note(uint32_t index) {
+    noted_[index] = 1;
+    cut_noted_[index / cut_bodies] = 1;
+}
+
+bool Resting::take_cut(uint32_t cut) {
+    return std::exchange(cut_noted_[cut], uint8_t{0}) != 0;
+}
+
+bool Resting::take_note(uint32_t index) {
+    return std::exchange(noted_[index], uint8_t{0}) != 0;
+}
+
+bool Resting::consistent(const Record& r, uint32_t count) {
+    return r.awake < count && r.steps < rule_steps && r.unjudged <= 1 && r.reserved == 0 && r.clock >= 0.0 &&
+           r.clock <= longest;
+}
+
+bool Resting::consistent(const Record& r, double birth) {
+    return r.clock - birth >= -slack && r.clock - birth <= longest;
+}
+
+void Resting::restore(const Record& r) {
+    clock_ = r.clock;
+    steps_ = r.steps;
+    unjudged_ = r.unjudged != 0;
+    earliest_ = never;
+    grid.clear();
+    if (!contact.rest_time) return;
+    std::fill_n(rest_time_.data(), rest_time_.size(), 0.0f);
+    std::fill_n(touching_.data(), touching_.size(), 0u);
+    std::fill_n(noted_.data(), noted_.size(), uint8_t{0});
+    std::fill_n(cut_noted_.data(), cut_noted_.size(), uint8_t{0});
+}
+
+} // namespace lr

@@ -1,0 +1,93 @@
+// The bodies of a batch that are at rest: since when and where. And what contact notes of each body until it is. docs/rest.md
+#pragma once
+
+#include "contact/rest_grid.h"
+#include "world/allocator.h"
+
+#include <cstdint>
+
+namespace lr {
+
+inline constexpr uint32_t most_touched = 4;
+
+// By dense index, kept with the bodies as these move about. Null before Batch::reserve_contact().
+struct ContactArrays {
+    float* rest_time;                 // s, that a body has been slow; 0 when it wakes
+    uint32_t* touching[most_touched]; // slots of the colliders that it touches, + 1; 0: none
+};
+
+// Knows bodies by dense index and slot; which of them rest, the batch knows.
+class Resting {
+public:
+    // Rules look at bodies at rest in one of so many steps of their batch.
+    static constexpr uint32_t rule_steps = 16;
+
+    // Null when out of memory. phase: batches of different ones take different steps.
+    static Resting* create(Allocator& allocator, uint32_t capacity, double reach, uint32_t phase);
+    static void destroy(Allocator& allocator, Resting* resting);
+    bool reserve_contact(Allocator& allocator, uint32_t lanes);
+
+    // The first body comes to rest.
+    void begin();
+    // A body comes to rest that was born then, on the clock.
+    void enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth);
+    double birth_of(float age, float age_rest) const {
+        return clock_ - (static_cast<double>(age) - static_cast<double>(age_rest));
+    }
+    double birth(uint32_t index) const { return birth_[index]; }
+    void leave(uint32_t slot) { grid.remove(slot); }
+    // `age_rest` is what rounding has added to the age, as in the kernel.
+    void age_of(uint32_t index, float& age, float& age_rest) const;
+    void swap(uint32_t a, uint32_t b);
+    void move(uint32_t from, uint32_t to);
+    // There is no body at this index.
+    void clear(uint32_t index);
+    // A body's life begins anew.
+    void forget(uint32_t index);
+
+    // So many steps of the world have passed for the batch. Returns whether it is time for the rules.
+    bool pass(double seconds, uint32_t steps);
+    // Whether the rules may have a new answer for one of them.
+    bool in_question(float max_age) const;
+    // They have answered. Bodies of [begin, end) rest.
+    void answered(uint32_t begin, uint32_t end, float max_age);
+    void ask_again() { unjudged_ = true; }
+
+    // From any thread for bodies of its own cuts (world/step_chunks.h).
+    void note(uint32_t index);
+    // Bodies noted in a cut, and forgets that there are any.
+    bool take_cut(uint32_t cut);
+    bool take_note(uint32_t index);
+
+    ContactArrays contact{};
+    RestGrid grid;
+
+    // What a snapshot holds, beside births.
+    struct Record {
+        double clock;
+        uint32_t awake; // bodies
+        uint32_t steps;
+        uint32_t unjudged;
+        uint32_t reserved;
+    };
+    Record record(uint32_t awake) const { return {clock_, awake, steps_, unjudged_ ? 1u : 0u, 0}; }
+    static bool consistent(const Record& record, uint32_t count);
+    static bool consistent(const Record& record, double birth);
+    void restore(const Record& record);
+
+private:
+    Resting() = default;
+
+    uint32_t phase_ = 0;
+    uint32_t steps_ = 0;    // since the rules' last turn
+    bool unjudged_ = false; // one of them has not been judged by the present rules
+    double clock_ = 0.0;    // s, of the batch since the first came to rest
+    double earliest_ = 0.0; // s: no birth is before it
+    Buffer<double> birth_;  // s, by dense index, of bodies at rest
+    Buffer<float> rest_time_;
+    Buffer<uint32_t> touching_;
+    Buffer<uint8_t> noted_, cut_noted_;
+};
+static_assert(sizeof(Resting::Record) % 8 == 0);
+
+} // namespace lr
