@@ -170,6 +170,7 @@ lr_status lr_collider_create(lr_world* world, const lr_collider_desc* descs, uin
         const Refusal refusal = check_desc(d, before);
         if (refusal.status != LR_OK) return refuse(world, name, refusal.status, refusal.why);
     }
+    if (!world->reserve_contact()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     lr::Colliders& colliders = world->colliders;
     lr_status status = colliders.begin_create(count);
     for (uint32_t i = 0; i < count && status == LR_OK; ++i) {
@@ -188,6 +189,11 @@ lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uin
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (count == 0) return LR_OK;
     if (!colliders) return refuse(world, "lr_collider_destroy", LR_ERROR_NULL_ARGUMENT);
+    // What rests on them would hang in the air. A call that is refused may wake bodies, and changes nothing else.
+    uint32_t slot = 0;
+    const bool resting = world->any_resting();
+    for (uint32_t i = 0; i < count && resting; ++i)
+        if (world->colliders.find(colliders[i], slot)) world->wake_at(slot);
     const lr_status status = world->colliders.destroy(colliders, count);
     return status == LR_OK ? status : refuse(world, "lr_collider_destroy", status);
 }
@@ -219,10 +225,12 @@ lr_status lr_collider_move(lr_world* world, const lr_collider_motion* motions, u
         if (refusal.status != LR_OK) return refuse(world, name, refusal.status, refusal.why);
         colliders.reserve_move(slot, m);
     }
+    const bool resting = world->any_resting();
     if (!colliders.finish_reserve()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     for (uint32_t i = 0; i < count; ++i) {
         all.read(i, m);
         colliders.find(m.collider, slot);
+        if (resting && m.mode == LR_MOVE_PLACE) world->wake_at(slot);
         colliders.move(slot, m);
     }
     return LR_OK;

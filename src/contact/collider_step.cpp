@@ -65,6 +65,19 @@ void Colliders::advance(uint32_t slot, double dt) {
     if (c.moves && !m.pending) c.end = advanced(c.begin, m.linear, m.angular, dt, m.rest);
 }
 
+Box Colliders::box_of(uint32_t slot) const {
+    const Collider& c = colliders_[slot];
+    constexpr float most = 1e30f;
+    if (c.geometry.kind == ColliderKind::plane) return {{-most, -most, -most}, {most, most, most}};
+    const SharedGeometry* const shared = slots_[slot].shared;
+    if (c.geometry.kind != ColliderKind::heightfield)
+        return swept_box(bounds_of(c.geometry, shared), c.begin, c.end, c.moves);
+    // Solid below its surface as well.
+    Box box = shared->box;
+    box.low.y = -most;
+    return swept_box({box, 0.0f}, c.begin, c.end, c.moves);
+}
+
 void Colliders::add_proxies(uint32_t slot, ProxyGrid& to) const {
     const Collider& c = colliders_[slot];
     const SharedGeometry* const shared = slots_[slot].shared;

@@ -127,7 +127,7 @@ lr_status Colliders::create(const lr_collider_desc& desc) {
         }
     }
     const uint32_t slot = next_slot(staging_);
-    if (slot >= used_) slots_[slot] = {nullptr, 1, none, Where::free, false};
+    if (slot >= used_) slots_[slot] = {nullptr, 1, none, Where::free, false, false};
     slots_[slot].shared = shared;
     Collider& c = colliders_[slot];
     c.geometry = {
@@ -161,6 +161,7 @@ lr_status Colliders::finish_create(lr_collider* ids) {
         if (free_first_ == none) free_last_ = none;
         used_ = at.used;
         enlist(slot);
+        slots_[slot].fresh = any_fresh_ = true;
         if (ids) ids[i] = id(slot);
     }
     count_ += staged_;
@@ -280,6 +281,7 @@ void Colliders::move(uint32_t slot, const lr_collider_motion& motion) {
         delist(slot);
         enlist(slot);
     }
+    if (motion.mode == LR_MOVE_PLACE) slots_[slot].fresh = any_fresh_ = true;
 }
 
 void Colliders::set_surface(uint32_t slot, float friction, float restitution, uint32_t layers) {

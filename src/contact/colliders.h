@@ -79,6 +79,27 @@ public:
     uint32_t candidates(Vector low, Vector high, uint32_t layers, Candidate (&out)[most_candidates],
                         uint32_t& missed) const;
 
+    // Before a step: each collider that was made or placed since the last.
+    template <class F> void for_fresh(F&& f) {
+        if (!any_fresh_) return;
+        any_fresh_ = false;
+        const auto take = [&](uint32_t slot) {
+            if (slots_[slot].fresh) f(slot);
+            slots_[slot].fresh = false;
+        };
+        for (uint32_t i = 0; i < active_count_; ++i) take(active_[i]);
+        for (uint32_t i = 0; i < unbounded_count_; ++i) take(unbounded_[i]);
+    }
+    // Each collider that moves in this step.
+    template <class F> void for_moving(F&& f) const {
+        for (uint32_t i = 0; i < active_count_; ++i)
+            if (colliders_[active_[i]].moves) f(active_[i]);
+        for (uint32_t i = 0; i < unbounded_count_; ++i)
+            if (colliders_[unbounded_[i]].moves) f(unbounded_[i]);
+    }
+    // Around all of a collider and of its way in the step; of a plane, everything.
+    Box box_of(uint32_t slot) const;
+
     // Of everything that matters for motion; 0 without colliders. Independent of the order of slots but for their ids.
     uint64_t hash() const;
 
@@ -92,6 +113,7 @@ private:
         uint32_t link;       // free: the next free slot; active, unbounded: its index in that list
         Where where;
         bool marked; // to be destroyed
+        bool fresh;  // made or placed since the last step
     };
     // The slots that the next colliders will be in.
     struct Cursor {
@@ -131,7 +153,8 @@ private:
     uint64_t proxies_ = 0, mover_proxies_ = 0; // of all finite colliders; of those that move in the next step
     uint64_t still_proxies_ = 0;               // of those in the still grid
     uint64_t debt_ = 0;                        // entries that a newer still grid would have saved
-    bool stale_ = false;                       // the still grid must be built
+    bool any_fresh_ = false;
+    bool stale_ = false; // the still grid must be built
     float dilation_ = 0.0f;
 
     Cursor staging_{none, 0};

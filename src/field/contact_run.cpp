@@ -63,6 +63,8 @@ void enter(const ContactRun& run, const ContactGroup& group, const States& state
         const float speed = std::sqrt(square(field_vx)) + reach * std::sqrt(square(field_wx));
         const bool still = group.touches(i) && speed <= limit;
         book.rest_time[at] = still ? book.rest_time[at] + seconds : 0.0f;
+        if (last && run.step.settings->may_rest && book.rest_time[at] >= time_to_rest)
+            book.comes_to_rest(book.batch, at);
         uint32_t now[4];
         group.touched(i, now);
         if (!last && now[0] == 0) continue; // it may come back within the step

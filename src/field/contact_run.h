@@ -9,9 +9,14 @@ namespace lr {
 
 // Per body of a batch, by dense index; each written by the thread that steps the body.
 struct ContactBook {
-    float* rest_time;      // s, for which it has lain still
-    uint32_t* touching[4]; // slots + 1 of the colliders that it touches, 0: none
+    float* rest_time = nullptr; // s, for which it has lain still; null: nothing is noted
+    uint32_t* touching[4] = {}; // slots + 1 of the colliders that it touches, 0: none
+    void (*comes_to_rest)(void* batch, uint32_t index) = nullptr;
+    void* batch = nullptr;
 };
+
+// A body comes to rest when it has touched something and hardly moved for so long.
+inline constexpr float time_to_rest = 0.5f; // s
 
 // Of a batch in a step.
 struct ContactRun {

@@ -253,6 +253,16 @@ void Batch::make_ages_exact() {
 }
 
 // From the last to the first: one that is noted too never moves to a place that has been passed.
+ContactBook Batch::contact_book() {
+    const ContactArrays arrays = contact_arrays();
+    ContactBook book;
+    book.rest_time = arrays.rest_time;
+    std::copy(arrays.touching, arrays.touching + most_touched, book.touching);
+    book.comes_to_rest = [](void* batch, uint32_t index) { static_cast<Batch*>(batch)->note_rest(index); };
+    book.batch = this;
+    return book;
+}
+
 void Batch::settle_noted() {
     if (!resting_ || !resting_->contact.rest_time) return;
     for (uint32_t cut = cut_count(padded_awake()); cut-- > 0;) {

@@ -94,7 +94,7 @@ public:
     bool reserve_contact();
     // After all bodies are back. from: a Resting::Record and a birth for each body, of any alignment; null: none rests.
     void restore_rest(const unsigned char* from);
-    ContactArrays contact() const { return resting_ ? resting_->contact : ContactArrays{}; }
+    ContactArrays contact_arrays() const { return resting_ ? resting_->contact : ContactArrays{}; }
     // A body of a chunk that is stepped is to rest from the end of the step on; from any thread.
     void note_rest(uint32_t index) { resting_->note(index); }
     void settle_noted(); // after the step
@@ -116,7 +116,7 @@ public:
 
     ContactSettings contact;
     BodyShape shape{}; // what of its bodies can touch
-    ContactBook contact_book() const { return {}; }
+    ContactBook contact_book();
 
     StepInput step; // constants of the shape, filled up by World::step
     Pace pace;

@@ -30,7 +30,7 @@ uint32_t parts_of(const Batch& batch) {
     const Lifecycle* const lifecycle = batch.lifecycle();
     return (batch.external.on_batch() ? part_batch_force : 0u) | (batch.external.pending() ? part_body_forces : 0u) |
            (lifecycle && lifecycle->in_use() ? part_lifecycle : 0u) | (batch.awake() < batch.count() ? part_rest : 0u) |
-           (batch.contact().rest_time ? part_contact : 0u);
+           (batch.contact_arrays().rest_time ? part_contact : 0u);
 }
 
 // A birth for each body, of which those that move have none: so that the size depends on these two alone.
@@ -68,7 +68,7 @@ void save_parts(Batch& batch, unsigned char* to) {
         }
     }
     if (parts & part_contact) {
-        const ContactArrays contact = batch.contact();
+        const ContactArrays contact = batch.contact_arrays();
         put(contact.rest_time, count);
         for (const uint32_t* touching : contact.touching) put(touching, count);
     }
@@ -140,7 +140,7 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned 
     batch.restore_rest(parts & part_rest ? from : nullptr);
     if (parts & part_rest) from += 4 * rest_words + 8 * uint64_t{count};
     if (parts & part_contact) {
-        const ContactArrays contact = batch.contact();
+        const ContactArrays contact = batch.contact_arrays();
         get(contact.rest_time, count);
         for (uint32_t* touching : contact.touching) get(touching, count);
     }

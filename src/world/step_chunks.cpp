@@ -73,7 +73,7 @@ void StepChunks::run(void* context, uint32_t chunk) {
     }
 }
 
-ContactRun StepChunks::contact_run(const Batch& batch, const SurfaceStep* water) const {
+ContactRun StepChunks::contact_run(Batch& batch, const SurfaceStep* water) const {
     const float* const g = world_->gravity;
     const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     const auto seconds = static_cast<float>(batch.pace.behind());

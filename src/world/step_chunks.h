@@ -66,7 +66,7 @@ public:
 
 private:
     void step(const StepItem& item, uint32_t begin, uint32_t end) const;
-    ContactRun contact_run(const Batch& batch, const SurfaceStep* water) const;
+    ContactRun contact_run(Batch& batch, const SurfaceStep* water) const;
     void move_bodies(const StepItem& item, uint32_t begin, uint32_t end) const;
 
     const lr_world* world_;

@@ -92,6 +92,10 @@ lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const
     lr_status status = LR_OK;
     slot.batch = Batch::create(allocator, asset, capacity, settings, at, slot.body_generation, status);
     if (!slot.batch) return status;
+    if (colliders.any() && !slot.batch->reserve_contact()) {
+        Batch::destroy(slot.batch);
+        return LR_ERROR_OUT_OF_MEMORY;
+    }
     batches[at] = slot;
     batch_slots = std::max(batch_slots, at + 1);
     out = lr::pack(lr::BatchHandle{at, slot.generation});
@@ -216,7 +220,12 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
     pace_batches(dt, substeps);
-    if (colliders.any()) colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
+    if (colliders.any()) {
+        const bool resting = any_resting();
+        if (resting) colliders.for_fresh([&](uint32_t slot) { wake_at(slot); });
+        colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
+        if (resting) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
+    }
     uint32_t item_count = 0;
     bool unfit = false;
     for (uint32_t i = 0; i < batch_slots; ++i) {
@@ -296,15 +305,32 @@ void lr_world::run(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at
     }
 }
 
-// Of the largest ordinary bodies and their way in a step, at the speeds that things which flutter fall with.
+// Of the largest bodies of scale 1 and their way in a step, at the speeds of things that flutter and what the wind adds.
 float lr_world::contact_reach(float dt) const {
     float most = 0.0f;
     for (uint32_t i = 0; i < batch_slots; ++i)
         if (batches[i].batch) most = std::max(most, batches[i].batch->shape.reach);
-    // A power of two, so that the grid is not made anew for each other dt.
-    float reach = 0x1p-10f;
-    while (reach < 1.5f * most + 4.0f * dt) reach += reach;
-    return reach;
+    const float(&g)[3] = gravity, (&w)[3] = wind.uniform.wind;
+    const float pull = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const float blow = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    return 1.5f * most + dt * (4.5f + 2.5f * blow + 2.0f * dt * pull);
+}
+
+void lr_world::wake_at(uint32_t collider) {
+    const lr::Box box = colliders.box_of(collider);
+    wake_box({box.low.x, box.low.y, box.low.z}, {box.high.x, box.high.y, box.high.z});
+}
+
+bool lr_world::any_resting() const {
+    for (uint32_t i = 0; i < batch_slots; ++i)
+        if (batches[i].batch && batches[i].batch->awake() < batches[i].batch->count()) return true;
+    return false;
+}
+
+bool lr_world::reserve_contact() {
+    for (uint32_t i = 0; i < batch_slots; ++i)
+        if (batches[i].batch && !batches[i].batch->reserve_contact()) return false;
+    return true;
 }
 
 // Gravity twice, for what else pulls; part of the wind, which light bodies take on within a step; and much for forces from
@@ -382,7 +408,7 @@ uint64_t lr_world::hash() const {
             if (batch.external.pending())
                 for (size_t c = 0; c < lr::force_components; ++c)
                     rare(64 + c, std::bit_cast<uint32_t>(batch.external.bodies()[c * batch.external.stride() + i]));
-            if (const lr::ContactArrays contact = batch.contact(); contact.rest_time) {
+            if (const lr::ContactArrays contact = batch.contact_arrays(); contact.rest_time) {
                 rare(128, std::bit_cast<uint32_t>(contact.rest_time[i]));
                 for (size_t k = 0; k < lr::most_touched; ++k) rare(129 + k, contact.touching[k][i]);
             }

@@ -39,6 +39,10 @@ struct lr_world {
     uint64_t hash() const;
 
     // m/s that the bodies of a batch may gain in so long beside what they have: how far they look for what they may touch.
+    // Bodies at rest at a collider, over its way in the step.
+    void wake_at(uint32_t collider);
+    bool any_resting() const;
+    bool reserve_contact();              // of all batches; false when out of memory
     float contact_reach(float dt) const; // m, for the broad phase
     float contact_gain(const lr::Batch& batch, float dt) const;
 
