@@ -1,0 +1,77 @@
+// Descriptions of colliders.
+#pragma once
+
+#include "support/random.h"
+#include "support/scene.h"
+
+#include <vector>
+
+namespace test {
+
+inline lr_collider_desc collider_desc(int32_t kind) {
+    lr_collider_desc d = initialised(lr_collider_desc_init);
+    d.kind = kind;
+    return d;
+}
+inline lr_collider_desc sphere_collider(float radius) {
+    lr_collider_desc d = collider_desc(LR_COLLIDER_SPHERE);
+    d.size[0] = radius;
+    return d;
+}
+inline lr_collider_desc box_collider(float x, float y, float z) {
+    lr_collider_desc d = collider_desc(LR_COLLIDER_BOX);
+    d.size[0] = x, d.size[1] = y, d.size[2] = z;
+    return d;
+}
+
+// Arrays that a desc points to.
+struct Triangles {
+    std::vector<float> vertices;
+    std::vector<uint32_t> indices;
+};
+
+// A bumpy sheet of 2 n^2 triangles, side 1 m, and one triangle that is far larger.
+inline Triangles bumpy_sheet(uint32_t n, uint64_t seed) {
+    Random random(seed);
+    Triangles t;
+    for (uint32_t k = 0; k <= n; ++k)
+        for (uint32_t i = 0; i <= n; ++i)
+            t.vertices.insert(t.vertices.end(), {static_cast<float>(i) / static_cast<float>(n), random.real(-0.1, 0.1),
+                                                 static_cast<float>(k) / static_cast<float>(n)});
+    for (uint32_t k = 0; k < n; ++k)
+        for (uint32_t i = 0; i < n; ++i) {
+            const uint32_t a = i + (n + 1) * k, b = a + n + 1;
+            t.indices.insert(t.indices.end(), {a, b, b + 1, a, b + 1, a + 1});
+        }
+    const auto first = static_cast<uint32_t>(t.vertices.size() / 3);
+    t.vertices.insert(t.vertices.end(), {-9.0f, 1.0f, 0.0f, 9.0f, 1.0f, 0.5f, 0.0f, 2.0f, 9.0f});
+    t.indices.insert(t.indices.end(), {first, first + 1, first + 2});
+    return t;
+}
+inline lr_collider_desc mesh_collider(const Triangles& t) {
+    lr_collider_desc d = collider_desc(LR_COLLIDER_MESH);
+    d.vertices = t.vertices.data();
+    d.vertex_count = static_cast<uint32_t>(t.vertices.size() / 3);
+    d.indices = t.indices.data();
+    d.triangle_count = static_cast<uint32_t>(t.indices.size() / 3);
+    return d;
+}
+inline lr_collider_desc hull_collider(const std::vector<float>& vertices) {
+    lr_collider_desc d = collider_desc(LR_COLLIDER_HULL);
+    d.vertices = vertices.data();
+    d.vertex_count = static_cast<uint32_t>(vertices.size() / 3);
+    return d;
+}
+inline lr_collider_desc heightfield_collider(const std::vector<float>& heights, uint32_t across, float spacing) {
+    lr_collider_desc d = collider_desc(LR_COLLIDER_HEIGHTFIELD);
+    d.heights = heights.data();
+    d.counts[0] = across;
+    d.counts[1] = static_cast<uint32_t>(heights.size() / across);
+    d.spacing[0] = d.spacing[1] = spacing;
+    return d;
+}
+inline std::vector<float> tetrahedron(float size) {
+    return {0.0f, 0.0f, 0.0f, size, 0.0f, 0.0f, 0.0f, size, 0.0f, 0.0f, 0.0f, size};
+}
+
+} // namespace test
