@@ -203,25 +203,14 @@ void Batch::wake_all() {
     while (awake_ < count_) wake(awake_);
 }
 
-uint32_t Batch::wake_box(const float (&low)[3], const float (&high)[3]) {
-    if (awake_ == count_) return 0;
-    const uint32_t before = awake_;
-    const auto reaches = [&](uint32_t index) {
-        const double r = reach() * static_cast<double>(arrays_.field[field_scale][index]);
-        bool in = true;
-        for (size_t k = 0; k < 3; ++k) {
-            const auto x = static_cast<double>(arrays_.field[field_x + k][index]);
-            in = in && x + r >= static_cast<double>(low[k]) && x - r <= static_cast<double>(high[k]);
-        }
-        return in;
-    };
-    const bool found = resting_->grid.visit(low, high, count_ - awake_, [&](uint32_t slot) {
-        if (reaches(dense_[slot])) wake(dense_[slot]);
-    });
-    // One that wakes changes places with one that has been looked at.
-    for (uint32_t i = awake_; !found && i < count_; ++i)
-        if (reaches(i)) wake(i);
-    return awake_ - before;
+bool Batch::reaches_into(uint32_t index, const float (&low)[3], const float (&high)[3]) const {
+    const double reach = reach_ * static_cast<double>(arrays_.field[field_scale][index]);
+    bool in = true;
+    for (size_t k = 0; k < 3; ++k) {
+        const auto x = static_cast<double>(arrays_.field[field_x + k][index]);
+        in = in && x + reach >= static_cast<double>(low[k]) && x - reach <= static_cast<double>(high[k]);
+    }
+    return in;
 }
 
 bool Batch::reserve_rest() {

@@ -81,9 +81,19 @@ public:
     uint32_t rest(uint32_t index); // awake, and reserve_rest() has held
     uint32_t wake(uint32_t index); // at rest
     void wake_all();
-    uint32_t wake_box(const float (&low)[3], const float (&high)[3]); // those whose boxes reach into it; how many
-    bool reserve_rest();                                              // false when out of memory
-    Resting* resting() const { return resting_; }                     // null before reserve_rest()
+    // Calls fn(index) for bodies at rest whose boxes, position +- reach() times scale, reach into [low, high] (m): for some more
+    // than once, in no order. fn may wake the body.
+    template <class Function> void visit_resting(const float (&low)[3], const float (&high)[3], Function&& function) {
+        if (awake_ == count_) return;
+        const auto look_at = [&](uint32_t index) {
+            if (reaches_into(index, low, high)) function(index);
+        };
+        if (resting_->grid.visit(low, high, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
+        // One that wakes changes places with one that has been looked at.
+        for (uint32_t i = awake_; i < count_; ++i) look_at(i);
+    }
+    bool reserve_rest();                          // false when out of memory
+    Resting* resting() const { return resting_; } // null before reserve_rest()
     // Ages of bodies at rest, in the arrays, up to the present.
     void make_ages_exact();
     double reach() const { return reach_; } // m: no part of a body of scale 1 is farther from its centre of mass
@@ -133,6 +143,7 @@ private:
     void clear_lane(uint32_t index);
     void swap(uint32_t a, uint32_t b);
     void lie_down(uint32_t index, double birth);
+    bool reaches_into(uint32_t index, const float (&low)[3], const float (&high)[3]) const;
     void move(uint32_t from, uint32_t to);
     bool fill_table(const TableView& table);
     bool make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const;

@@ -137,6 +137,15 @@ void Resting::note(uint32_t index) {
     cut_noted_[index / cut_bodies] = 1;
 }
 
+bool Resting::any_contact(uint32_t count) const {
+    bool any = false;
+    for (uint32_t i = 0; i < count && contact.rest_time; ++i) {
+        any = any || rest_time_[i] != 0.0f;
+        for (const uint32_t* touching : contact.touching) any = any || touching[i] != 0;
+    }
+    return any;
+}
+
 bool Resting::take_cut(uint32_t cut) {
     return std::exchange(cut_noted_[cut], uint8_t{0}) != 0;
 }

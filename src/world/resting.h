@@ -59,6 +59,9 @@ public:
     bool take_cut(uint32_t cut);
     bool take_note(uint32_t index);
 
+    // Whether contact has noted anything of the first `count` bodies.
+    bool any_contact(uint32_t count) const;
+
     ContactArrays contact{};
     RestGrid grid;
 

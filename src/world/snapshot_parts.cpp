@@ -30,7 +30,7 @@ uint32_t parts_of(const Batch& batch) {
     const Lifecycle* const lifecycle = batch.lifecycle();
     return (batch.external.on_batch() ? part_batch_force : 0u) | (batch.external.pending() ? part_body_forces : 0u) |
            (lifecycle && lifecycle->in_use() ? part_lifecycle : 0u) | (batch.awake() < batch.count() ? part_rest : 0u) |
-           (batch.contact_arrays().rest_time ? part_contact : 0u);
+           (batch.resting() && batch.resting()->any_contact(batch.count()) ? part_contact : 0u);
 }
 
 // A birth for each body, of which those that move have none: so that the size depends on these two alone.

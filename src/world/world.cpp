@@ -147,8 +147,13 @@ lr_status lr_world::set_rest(const lr_body* bodies, uint32_t count, bool rest) {
 
 uint32_t lr_world::wake_box(const float (&low)[3], const float (&high)[3]) {
     uint32_t woken = 0;
-    for (uint32_t i = 0; i < batch_slots; ++i)
-        if (batches[i].batch) woken += batches[i].batch->wake_box(low, high);
+    for (uint32_t i = 0; i < batch_slots; ++i) {
+        Batch* const batch = batches[i].batch;
+        if (!batch) continue;
+        woken -= batch->awake();
+        batch->visit_resting(low, high, [&](uint32_t index) { batch->wake(index); });
+        woken += batch->awake();
+    }
     return woken;
 }
 

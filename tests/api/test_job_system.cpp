@@ -111,9 +111,10 @@ TEST_CASE("every scene ends in the same bits with any job system") {
     for (PlayedScene& scene : scenes) {
         // Among so many bodies a few are more than Runge-Kutta can follow, and what is not finite has no promise.
         if (scene.integrator == LR_INTEGRATOR_RK4) continue;
-        scene.bodies = 2500; // two such batches are work for several threads
+        scene.bodies = scene.resting ? 10000 : 2500; // two such batches are work for several threads
         if (scene.budget != 0) scene.budget = 5000;
-        const bool waits = scene.budget != 0 || scene.divisors[1] > scene.substeps; // not every step has work
+        const bool waits =
+            scene.budget != 0 || scene.divisors[1] > scene.substeps || scene.resting; // not every step has work
         CAPTURE(scene.name);
         const uint64_t expected = outcome(scene);
         // Two for each scene, one of them with threads; over all scenes each of them several times.

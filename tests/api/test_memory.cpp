@@ -43,6 +43,7 @@ struct Scenario {
         snapshot.resize(lr_world_snapshot_size(world));
         if ((status = lr_world_snapshot_save(world, snapshot.data(), snapshot.size(), nullptr)) != LR_OK) return status;
         if ((status = lr_batch_set_turbulence_table(world, batch, nullptr)) != LR_OK) return status;
+        if ((status = lr_body_set_rest(world, ids.data(), 20, LR_REST_RESTING)) != LR_OK) return status;
         if ((status = lr_world_step(world, 0.01f, 2)) != LR_OK) return status;
         if ((status = lr_world_snapshot_restore(world, snapshot.data(), snapshot.size())) != LR_OK) return status;
         return lr_batch_destroy(world, batch);

@@ -133,6 +133,9 @@ TEST_CASE("every pointer that must be given is asked for") {
     float transforms[16];
     CHECK(lr_batch_write_transforms(nullptr, batch, 0, transforms, 0, 1, nullptr) == null);
     CHECK(lr_batch_write_transforms(w, batch, 0, nullptr, 0, 1, nullptr) == null);
+    CHECK(lr_batch_write_first_transforms(nullptr, batch, 0, transforms, 0, 1, nullptr) == null);
+    CHECK(lr_batch_write_first_transforms(w, batch, 0, nullptr, 0, 1, nullptr) == null);
+    CHECK(lr_batch_write_first_transforms(w, batch, 0, nullptr, 0, 0, nullptr) == LR_OK);
 
     const lr_body_desc desc = body_desc();
     lr_body id = 0;
@@ -147,6 +150,15 @@ TEST_CASE("every pointer that must be given is asked for") {
     CHECK(lr_body_get_state(w, body, nullptr) == null);
     CHECK(lr_body_set_state(nullptr, body, &state) == null);
     CHECK(lr_body_set_state(w, body, nullptr) == null);
+    CHECK(lr_body_set_rest(nullptr, &body, 1, LR_REST_AWAKE) == null);
+    CHECK(lr_body_set_rest(w, nullptr, 1, LR_REST_AWAKE) == null);
+    CHECK(lr_body_set_rest(w, nullptr, 0, LR_REST_AWAKE) == LR_OK);
+    uint32_t woken = 7;
+    CHECK(lr_world_wake_box(nullptr, gravity, gravity, &woken) == null);
+    CHECK(woken == 0);
+    CHECK(lr_world_wake_box(w, nullptr, gravity, &woken) == null);
+    CHECK(lr_world_wake_box(w, gravity, nullptr, &woken) == null);
+    CHECK(lr_world_wake_box(w, gravity, gravity, nullptr) == LR_OK);
 
     lr_body_force force = initialised(lr_body_force_init);
     force.body = body;

@@ -279,3 +279,33 @@ TEST_CASE("the first released size of a world's desc is taken, and nothing behin
         CHECK(raw == nullptr);
     }
 }
+
+TEST_CASE("results go to callers that were built before there were bodies at rest, no further than they have room") {
+    const Asset asset = leaf();
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, asset, 8);
+    const lr_body body = add_body(world, batch, body_desc());
+    REQUIRE(lr_body_set_rest(world.get(), &body, 1, LR_REST_RESTING) == LR_OK);
+    const auto check = [&](auto result, size_t first, auto&& get) {
+        std::memset(static_cast<void*>(&result), 0x5a, sizeof result);
+        for (uint32_t size = static_cast<uint32_t>(first) + 1; size < sizeof result; ++size) {
+            result.struct_size = size;
+            CHECK(get(&result) == LR_ERROR_STRUCT_SIZE);
+        }
+        result.struct_size = static_cast<uint32_t>(first);
+        CHECK(get(&result) == LR_OK);
+        bool untouched = true;
+        const auto* const bytes = reinterpret_cast<const unsigned char*>(&result);
+        for (size_t i = first; i < sizeof result; ++i) untouched = untouched && bytes[i] == 0x5a;
+        CHECK(untouched);
+    };
+    check(lr_body_state{}, offsetof(lr_body_state, resting),
+          [&](lr_body_state* s) { return lr_body_get_state(world.get(), body, s); });
+    check(lr_batch_view{}, offsetof(lr_batch_view, revision),
+          [&](lr_batch_view* v) { return lr_batch_get_view(world.get(), batch, v); });
+    check(lr_world_info{}, offsetof(lr_world_info, awake_count),
+          [&](lr_world_info* i) { return lr_world_get_info(world.get(), i); });
+    lr_body_state old = body_state();
+    old.struct_size = offsetof(lr_body_state, resting);
+    CHECK(lr_body_set_state(world.get(), body, &old) == LR_OK);
+}

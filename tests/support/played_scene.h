@@ -27,6 +27,7 @@ struct PlayedScene {
     std::vector<int32_t> sources = {}; // of wind, by kind
     bool called_back = false;          // wind from a callback, and of a sea its surface
     uint32_t divisors[2] = {1, 1};     // of the batches' rates
+    bool resting = false;              // bodies come to rest and wake
     uint64_t budget = 0;               // body-substeps a step
     float dt = 1.0f / 60.0f;           // s
     uint32_t substeps = 3;             // neither a power of two nor an even division: every rounding is there
@@ -128,6 +129,14 @@ inline std::vector<PlayedScene> played_scenes() {
     PlayedScene& little = paced("budget_for_part_of_a_batch", 1, 1);
     little.budget = 50, little.sources = {LR_WIND_SOURCE_GUSTS}, little.governed = true;
 
+    // Bodies that are put to rest, and woken in every way.
+    PlayedScene& still = add("rest");
+    still.resting = still.windy = still.forced = true, still.bodies = 600;
+    PlayedScene& still_in_everything = paced("rest_in_everything", 3, 6);
+    still_in_everything.loads = LR_LOADS_AERODYNAMIC, still_in_everything.sources = every;
+    still_in_everything.afloat = still_in_everything.governed = still_in_everything.called_back = true;
+    still_in_everything.born_and_dying = still_in_everything.resting = true, still_in_everything.bodies = 300;
+
     // Storms of more bodies than are stepped in one piece.
     const auto storm = [&](const char* name) -> PlayedScene& {
         PlayedScene& scene = add(name);
@@ -191,6 +200,7 @@ public:
             }
             if (scene_.windy && frame % 10 == 5) set_wind(world, 0.1f * static_cast<float>(frame), 0.0f, 1.0f);
             if (scene_.born_and_dying) turn_over();
+            if (scene_.resting) lie_and_wake(static_cast<uint32_t>(frame));
             steps(world, 1, scene_.dt, scene_.substeps);
         }
         CHECK(all_finite()); // nothing is promised of others
@@ -366,6 +376,28 @@ private:
             REQUIRE(lr_body_destroy(world.get(), dying.data(), static_cast<uint32_t>(dying.size())) == LR_OK);
             for (size_t i = 0; i < dying.size(); ++i) add_body(world, batches[b], body(next_key_[b]++));
         }
+    }
+
+    // By key; for a while one batch rests as a whole.
+    void lie_and_wake(uint32_t frame) {
+        for (lr_batch batch : batches) {
+            const bool all = batch == batches[0] && frame == 17,
+                       none = batch == batches[0] && frame >= 17 && frame < 20;
+            const lr_batch_view v = view_of(world, batch);
+            std::vector<lr_body> lying, waking;
+            for (uint32_t i = 0; i < v.count; ++i) {
+                if (all || (v.key[i] + frame) % 9 == 0) lying.push_back(v.ids[i]);
+                if (!none && (v.key[i] + frame) % 7 == 0) waking.push_back(v.ids[i]);
+            }
+            const auto set = [&](const std::vector<lr_body>& ids, int32_t rest) {
+                REQUIRE(lr_body_set_rest(world.get(), ids.data(), static_cast<uint32_t>(ids.size()), rest) == LR_OK);
+            };
+            set(lying, LR_REST_RESTING);
+            set(waking, LR_REST_AWAKE);
+        }
+        if (frame % 4 != 1) return;
+        const float low[3] = {-1.0f, -2.0f, -5.0f}, high[3] = {3.0f, 2.0f, 0.0f};
+        REQUIRE(lr_world_wake_box(world.get(), low, high, nullptr) == LR_OK);
     }
 
     PlayedScene scene_;

@@ -1,4 +1,4 @@
-// As test_hostile_snapshot.cpp, for what only some batches have: forces, rules, emitters, lives. And bodies that have
+// As test_hostile_snapshot.cpp, for what only some batches have: forces, rules, emitters, lives, bodies at rest. And bodies that have
 // left the finite numbers.
 #include "support/lifecycle.h"
 #include "support/random.h"
@@ -30,6 +30,7 @@ struct Scene {
         lr_batch_force all = initialised(lr_batch_force_init);
         all.acceleration[1] = 2.0f;
         REQUIRE(lr_batch_set_force(world.get(), batch, &all) == LR_OK);
+        REQUIRE(lr_body_set_rest(world.get(), ids.data() + 4, 2, LR_REST_RESTING) == LR_OK);
         steps(world, 4, 0.01f);
         lr_body_force f = initialised(lr_body_force_init);
         f.body = ids[2];
@@ -86,6 +87,11 @@ TEST_CASE("changed forces, rules and emitters in a snapshot are refused, or rest
         lr_batch_get_events(w, scene.batch, &e);
         lr_body_destroy(w, scene.ids.data(), 3);
         lr_world_step(w, 0.01f, 2);
+        const float low[3] = {-1.0f, -1.0f, -1.0f}, high[3] = {1.0f, 1.0f, 1.0f};
+        lr_world_wake_box(w, low, high, nullptr);
+        lr_body_set_rest(w, scene.ids.data(), 7, LR_REST_RESTING);
+        lr_body_set_rest(w, scene.ids.data() + 3, 2, round % 3 == 0 ? LR_REST_RESTING : LR_REST_AWAKE);
+        for (int i = 0; i < 20; ++i) lr_world_step(w, 0.01f, 1);
         lr_batch_set_rules(w, scene.batch, nullptr);
         lr_batch_set_emitter(w, scene.batch, nullptr);
         lr_world_step(w, 0.01f, 2);
@@ -112,7 +118,7 @@ constexpr size_t parts_at = 56, header_bytes = 64 + 8 * (6 + 5 + 55 + 14); // fi
 TEST_CASE("a snapshot with parts that this library does not know is refused") {
     const Scene scene(false);
     std::vector<unsigned char> bytes = snapshot_of(scene.world);
-    bytes[batch_header(bytes, scene.asset) + parts_at] = 8;
+    bytes[batch_header(bytes, scene.asset) + parts_at] = 32;
     seal(bytes);
     CHECK(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) == LR_ERROR_SNAPSHOT_FORMAT);
 }
