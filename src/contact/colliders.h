@@ -13,7 +13,7 @@ namespace lr {
 
 struct Collider {
     Geometry geometry;
-    Pose begin, end;       // of the present step
+    Pose begin, end; // of the present step
     float friction, restitution;
     uint32_t layers;
     bool moves; // in this step
