@@ -47,7 +47,7 @@ lr_status create(const lr_rigid_desc& d, const lr::AerodynamicData* loads, lr_as
     data.has_aerodynamics = true;
     lr::Faults faults;
     if (!lr::check_asset(data, faults)) return LR_ERROR_INVALID_ARGUMENT;
-    *out = new lr_asset(std::move(data), 0);
+    *out = new lr_asset(std::move(data), 0, {d.extents[0], d.extents[1], d.extents[2]});
     return LR_OK;
 }
 

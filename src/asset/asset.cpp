@@ -3,9 +3,9 @@
 #include "format/asset_file.h"
 #include "format/coupling.h"
 
-lr_asset::lr_asset(lr::AssetData&& from, uint32_t version)
+lr_asset::lr_asset(lr::AssetData&& from, uint32_t version, const std::array<double, 3>& size)
     : data(std::move(from)), content_hash(lr::content_hash(data)), diagonal(lr::is_diagonal(data)),
-      format_version(version) {}
+      format_version(version), extents(size) {}
 
 namespace lr {
 

@@ -5,23 +5,37 @@
 #include "contact/pose.h"
 #include "format/asset_data.h"
 
+#include <array>
 #include <cstdint>
 
 namespace lr {
 
 inline constexpr uint32_t most_shape_points = 32;
+inline constexpr uint32_t most_shape_faces = 2 * most_shape_points - 4;
+inline constexpr uint32_t most_shape_corners = 6 * most_shape_points - 12;
+
+struct ShapeFace {
+    Vector normal; // outward, unit
+    float offset;  // m: inside normal . x <= offset
+    uint8_t first, count;
+};
 
 struct BodyShape {
     uint32_t count;                                                         // of points; 0: an ellipsoid
     float x[most_shape_points], y[most_shape_points], z[most_shape_points]; // m
     float radius;                                                           // m, around the hull of the points
-    Vector center;    // m, of the ellipsoid; else the middle of the points
-    Vector semi_axes; // m, of the ellipsoid, along the body axes
-    float reach;      // m: no part of it is farther from the centre of mass
-    float thickness;  // m: its smallest width, rounding included
+    uint32_t face_count; // of the hull of the points; a flat one has two
+    ShapeFace faces[most_shape_faces];
+    uint8_t corners[most_shape_corners]; // of the faces, counter-clockwise seen from outside: places of points
+    Vector center;                       // m, of the ellipsoid; else the middle of the points
+    Vector semi_axes;                    // m, of the ellipsoid, along the body axes
+    float reach;                         // m: no part of it is farther from the centre of mass
+    float thickness;                     // m: its smallest width, rounding included
 };
 
 // Of an asset: its hull, reduced to few points; without one an ellipsoid, or a box where the volume says so.
-BodyShape make_body_shape(const AssetData& asset);
+// extents: m, of a body that has no hull, along its axes about its centre of buoyancy; zero where nothing knows them, then
+// they are those of the ellipsoid with its inertia. May throw std::bad_alloc.
+BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& extents = {});
 
 } // namespace lr

@@ -2,6 +2,8 @@
 // return false leave their outputs unspecified. May throw std::bad_alloc.
 #pragma once
 
+#include "shape/convex_hull.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +14,13 @@ inline constexpr uint32_t most_hull_vertices = 256;
 // The convex hull of `count` points (m, 3 floats each): its corners, and its faces as 4 floats each, see HullGeometry. False:
 // fewer than 4 or more than most_hull_vertices points, not finite, or flat (thinner than 1e-4 of its largest extent).
 bool build_hull(const float* vertices, uint32_t count, std::vector<float>& hull_vertices, std::vector<float>& faces);
+
+// The planes of a hull that is not flat, each once, largest triangle first.
+struct HullPlane {
+    shape::HullPoint normal; // outward, unit
+    double offset;           // m: no corner has normal . x over it
+};
+std::vector<HullPlane> hull_planes(const std::vector<shape::HullPoint>& points, const shape::ConvexHull& hull);
 
 // What MeshGeometry has beside its vertices and triangles: a unit normal for each triangle, zero for those without an area,
 // and the edges that nothing can touch alone. False: an index out of range, a vertex that is not finite, or no triangle

@@ -46,7 +46,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->asset_ = &asset;
     batch->reach_ = reach_of(asset.data);
     retain(asset);
-    batch->shape = make_body_shape(asset.data);
+    batch->shape = make_body_shape(asset.data, asset.extents);
     batch->step = StepInput{};
     batch->step.loads = settings.loads;
     batch->step.integrator = settings.integrator;

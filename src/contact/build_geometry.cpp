@@ -1,0 +1,209 @@
+#include "contact/build_geometry.h"
+
+#include "contact/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace lr {
+namespace {
+
+using shape::HullPoint;
+
+// Of a hull's largest extent: thinner ones have no inside to speak of.
+constexpr double flat = 1e-4;
+// Sine of the angle by which a surface may bend at an edge and still be flat.
+constexpr double bend = 1e-3;
+
+HullPoint minus(const HullPoint& a, const HullPoint& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double dot(const HullPoint& a, const HullPoint& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+HullPoint cross(const HullPoint& a, const HullPoint& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double norm(const HullPoint& a) {
+    return std::sqrt(dot(a, a));
+}
+
+HullPoint point(const float* v) {
+    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+bool all_finite(const float* values, size_t count) {
+    return std::all_of(values, values + count, [](float v) { return std::isfinite(v); });
+}
+
+// For each vertex the first with its position, so that meshes whose triangles share none still have neighbours.
+std::vector<uint32_t> welded(const float* vertices, uint32_t count) {
+    std::vector<uint32_t> order(count), first(count);
+    std::iota(order.begin(), order.end(), 0u);
+    const auto at = [&](uint32_t i) { return vertices + size_t{3} * i; };
+    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        for (uint32_t k = 0; k < 3; ++k)
+            if (at(a)[k] < at(b)[k] || at(b)[k] < at(a)[k]) return at(a)[k] < at(b)[k];
+        return a < b;
+    });
+    for (uint32_t n = 0; n < count; ++n) {
+        const uint32_t i = order[n];
+        const bool same = n > 0 && std::equal(at(i), at(i) + 3, at(order[n - 1]));
+        first[i] = same ? first[order[n - 1]] : i;
+    }
+    return first;
+}
+
+struct Edge {
+    uint32_t low, high; // welded vertices
+    uint32_t triangle, number;
+};
+
+} // namespace
+
+std::vector<HullPlane> hull_planes(const std::vector<HullPoint>& points, const shape::ConvexHull& hull) {
+    const size_t count = hull.triangles.size();
+    std::vector<HullPoint> normals(count);
+    std::vector<double> areas(count);
+    const auto at = [&](uint32_t corner) { return points[hull.points[corner]]; };
+    double size = 0.0;
+    for (const uint32_t i : hull.points) size = std::max(size, norm(minus(points[i], at(0))));
+    for (size_t i = 0; i < count; ++i) {
+        const auto& t = hull.triangles[i];
+        normals[i] = cross(minus(at(t[1]), at(t[0])), minus(at(t[2]), at(t[0])));
+        areas[i] = norm(normals[i]);
+        if (areas[i] > 0.0)
+            for (double& n : normals[i]) n /= areas[i];
+    }
+    std::vector<size_t> order(count);
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return areas[a] > areas[b]; });
+    const double slack = 2.0 * hull.slack + 1e-6 * size;
+    std::vector<char> taken(count, 0);
+    std::vector<HullPlane> planes;
+    for (const size_t i : order) {
+        if (taken[i] || !(areas[i] > 0.0)) continue;
+        HullPlane plane{normals[i], -std::numeric_limits<double>::infinity()};
+        for (const uint32_t p : hull.points) plane.offset = std::max(plane.offset, dot(plane.normal, points[p]));
+        for (size_t j = 0; j < count; ++j) {
+            bool in = true;
+            for (const uint32_t corner : hull.triangles[j])
+                in = in && plane.offset - dot(plane.normal, at(corner)) <= slack;
+            taken[j] = taken[j] || (in && (areas[j] <= 1e-6 * areas[i] || dot(plane.normal, normals[j]) > 0.5));
+        }
+        taken[i] = 1;
+        planes.push_back(plane);
+    }
+    return planes;
+}
+
+bool build_hull(const float* vertices, uint32_t count, std::vector<float>& hull_vertices, std::vector<float>& faces) {
+    hull_vertices.clear();
+    faces.clear();
+    if (count < 4 || count > most_hull_vertices || !all_finite(vertices, size_t{3} * count)) return false;
+    std::vector<HullPoint> points(count);
+    for (uint32_t i = 0; i < count; ++i) points[i] = point(vertices + size_t{3} * i);
+    shape::ConvexHull hull;
+    if (shape::convex_hull(points, hull) != shape::HullOutcome::done || hull.flat) return false;
+    double extent = 0.0;
+    for (size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax_element(
+            points.begin(), points.end(), [k](const HullPoint& a, const HullPoint& b) { return a[k] < b[k]; });
+        extent = std::max(extent, (*high)[k] - (*low)[k]);
+    }
+    for (const HullPlane& plane : hull_planes(points, hull)) {
+        double least = plane.offset;
+        for (const uint32_t i : hull.points) least = std::min(least, dot(plane.normal, points[i]));
+        if (!(plane.offset - least > flat * extent)) return false;
+        for (const double n : plane.normal) faces.push_back(static_cast<float>(n));
+        faces.push_back(static_cast<float>(plane.offset));
+    }
+    for (const uint32_t i : hull.points)
+        hull_vertices.insert(hull_vertices.end(), vertices + size_t{3} * i, vertices + size_t{3} * i + 3);
+    return all_finite(faces.data(), faces.size()) && faces.size() >= 16;
+}
+
+bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* indices, uint32_t triangle_count,
+                std::vector<float>& normals, std::vector<uint8_t>& hidden_edges) {
+    normals.assign(size_t{3} * triangle_count, 0.0f);
+    hidden_edges.assign(triangle_count, 0);
+    if (!all_finite(vertices, size_t{3} * vertex_count)) return false;
+    if (std::any_of(indices, indices + size_t{3} * triangle_count, [&](uint32_t i) { return i >= vertex_count; }))
+        return false;
+    const auto at = [&](uint32_t triangle, uint32_t corner) {
+        return point(vertices + size_t{3} * indices[size_t{3} * triangle + corner % 3]);
+    };
+    bool any = false;
+    std::vector<HullPoint> exact(triangle_count, HullPoint{});
+    for (uint32_t t = 0; t < triangle_count; ++t) {
+        const HullPoint a = minus(at(t, 1), at(t, 0)), b = minus(at(t, 2), at(t, 0)), n = cross(a, b);
+        const double area = norm(n), c = norm(minus(b, a));
+        const double longest = std::max({norm(a), norm(b), c});
+        if (!(area > 1e-7 * longest * longest)) continue; // a line: its normal would be rounding
+        any = true;
+        for (uint32_t k = 0; k < 3; ++k) {
+            exact[t][k] = n[k] / area;
+            normals[size_t{3} * t + k] = static_cast<float>(exact[t][k]);
+        }
+    }
+    if (!any) return false;
+
+    const std::vector<uint32_t> names = welded(vertices, vertex_count);
+    std::vector<Edge> edges;
+    for (uint32_t t = 0; t < triangle_count; ++t)
+        for (uint32_t k = 0; k < 3 && norm(exact[t]) > 0.5; ++k) {
+            const uint32_t a = names[indices[size_t{3} * t + k]], b = names[indices[size_t{3} * t + (k + 1) % 3]];
+            edges.push_back({std::min(a, b), std::max(a, b), t, k});
+        }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+        if (a.low != b.low) return a.low < b.low;
+        if (a.high != b.high) return a.high < b.high;
+        return a.triangle != b.triangle ? a.triangle < b.triangle : a.number < b.number;
+    });
+    for (size_t from = 0; from < edges.size();) {
+        size_t to = from;
+        while (to < edges.size() && edges[to].low == edges[from].low && edges[to].high == edges[from].high) ++to;
+        for (size_t i = from; i < to; ++i)
+            for (size_t j = from; j < to; ++j) {
+                const Edge &mine = edges[i], &other = edges[j];
+                if (mine.triangle == other.triangle) continue;
+                const HullPoint out = minus(at(other.triangle, other.number + 2), at(other.triangle, other.number));
+                const double rise = dot(exact[mine.triangle], out) / norm(out);
+                uint8_t& bits = hidden_edges[mine.triangle];
+                if (rise > -bend) bits = static_cast<uint8_t>(bits | 1u << mine.number);
+                if (rise < bend) bits = static_cast<uint8_t>(bits | 8u << mine.number);
+            }
+        from = to;
+    }
+    return true;
+}
+
+bool build_coarse(const uint32_t (&counts)[2], const float* heights, std::vector<float>& coarse,
+                  uint32_t (&coarse_counts)[2], float& lowest, float& highest) {
+    constexpr uint32_t cells = HeightfieldGeometry::coarse_cells;
+    if (counts[0] < 2 || counts[1] < 2) return false;
+    const size_t samples = size_t{counts[0]} * counts[1];
+    if (!all_finite(heights, samples)) return false;
+    const auto [low, high] = std::minmax_element(heights, heights + samples);
+    lowest = *low;
+    highest = *high;
+    for (uint32_t a = 0; a < 2; ++a) coarse_counts[a] = (counts[a] - 2) / cells + 1;
+    coarse.assign(size_t{coarse_counts[0]} * coarse_counts[1], -std::numeric_limits<float>::infinity());
+    // The squares around reach `cells` farther on each side.
+    const auto from = [](uint32_t square) { return square > 0 ? (square - 1) * cells : 0; };
+    const auto to = [&](uint32_t square, uint32_t a) {
+        return static_cast<uint32_t>(std::min<uint64_t>((uint64_t{square} + 2) * cells, counts[a] - 1));
+    };
+    for (uint32_t sz = 0; sz < coarse_counts[1]; ++sz)
+        for (uint32_t sx = 0; sx < coarse_counts[0]; ++sx) {
+            float& most = coarse[size_t{sz} * coarse_counts[0] + sx];
+            for (uint32_t k = from(sz); k <= to(sz, 1); ++k)
+                for (uint32_t i = from(sx); i <= to(sx, 0); ++i)
+                    most = std::max(most, heights[size_t{k} * counts[0] + i]);
+        }
+    return true;
+}
+
+} // namespace lr

@@ -1,0 +1,82 @@
+// A body and a convex collider as they lie to each other, for what works on pairs of convex sets: cores of points or an
+// ellipsoid, with a rounding around each. Origin in the body's centre of mass, axes of the collider.
+#pragma once
+
+#include "contact/body_shape.h"
+#include "contact/geometry.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace lr {
+
+// In double: differences of large colliders' corners leave nothing of a small body in single precision.
+struct Double3 {
+    double x, y, z;
+};
+constexpr Double3 operator+(Double3 a, Double3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+constexpr Double3 operator-(Double3 a, Double3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+constexpr Double3 operator-(Double3 a) {
+    return {-a.x, -a.y, -a.z};
+}
+constexpr Double3 operator*(double s, Double3 a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+constexpr double dot(Double3 a, Double3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+constexpr Double3 cross(Double3 a, Double3 b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double length(Double3 a) {
+    return std::sqrt(dot(a, a));
+}
+constexpr Double3 to_double(Vector a) {
+    return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+}
+constexpr Vector to_float(Double3 a) {
+    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+struct PlacedBody {
+    const BodyShape* shape;
+    Pose at; // in the collider's frame
+    float scale;
+    uint32_t count; // of points; 0: an ellipsoid
+    float x[most_shape_points], y[most_shape_points], z[most_shape_points];
+    float radius;   // around the core
+    float reach;    // of the core from the centre of mass
+    Vector center;  // of the core
+    Vector axes[3]; // of an ellipsoid, as long as its semi-axes
+
+    // size: of the core about its centre, 1 for the body itself.
+    PlacedBody(const BodyShape& body, float body_scale, const Pose& pose, float size = 1.0f);
+
+    Vector point(uint32_t i) const { return {x[i], y[i], z[i]}; }
+    Double3 support(Double3 direction) const;
+    Vector face_normal(uint32_t face) const { return rotate(at.rotation, shape->faces[face].normal); }
+};
+
+// A collider's core: up to 3 points, a box or a hull. A capsule is two points and a radius.
+struct PlacedCollider {
+    uint32_t count = 0; // of points
+    Double3 points[3] = {};
+    Double3 origin = {}; // of the collider's frame
+    Double3 half = {};   // of a box
+    const HullGeometry* hull = nullptr;
+    double radius = 0.0;
+
+    // Spheres, capsules, boxes and hulls.
+    PlacedCollider(const Geometry& geometry, Vector body_position);
+    // A triangle.
+    PlacedCollider(const Vector (&corners)[3], Vector body_position);
+
+    Double3 support(Double3 direction) const;
+    Double3 middle() const; // a point in it
+};
+
+} // namespace lr

@@ -1,0 +1,234 @@
+#include "contact/terrain.h"
+
+#include "contact/manifold.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+constexpr uint8_t all_front = 7;
+// An edge is a ridge where the next triangle falls below this one's plane by more than this part of a cell's width.
+constexpr float ridge = 1e-3f;
+
+// Whether nothing can touch the corner or edge that stands out most along the normal. Corners that differ by less than 1e-4
+// of the triangle's size stand out alike.
+bool is_hidden(const Triangle& t, Vector n) {
+    const float side = dot(n, t.normal);
+    if (std::abs(side) > 0.9999f) return false;
+    const uint32_t bits = side >= 0.0f ? t.hidden & 7u : t.hidden >> 3 & 7u;
+    if (bits == 0) return false;
+    const Vector a = t.corners[1] - t.corners[0], b = t.corners[2] - t.corners[0], c = b - a;
+    const float size = std::sqrt(std::max({dot(a, a), dot(b, b), dot(c, c)}));
+    const float along[3] = {0.0f, dot(n, a), dot(n, b)};
+    const float most = std::max({along[0], along[1], along[2]});
+    uint32_t out = 0, first = 3;
+    for (uint32_t i = 0; i < 3; ++i)
+        if (most - along[i] <= 1e-4f * size) {
+            out |= 1u << i;
+            first = std::min(first, i);
+        }
+    if (out == 7) return false;
+    const auto hidden = [&](uint32_t edge) { return (bits >> edge & 1u) != 0; };
+    if ((out & (out - 1)) == 0) return hidden(first) && hidden((first + 2) % 3);
+    return hidden(out == 3 ? 0 : out == 6 ? 1 : 2);
+}
+
+// Whether all of the body that is near is over the inside of the triangle.
+bool covers(const Triangle& t, Vector position, float reach) {
+    for (uint32_t i = 0; i < 3; ++i) {
+        const Vector edge = t.corners[(i + 1) % 3] - t.corners[i];
+        const float in = dot(cross(t.normal, edge), position - t.corners[i]);
+        if (in <= 0.0f || in * in < reach * reach * dot(edge, edge)) return false;
+    }
+    return true;
+}
+
+void add_triangle(const PlacedBody& body, const Triangle& t, float margin, ContactSet& set) {
+    const float reach = body.reach + body.radius, far = reach + margin;
+    const Vector position = body.at.position;
+    const float off = dot(t.normal, position - t.corners[0]);
+    if (off > far || (!t.one_sided && off < -far)) return;
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+        const auto of = [&](Vector a) { return axis == 0 ? a.x : axis == 1 ? a.y : a.z; };
+        const float low = std::min({of(t.corners[0]), of(t.corners[1]), of(t.corners[2])});
+        const float high = std::max({of(t.corners[0]), of(t.corners[1]), of(t.corners[2])});
+        if (of(position) + far < low || of(position) - far > high) return;
+    }
+    const PlacedCollider collider(t.corners, position);
+    const Double3 normal = to_double(t.normal);
+    const double enough = static_cast<double>(margin + body.radius);
+    if (body.count > 0 && covers(t, position, reach)) {
+        const Separation flat = separate_from_plane(body, collider, normal, t.one_sided);
+        if (flat.distance < enough) add_manifold(body, collider, flat, margin, set);
+        return;
+    }
+    Separation along = separate(body, collider, enough, {t.one_sided, normal});
+    if (along.distance >= enough) return;
+    if (is_hidden(t, to_float(along.normal))) {
+        // The neighbours see the edge's surroundings; here only what is over the triangle counts.
+        const bool apart = along.has_points;
+        along = separate_from_plane(body, collider, normal, t.one_sided);
+        if (body.count == 0 && apart) return;
+    }
+    add_manifold(body, collider, along, margin, set);
+}
+
+float sample(const HeightfieldGeometry& field, uint32_t i, uint32_t k) {
+    return field.heights[size_t{k} * field.counts[0] + i];
+}
+
+Vector corner(const HeightfieldGeometry& field, uint32_t i, uint32_t k) {
+    return {static_cast<float>(i) * field.spacing[0], sample(field, i, k), static_cast<float>(k) * field.spacing[1]};
+}
+
+// Bits of the edges that are no ridges. Those of the outline are none.
+uint8_t hidden_edges(const HeightfieldGeometry& field, uint32_t i, uint32_t k, bool second, const Triangle& t) {
+    const uint32_t columns = field.counts[0] - 1, rows = field.counts[1] - 1;
+    const float below = -ridge * std::min(field.spacing[0], field.spacing[1]);
+    const auto falls = [&](uint32_t ni, uint32_t nk) {
+        return dot(t.normal, corner(field, ni, nk) - t.corners[0]) < below;
+    };
+    bool is_ridge[3];
+    if (second) {
+        is_ridge[0] = falls(i, k + 1);
+        is_ridge[1] = i + 1 < columns && falls(i + 2, k + 1);
+        is_ridge[2] = k > 0 && falls(i, k - 1);
+    } else {
+        is_ridge[0] = i > 0 && falls(i - 1, k);
+        is_ridge[1] = k + 1 < rows && falls(i + 1, k + 2);
+        is_ridge[2] = falls(i + 1, k);
+    }
+    uint8_t hidden = 0;
+    for (uint32_t e = 0; e < 3; ++e) hidden = static_cast<uint8_t>(hidden | (is_ridge[e] ? 0u : 1u << e));
+    return hidden;
+}
+
+bool inside(const HeightfieldGeometry& field, Vector p) {
+    return p.x >= 0.0f && p.z >= 0.0f && p.x <= static_cast<float>(field.counts[0] - 1) * field.spacing[0] &&
+           p.z <= static_cast<float>(field.counts[1] - 1) * field.spacing[1];
+}
+
+void add_points(const PlacedBody& body, const HeightfieldGeometry& field, float margin, ContactSet& set) {
+    const Vector position = body.at.position;
+    const auto add = [&](Vector core) {
+        const Vector p = position + core;
+        if (!inside(field, p) || p.y - body.radius - margin > field.highest) return Vector{0.0f, 0.0f, 0.0f};
+        const HeightPoint below = height_at(field, p.x, p.z);
+        const float gap = (p.y - below.height) * below.normal.y;
+        if (gap - body.radius < margin) set.add_core(core, below.normal, gap);
+        return below.normal;
+    };
+    for (uint32_t i = 0; i < body.count; ++i) add(body.point(i));
+    if (body.count > 0) return;
+    // The ellipsoid's point is that towards the triangle below, which is that below the point.
+    Vector normal{0.0f, 1.0f, 0.0f};
+    for (uint32_t round = 0; round < 4; ++round) {
+        const Vector p = position + to_float(body.support(-to_double(normal)));
+        if (!inside(field, p)) return;
+        const Vector next = height_at(field, p.x, p.z).normal;
+        const Vector change = next - normal;
+        if (dot(change, change) < 1e-10f) break;
+        normal = next;
+    }
+    add(to_float(body.support(-to_double(normal))));
+}
+
+} // namespace
+
+Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index) {
+    Triangle t{};
+    for (uint32_t k = 0; k < 3; ++k) {
+        const float* v = mesh.vertices + size_t{3} * mesh.indices[size_t{3} * index + k];
+        t.corners[k] = {v[0], v[1], v[2]};
+    }
+    const float* n = mesh.normals + size_t{3} * index;
+    t.normal = {n[0], n[1], n[2]};
+    t.hidden = mesh.hidden_edges[index];
+    return t;
+}
+
+HeightPoint height_at(const HeightfieldGeometry& field, float x, float z) {
+    const auto cell = [](float at, float spacing, uint32_t count, float& fraction) {
+        const float most = static_cast<float>(count - 2);
+        float number = std::floor(at / spacing);
+        number = number > 0.0f ? (number < most ? number : most) : 0.0f;
+        fraction = at / spacing - number;
+        return static_cast<uint32_t>(number);
+    };
+    float fx, fz;
+    const uint32_t i = cell(x, field.spacing[0], field.counts[0], fx);
+    const uint32_t k = cell(z, field.spacing[1], field.counts[1], fz);
+    const float h00 = sample(field, i, k), h11 = sample(field, i + 1, k + 1);
+    float dx, dz;
+    if (fz > fx) {
+        const float h01 = sample(field, i, k + 1);
+        dx = h11 - h01;
+        dz = h01 - h00;
+    } else {
+        const float h10 = sample(field, i + 1, k);
+        dx = h10 - h00;
+        dz = h11 - h10;
+    }
+    const float sx = dx / field.spacing[0], sz = dz / field.spacing[1];
+    const float up = 1.0f / std::sqrt(1.0f + sx * sx + sz * sz);
+    return {h00 + dx * fx + dz * fz, {-sx * up, up, -sz * up}};
+}
+
+Cells cells_between(const HeightfieldGeometry& field, float low_x, float high_x, float low_z, float high_z) {
+    Cells out{};
+    const float low[2] = {low_x, low_z}, high[2] = {high_x, high_z};
+    for (uint32_t a = 0; a < 2; ++a) {
+        const float cells = static_cast<float>(field.counts[a] - 1);
+        const float from = std::floor(low[a] / field.spacing[a]), to = std::floor(high[a] / field.spacing[a]) + 1.0f;
+        out.first[a] = static_cast<uint32_t>(from > 0.0f ? (from < cells ? from : cells) : 0.0f);
+        out.last[a] = static_cast<uint32_t>(to > 0.0f ? (to < cells ? to : cells) : 0.0f);
+    }
+    return out;
+}
+
+Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k, bool second) {
+    Triangle t{};
+    t.corners[0] = corner(field, i, k);
+    t.corners[1] = second ? corner(field, i + 1, k + 1) : corner(field, i, k + 1);
+    t.corners[2] = second ? corner(field, i + 1, k) : corner(field, i + 1, k + 1);
+    const Vector n = cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]);
+    t.normal = 1.0f / length(n) * n;
+    t.hidden = all_front;
+    t.one_sided = true;
+    return t;
+}
+
+void add_mesh(const PlacedBody& body, const MeshGeometry& mesh, ColliderPart part, float margin, ContactSet& set) {
+    for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
+        const Triangle t = mesh_triangle(mesh, i);
+        if (dot(t.normal, t.normal) > 0.5f) add_triangle(body, t, margin, set);
+    }
+}
+
+void add_heightfield(const PlacedBody& body, const HeightfieldGeometry& field, float margin, ContactSet& set) {
+    const Vector p = body.at.position;
+    const float far = body.reach + body.radius + margin;
+    if (p.y - far > field.highest) return;
+    add_points(body, field, margin, set);
+    const Cells cells = cells_between(field, p.x - far, p.x + far, p.z - far, p.z + far);
+    const float enough = margin + body.radius;
+    for (uint32_t k = cells.first[1]; k < cells.last[1]; ++k)
+        for (uint32_t i = cells.first[0]; i < cells.last[0]; ++i) {
+            const float highest = std::max(
+                {sample(field, i, k), sample(field, i + 1, k), sample(field, i, k + 1), sample(field, i + 1, k + 1)});
+            if (p.y - far > highest) continue;
+            for (const bool second : {false, true}) {
+                Triangle t = field_triangle(field, i, k, second);
+                const float off = dot(t.normal, p - t.corners[0]);
+                if (off > far) continue;
+                t.hidden = hidden_edges(field, i, k, second, t);
+                if (t.hidden == all_front) continue;
+                if (off + dot(t.normal, to_float(body.support(-to_double(t.normal)))) > enough) continue;
+                add_triangle(body, t, margin, set);
+            }
+        }
+}
+
+} // namespace lr

@@ -1,0 +1,23 @@
+// Convex hulls of points: quickhull with exact integer orientations. Portable: the same bits on every machine.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace lr::shape {
+
+using HullPoint = std::array<double, 3>;
+using HullTriangle = std::array<uint32_t, 3>;
+
+struct ConvexHull {
+    std::vector<uint32_t> points;        // numbers of the input points that are corners, ascending
+    std::vector<HullTriangle> triangles; // of corners (places in `points`), closed and wound outward
+    bool flat = false;                   // a polygon with two sides
+    double slack = 0.0;                  // no input point is farther outside, m
+};
+enum class HullOutcome { done, not_finite, too_few, one_point, one_line, not_closed };
+
+HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out);
+
+} // namespace lr::shape
