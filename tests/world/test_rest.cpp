@@ -46,8 +46,10 @@ struct Fixture {
         Modelled& m = model.at(batch->ids()[index]);
         m.rest_time = random.real(0.0, 1.0);
         m.touching = random.below(100);
-        batch->contact().rest_time[index] = m.rest_time;
-        batch->contact().touching[2][index] = m.touching;
+        const lr::ContactArrays contact = batch->contact();
+        REQUIRE(contact.rest_time);
+        contact.rest_time[index] = m.rest_time;
+        contact.touching[2][index] = m.touching;
         const double push[3] = {1.0, 0.0, 0.0};
         batch->external.add(index, 0, lr::force_newton, push);
         m.pushed += 1.0;
