@@ -323,8 +323,10 @@ TEST_CASE("rules end bodies at rest at most 16 steps late, and never early") {
 
 TEST_CASE("volumes end bodies at rest: new rules, and bodies that were put there") {
     const Crowd crowd(40);
+    set_rules(crowd.world, crowd.batch, rules_with({LR_VOLUME_SPHERE, LR_KILL_OUTSIDE, {}, {9.0f, 0.0f, 0.0f}}));
     crowd.set(crowd.ids, LR_REST_RESTING);
     steps(crowd.world, 40, 0.01f);
+    CHECK(events_of(crowd.world, crowd.batch).total_destroyed == 0);
     set_rules(crowd.world, crowd.batch, rules_with({LR_VOLUME_PLANE, LR_KILL_INSIDE, {}, {1.0f, 0.0f, 0.0f}}));
     uint32_t behind = 0;
     for (uint32_t i = 1; i <= 40; ++i) behind += placed(i).position[0] < 0.0f ? 1u : 0u;
