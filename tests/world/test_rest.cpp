@@ -155,13 +155,13 @@ TEST_CASE("bodies noted in a step come to rest after it, and only those, also wh
         const uint32_t count = 1 + random.below(1500);
         Fixture f(count);
         for (uint32_t i = 0; i < count; ++i) f.add();
-        const uint32_t asleep = random.below(count);
+        const uint32_t asleep = round % 3 == 0 ? 0 : random.below(count);
         for (uint32_t i = 0; i < asleep; ++i) {
             f.model.at(f.batch->ids()[0]).rests = true;
             f.batch->rest(0);
         }
         // So few at times that most cuts have none; in the last places, from where bodies move to those that come free.
-        const uint32_t one_of = round % 2 ? 3 : 400, first = round % 4 ? 0 : f.batch->awake() * 3 / 4;
+        const uint32_t one_of = round % 2 ? 3 : 40, first = round % 4 ? 0 : f.batch->awake() * 3 / 4;
         std::vector<lr_body> noted, ended;
         for (uint32_t i = 0; i < f.batch->awake(); ++i) {
             const lr_body id = f.batch->ids()[i];
