@@ -448,7 +448,17 @@ TEST_CASE("the hash knows who rests, and for how long, whatever the way there") 
     REQUIRE(lr_body_set_state(still.world.get(), still.ids[0], &s) == LR_OK);
     const uint64_t awake = hash_of(still.world);
     still.set(still.ids, LR_REST_RESTING);
-    CHECK(hash_of(still.world) != awake);
+    const uint64_t resting = hash_of(still.world);
+    CHECK(resting != awake);
+    s.age = 1e-3f;
+    std::fill_n(s.linear_velocity, 3, 0.0f);
+    REQUIRE(lr_body_set_state(still.world.get(), still.ids[0], &s) == LR_OK);
+    still.set(still.ids, LR_REST_RESTING);
+    CHECK(hash_of(still.world) != resting);
+    s.age = 0.0f;
+    REQUIRE(lr_body_set_state(still.world.get(), still.ids[0], &s) == LR_OK);
+    still.set(still.ids, LR_REST_RESTING);
+    CHECK(hash_of(still.world) == resting);
     still.set(still.ids, LR_REST_AWAKE);
     CHECK(hash_of(still.world) == awake);
 }
