@@ -128,7 +128,8 @@ HWY_INLINE VF contact_margin(const ContactBodies& b, VF reach, Vec3 x) {
 // Slopes that differ by more than this, as the length of the difference of normals, meet in an edge between the points.
 constexpr float sharp = 0.2f;
 
-// The deepest point, the one farthest from it, and the farthest on either side of the line between them: of a body that lies
+// The deepest point, the one farthest from it, and the farthest on either side of the line between them, those that touch
+// before those that nearly do: of a body that lies
 // flat, corners of the largest quadrilateral or nearly so.
 bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::Slot (&out)[manifold_slots],
                   uint32_t* rough) {
@@ -167,12 +168,18 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         if (!hn::AllFalse(d, touching)) {
             any = true;
             found = count < manifold_slots ? count : manifold_slots;
+            // A point that touches holds the body; one at the margin is only about to.
+            const VF per_margin = hn::Div(constant(1.0f), margin);
+            const auto nearness = [&](const GroundPoint& p) LR_LAMBDA {
+                const VF part = neg_mul_add(p.gap, per_margin, constant(1.0f));
+                return hn::Min(hn::Max(part, zero), constant(2.0f));
+            };
             const auto farthest = [&](GroundPoint& to, VF least, const auto& measure) LR_LAMBDA {
                 VF most = least;
                 to.gap = empty;
                 to.arm = to.at = to.normal = {zero, zero, zero};
                 for (uint32_t k = 0; k < count; ++k) {
-                    const VF value = measure(points[k]);
+                    const VF value = hn::Mul(nearness(points[k]), measure(points[k]));
                     const auto more = hn::And(hn::Lt(points[k].gap, margin), hn::Gt(value, most));
                     to = select(more, points[k], to);
                     most = hn::IfThenElse(more, value, most);
