@@ -41,6 +41,10 @@ inline lr_collider_motion motion_of(lr_collider collider, int32_t mode) {
     return m;
 }
 
+inline bool same_bits(const lr_collider_state& a, const lr_collider_state& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
 // Arrays that a desc points to.
 struct Triangles {
     std::vector<float> vertices;
