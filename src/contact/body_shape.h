@@ -12,9 +12,9 @@ namespace lr {
 inline constexpr uint32_t most_shape_points = 32;
 
 struct BodyShape {
-    uint32_t count;                                                         // of points; 0: an ellipsoid
+    uint32_t count; // of points; 0: an ellipsoid
     float x[most_shape_points], y[most_shape_points], z[most_shape_points]; // m
-    float radius;                                                           // m, around the hull of the points
+    float radius;                                                         // m, around the hull of the points
     Vector center;    // m, of the ellipsoid; else the middle of the points
     Vector semi_axes; // m, of the ellipsoid, along the body axes
     float reach;      // m: no part of it is farther from the centre of mass
