@@ -624,9 +624,8 @@ LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
-/* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter, rates,
- * budget, colliders with their ids)
- * into `size` bytes at `memory`, any alignment. Assets, batches' settings, threads, callbacks are not part of it, nor
+/* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter,
+ * rates, budget, colliders with their ids) into `size` bytes at `memory`, any alignment. Assets, batches' settings, threads, callbacks are not part of it, nor
  * the samples of wind grids and the data of hulls, heightfields and meshes, which are named by their hash. written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
@@ -1032,7 +1031,6 @@ typedef struct lr_collider_desc {
     uint32_t triangle_count;   /* mesh: 1 to LR_MAX_COLLIDER_VERTICES */
     uint32_t counts[2];        /* heightfield: samples along x and z, each >= 2 */
     float spacing[2];          /* heightfield: m between samples, 1e-6 to 1e6; initially 1 */
-    uint32_t reserved;         /* 0 */
     const float* vertices;     /* m, x y z each, up to 1e6 in magnitude; copied, as are the others */
     const uint32_t* indices;   /* 3 a triangle, each < vertex_count */
     const float* heights;      /* m, up to 1e6 in magnitude; x varies fastest */
