@@ -92,7 +92,8 @@ TEST_CASE("nothing is pushed through by trying again and again") {
                                                  : test::ellipsoid(0.5f * size, 0.1f * size, 0.3f * size);
             Pose at{{0.0f, 0.0f, size}, test::any_rotation(random)};
             for (uint32_t step = 0; step < 40; ++step) {
-                const Pose to{at.position + Vector{0.0f, 0.0f, -size * random.real(0.05, 5.0)},
+                // Ways that are short against the thickness are left to the contacts.
+                const Pose to{at.position + Vector{0.0f, 0.0f, -size * random.real(0.5, 5.0)},
                               turned(at.rotation, test::any_direction(random), random.real(0.0, 0.1))};
                 at = between(at, to, free_fraction(shape, 1.0f, at, to, wall.geometry, wall.part));
             }
