@@ -122,7 +122,8 @@ void add_points(const PlacedBody& body, const HeightfieldGeometry& field, float 
         if (gap > 0.0f && below.normal.y < 0.999f) {
             const Vector foot = p - gap * below.normal;
             const float off = foot.y - height_at(field, foot.x, foot.z).height;
-            if (off > 1e-3f * (gap + body.radius)) return below.normal;
+            const float rounding = 1e-6f * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z));
+            if (off > 1e-3f * gap + rounding) return below.normal;
         }
         set.add_core(core, below.normal, gap);
         return below.normal;

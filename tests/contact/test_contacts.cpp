@@ -214,6 +214,34 @@ TEST_CASE("a peak, a ridge, a corner and an edge under the middle of a leaf") {
     }
 }
 
+TEST_CASE("an ellipsoid touches a plane and a slope in one point, in closed form") {
+    test::Random random(16);
+    for (uint32_t i = 0; i < 2000; ++i) {
+        const auto size = static_cast<float>(random.logarithmic(1e-3, 1.0));
+        const float semi[3] = {size, size * random.real(0.1, 1.0), size * random.real(0.1, 1.0)};
+        const BodyShape shape = test::ellipsoid(semi[0], semi[1], semi[2]);
+        const Rotation q = test::any_rotation(random);
+        const float slope = i % 2 == 0 ? 0.0f : random.real(-1, 1);
+        const Vector up = 1.0f / std::sqrt(1.0f + slope * slope) * Vector{-slope, 1.0f, 0.0f};
+        const Vector n = rotate(inverse(q), up);
+        const float tall =
+            std::sqrt(semi[0] * semi[0] * n.x * n.x + semi[1] * semi[1] * n.y * n.y + semi[2] * semi[2] * n.z * n.z);
+        test::Solid floor;
+        std::vector<float> heights;
+        for (uint32_t k = 0; k < 81; ++k) heights.push_back(size * slope * static_cast<float>(k % 9));
+        if (i % 2 == 0)
+            floor.make(ColliderKind::plane);
+        else
+            REQUIRE(floor.make_field(9, 9, size, heights));
+        const float gap = size * random.real(-0.05, 0.05);
+        const Pose at{size * Vector{4.0f, 4.0f * slope, 4.0f} + (gap + tall) * up, q};
+        const Found found(shape, 1.0f, at, floor, 0.1f * size);
+        REQUIRE(found.count >= 1);
+        CHECK(found.least() == doctest::Approx(gap).epsilon(1e-5 * static_cast<double>(size) + 1e-6));
+        CHECK(dot(found.contacts[0].normal, up) > 0.9999f);
+    }
+}
+
 TEST_CASE("a leaf in a thin wall is pushed to the side where most of it is") {
     test::Random random(14);
     const BodyShape shape = test::leaf(0.04f, 4e-4f);
