@@ -14,8 +14,9 @@ float measure(const BodyShape& s, const ShapeFace& f, Vector& middle) {
     const Vector first = point(s, s.corners[f.first]);
     middle = {0.0f, 0.0f, 0.0f};
     Vector area{0.0f, 0.0f, 0.0f};
-    for (uint32_t k = 0; k < f.count; ++k) {
-        const Vector a = point(s, s.corners[f.first + k]), b = point(s, s.corners[f.first + (k + 1) % f.count]);
+    const uint32_t count = f.count;
+    for (uint32_t k = 0; k < count; ++k) {
+        const Vector a = point(s, s.corners[f.first + k]), b = point(s, s.corners[f.first + (k + 1) % count]);
         middle = middle + a;
         area = area + cross(a - first, b - first);
     }
@@ -56,8 +57,8 @@ GroundSamples make_ground_samples(const BodyShape& s) {
         add(middle[f]);
         // Half way to some of its corners.
         const ShapeFace& face = s.faces[f];
-        const uint32_t stride = (face.count + 7) / 8;
-        for (uint32_t c = 0; c < face.count; c += stride) add(0.5f * (middle[f] + point(s, s.corners[face.first + c])));
+        const uint32_t corners = face.count, stride = (corners + 7) / 8;
+        for (uint32_t c = 0; c < corners; c += stride) add(0.5f * (middle[f] + point(s, s.corners[face.first + c])));
     }
     return out;
 }
