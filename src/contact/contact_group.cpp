@@ -40,6 +40,12 @@ float restitution_of(const ContactSettings& s, const Collider& c) {
 
 } // namespace
 
+const char* wrong_in(const ContactSettings& s) {
+    if (!(s.friction >= 0.0f && s.friction <= 10.0f)) return "friction is not 0 to 10";
+    if (!(s.restitution >= 0.0f && s.restitution <= 1.0f)) return "restitution is not 0 to 1";
+    return s.rolling >= 0.0f && s.rolling <= 10.0f ? nullptr : "rolling_resistance is not 0 to 10";
+}
+
 Pose pose_at(const Collider& c, float part) {
     if (!c.moves || part <= 0.0f) return c.begin;
     if (part >= 1.0f) return c.end;
