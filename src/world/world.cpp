@@ -423,8 +423,9 @@ uint64_t lr_world::hash() const {
         }
         result = mix(result ^ mix(b)) + sum;
         if (const lr::ContactSettings& c = batch.contact; !(c == lr::ContactSettings{}))
-            for (uint32_t word : {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
-                                  std::bit_cast<uint32_t>(c.rolling), c.may_rest ? 1u : 0u})
+            for (uint32_t word :
+                 {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
+                  std::bit_cast<uint32_t>(c.rolling), std::bit_cast<uint32_t>(c.ground_effect), c.may_rest ? 1u : 0u})
                 result = mix(result ^ word);
         if (batch.awake() < batch.count()) {
             const lr::Resting::Record rest = batch.resting()->record(batch.awake());
