@@ -136,7 +136,9 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         const GroundPoints all(b, g, at);
         const VF reach = hn::Mul(constant(b.shape.reach), hn::Load(d, b.arrays.field[field_scale] + at));
         const VF margin = contact_margin(b, reach, load3(b.arrays, field_x, at));
+        const Vec3 none{zero, zero, zero};
         GroundPoint best[manifold_slots];
+        for (GroundPoint& point : best) point = {none, none, empty, none};
         VF uneven = zero;
         for (uint32_t k = 0; k < count; ++k) {
             points[k] = all.get(k);
