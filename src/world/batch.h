@@ -127,6 +127,7 @@ public:
 
     ContactSettings contact;
     BodyShape shape{}; // what of its bodies can touch
+    GroundSamples ground{};
     ContactBook contact_book();
 
     ContactEvents* events() const { return events_; } // null where none are kept
