@@ -24,11 +24,6 @@ inline size_t count_of(const std::vector<lr_contact_event>& events, int32_t kind
 inline void keep_events(const World& world, uint32_t capacity = 1000, uint32_t kinds = LR_EVENTS_ALL) {
     REQUIRE(lr_world_set_contact_events(world.get(), capacity, kinds) == LR_OK);
 }
-inline lr_collider add_collider(const World& world, const lr_collider_desc& d) {
-    lr_collider id = 0;
-    REQUIRE(lr_collider_create(world.get(), &d, 1, &id) == LR_OK);
-    return id;
-}
 // Until an event of this kind, at most `most` steps; what all of them told.
 inline std::vector<lr_contact_event> step_until(const World& world, int32_t kind, int most, float dt = 1.0f / 60.0f,
                                                 uint32_t substeps = 4) {
