@@ -291,6 +291,31 @@ void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {
     }
 }
 
+Touch ContactGroup::meeting(uint32_t i, uint32_t collider, const LaneRow (&before)[pose_fields]) const {
+    Touch touch{};
+    touch.collider = collider + 1;
+    const Pose pose = pose_of(i);
+    const Rotation turn{before[3][i], before[4][i], before[5][i], before[6][i]};
+    const Vector v{before[7][i], before[8][i], before[9][i]}, w{before[10][i], before[11][i], before[12][i]};
+    const auto put = [](Vector a, float(&to)[3]) { to[0] = a.x, to[1] = a.y, to[2] = a.z; };
+    float strongest = -1.0f, sum = 0.0f;
+    for (uint32_t k = 0; k < filled_[i]; ++k) {
+        const ContactSlots::Slot& s = slots_.slot[k];
+        if (s.collider[i] != collider || !(s.impulse[i] >= 0.0f)) continue;
+        sum += s.impulse[i];
+        if (!(s.impulse[i] > strongest)) continue;
+        strongest = s.impulse[i];
+        const auto row = [i](const LaneRow(&rows)[3]) { return Vector{rows[0][i], rows[1][i], rows[2][i]}; };
+        const Vector arm = row(s.arm), normal = row(s.normal);
+        put(to_outer(pose, arm), touch.position);
+        put(normal, touch.normal);
+        touch.speed = std::max(dot(normal, row(s.surface) - rotate(turn, v + cross(w, arm))), 0.0f);
+    }
+    const float scale = arrays_.field[field_scale][i];
+    touch.impulse = body_->unit_mass * scale * scale * scale * sum;
+    return touch;
+}
+
 NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin,
                            uint32_t end, float dt)
     : begin_(begin), live_(live) {

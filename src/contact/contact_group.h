@@ -55,6 +55,13 @@ constexpr ShapeConstants constants_of(const BodyShape& s, const GroundSamples& g
 // Where a collider is at a part of the step, 0 to 1.
 Pose pose_at(const Collider& collider, float part);
 
+// How a body met a collider.
+struct Touch {
+    uint32_t collider; // slot + 1; 0: none
+    float position[3], normal[3];
+    float speed, impulse; // m/s, N s
+};
+
 // Up to contact_lanes bodies that may touch something, through a step.
 class ContactGroup {
 public:
@@ -67,6 +74,8 @@ public:
 
     // Of the last substep: the strongest contacts' colliders of a body, slot + 1 each, 0 behind the last; strongest first.
     void touched(uint32_t lane, uint32_t (&out)[4]) const;
+    // With one of them, in the last substep: at its strongest contact, and the impulse of all. before: as for resolve().
+    Touch meeting(uint32_t lane, uint32_t collider, const LaneRow (&before)[pose_fields]) const;
     bool touches(uint32_t lane) const { return touches_[lane]; }
     uint32_t missed() const { return missed_; } // candidates without room
 

@@ -7,6 +7,7 @@
 #include "kernel/batch_arrays.h"
 #include "kernel/step.h"
 #include "world/allocator.h"
+#include "world/contact_events.h"
 #include "world/external_forces.h"
 #include "world/handles.h"
 #include "world/pace.h"
@@ -130,6 +131,10 @@ public:
     GroundSamples ground{};
     ContactBook contact_book();
 
+    ContactEvents* events() const { return events_; } // null where none are kept
+    bool reserve_events();                            // false when out of memory
+    void drop_events();
+
     StepInput step; // constants of the shape, filled up by World::step
     Pace pace;
     std::atomic<uint64_t> spent{0}; // ns of all threads in this step; where a budget asks for it
@@ -174,6 +179,7 @@ private:
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
     Lifecycle* lifecycle_ = nullptr;
     Resting* resting_ = nullptr;
+    ContactEvents* events_ = nullptr;
 };
 
 } // namespace lr

@@ -97,6 +97,10 @@ lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const
         Batch::destroy(slot.batch);
         return LR_ERROR_OUT_OF_MEMORY;
     }
+    if (contact_events.on() && !slot.batch->reserve_events()) {
+        Batch::destroy(slot.batch);
+        return LR_ERROR_OUT_OF_MEMORY;
+    }
     batches[at] = slot;
     batch_slots = std::max(batch_slots, at + 1);
     out = lr::pack(lr::BatchHandle{at, slot.generation});
@@ -140,7 +144,8 @@ lr_status lr_world::set_rest(const lr_body* bodies, uint32_t count, bool rest) {
             batch.wake(index);
             continue;
         }
-        batch.rest(index);
+        index = batch.rest(index);
+        if (batch.events()) batch.events()->take_back_woke(lr::unpack(batch.ids()[index]).slot);
         batch.resting()->ask_again(); // it has perhaps never been in a step
     }
     return LR_OK;
@@ -225,10 +230,13 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     const Clock::time_point since = pacing.timed() ? Clock::now() : Clock::time_point();
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
+    contact_events.begin_step();
     pace_batches(dt, substeps);
     if (colliders.any()) {
         const bool resting = any_resting();
-        if (resting) colliders.for_fresh([&](uint32_t slot) { wake_at(slot); });
+        colliders.for_fresh([&](uint32_t slot) {
+            if (resting) wake_at(slot);
+        });
         colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
         if (resting) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
     }
@@ -239,6 +247,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
         if (!batch || batch->awake() == 0 || batch->pace.granted() == 0) continue;
         items[item_count++] = {batch, lr::pack(lr::BatchHandle{i, batches[i].generation}), 0};
         fill_input(*batch, dt, unfit);
+        if (batch->events()) batch->events()->begin_step(colliders.any() && batch->contact.layers != 0);
     }
     const lr::SurfaceStep at_surface{target, &surface, {}, gravity};
     const lr::SurfaceStep* const water = surface.present() ? &at_surface : nullptr;
@@ -354,8 +363,10 @@ void lr_world::finish_batches(double dt) {
         if (!batch) continue;
         const bool still = batch->awake() == 0, waits = !still && batch->pace.granted() == 0;
         lr::Lifecycle* const lifecycle = batch->lifecycle();
+        const lr_batch handle = lr::pack(lr::BatchHandle{i, batches[i].generation});
         if (waits) {
             if (lifecycle) lifecycle->pass();
+            if (batch->events()) batch->events()->tell(*batch, handle, colliders, false, contact_events);
             continue;
         }
         const double seconds = still ? dt : batch->pace.behind();
@@ -368,6 +379,7 @@ void lr_world::finish_batches(double dt) {
             lifecycle->finish(*batch, *this, seconds);
         }
         batch->settle_noted();
+        if (batch->events()) batch->events()->tell(*batch, handle, colliders, !still, contact_events);
     }
 }
 
