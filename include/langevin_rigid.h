@@ -366,7 +366,8 @@ LR_API lr_status lr_world_info_init(lr_world_info* info, uint32_t struct_size);
 /* LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_world_get_info(const lr_world* world, lr_world_info* info);
 
-/* Takes effect with the next step. Another one than before wakes all bodies. gravity: m/s^2, 3 values, each up to 1e4 in magnitude.
+/* Takes effect with the next step. Another one than before wakes all bodies (lr_body_set_rest). gravity: m/s^2, 3 values,
+ * each up to 1e4 in magnitude.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_set_gravity(lr_world* world, const float* gravity);
 
@@ -623,9 +624,8 @@ LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 /* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
-/* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter, rates,
- * budget, colliders with their ids)
- * into `size` bytes at `memory`, any alignment. Assets, batches' settings, threads, callbacks are not part of it, nor
+/* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter,
+ * rates, budget, colliders with their ids) into `size` bytes at `memory`, any alignment. Assets, batches' settings, threads, callbacks are not part of it, nor
  * the samples of wind grids and the data of hulls, heightfields and meshes, which are named by their hash. written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
@@ -776,7 +776,8 @@ LR_API lr_status lr_batch_pace_init(lr_batch_pace* pace, uint32_t struct_size);
 LR_API lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace);
 
 /* The state of a batch where it lies: arrays with one value a body, `count` of them, 64-byte aligned. Bodies are dense:
- * those that move come first, then those at rest, and where one leaves its part of them, the last of that part takes its place. Pointers are valid until the next call that is not a query. */
+ * those that move come first, then those at rest, and where one leaves its part of them, the last of that part takes its
+ * place. Pointers are valid until the next call that is not a query. */
 typedef struct lr_batch_view {
     uint32_t struct_size;
     uint32_t count;              /* bodies */
@@ -819,9 +820,10 @@ LR_API lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_bat
 LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
                                            uint64_t stride, uint32_t capacity, uint32_t* written);
 
-/* The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was written before:
- * where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is enough to write as many as
- * moved then or move now, the greater awake_count of the two. Else all. Keep both numbers for each buffer that is written in turn.
+/* The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
+ * written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
+ * enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md. Keep
+ * both numbers for each buffer that is written in turn.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
@@ -872,9 +874,9 @@ LR_API lr_status lr_body_state_init(lr_body_state* state, uint32_t struct_size);
 /* LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state);
 
-/* Sets everything but the key, and wakes the body. The quaternion is normalised. Positions up to 1e9 m, velocities up to 1e6 m/s and rad/s
- * are taken, here and by lr_body_create. For many bodies a frame, prefer forces and wind: this breaks the physics by
- * design.
+/* Sets everything but the key, and wakes the body. The quaternion is normalised. Positions up to 1e9 m, velocities up to
+ * 1e6 m/s and rad/s are taken, here and by lr_body_create. For many bodies a frame, prefer forces and wind: this breaks
+ * the physics by design.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state);
@@ -882,24 +884,24 @@ LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_
 #define LR_REST_AWAKE 0
 #define LR_REST_RESTING 1
 
-/* Puts bodies of any batches to rest, or wakes them, all or none; some may be so already, or be given twice. A body at rest does
- * not move, whatever acts on it, and costs a step nothing. Its velocities and the forces on it end. It wakes
+/* Puts bodies of any batches to rest, or wakes them, all or none; some may be so already, or be given twice. A body at
+ * rest does not move, whatever acts on it, and costs a step nothing. Its velocities and the forces on it end. It wakes
  *  - by this function, lr_world_wake_box, and lr_body_set_state,
  *  - by a force, impulse or velocity on it that is not zero (lr_body_add_force, lr_batch_add_forces),
  *  - by a change of lr_batch_set_force or lr_world_set_gravity, with all others that it is about,
  *  - when it begins anew by its batch's rules,
  *  - by contact: colliders, wind. docs/rest.md.
- * It grows older, and the rules of its batch are for it too: they look at bodies at rest in every 16th step of the batch. Part of snapshots.
- * Bodies that wake, come to rest or are made change indices in the view, not ids. The first body at rest of a batch takes up to 25 bytes
- * for each of its capacity.
+ * It grows older, and the rules of its batch are for it too: they look at bodies at rest in every 16th step of the batch.
+ * Bodies that wake and come to rest change indices in the view, not ids. Part of snapshots. The first body at rest of a
+ * batch takes up to 25 bytes for each of the batch's capacity.
  * rest: LR_REST_*.
  * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_INVALID_ARGUMENT,
  * LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_body_set_rest(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest);
 
-/* Wakes all bodies at rest that reach into a box, taking each for a sphere's box: for what their world does not know of, as footsteps and
- * explosions. low, high: x, y, z of its corners, m, low <= high. woken: how many; may be null. It takes time by what lies there,
- * not by what rests elsewhere.
+/* Wakes all bodies at rest that reach into a box, each taken to be a cube that it can turn in: for what the world does not
+ * know of, as footsteps and explosions. low, high: x, y, z of its corners, m, low <= high. woken: how many; may be null. It
+ * takes time by what lies there, not by what rests elsewhere.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken);
 
@@ -1029,7 +1031,6 @@ typedef struct lr_collider_desc {
     uint32_t triangle_count;   /* mesh: 1 to LR_MAX_COLLIDER_VERTICES */
     uint32_t counts[2];        /* heightfield: samples along x and z, each >= 2 */
     float spacing[2];          /* heightfield: m between samples, 1e-6 to 1e6; initially 1 */
-    uint32_t reserved;         /* 0 */
     const float* vertices;     /* m, x y z each, up to 1e6 in magnitude; copied, as are the others */
     const uint32_t* indices;   /* 3 a triangle, each < vertex_count */
     const float* heights;      /* m, up to 1e6 in magnitude; x varies fastest */
@@ -1143,8 +1144,9 @@ typedef struct lr_batch_rules {
 
 LR_API lr_status lr_batch_rules_init(lr_batch_rules* rules, uint32_t struct_size);
 
-/* Bodies are judged at the end of each step, those at rest (lr_body_set_rest) in one of 16 of their batch. Copied; null ends the rules. Part of snapshots. The first rules or emitter
- * of a batch take 24 bytes for each of its capacity; later calls, say to move a volume along with a camera, none.
+/* Bodies are judged at the end of each step, those at rest (lr_body_set_rest) in one of 16 of their batch. Copied; null
+ * ends the rules. Part of snapshots. The first rules or emitter of a batch take 24 bytes for each of its capacity; later
+ * calls, say to move a volume along with a camera, none.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT (also LR_END_RESPAWN without an emitter), LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules);

@@ -123,7 +123,7 @@ Refusal check_desc(const lr_collider_desc& d, const lr_collider_desc& before) {
     if (!finite(d.position) || !finite(d.orientation) || !finite(d.linear_velocity) || !finite(d.angular_velocity) ||
         !std::isfinite(d.friction) || !std::isfinite(d.restitution))
         return {LR_ERROR_NOT_FINITE, nullptr};
-    if (d.flags != 0 || d.reserved != 0) return invalid("flags or reserved are not 0");
+    if (d.flags != 0) return invalid("flags are not 0");
     for (const char* why :
          {wrong_pose(d.position, d.orientation), wrong_velocity(d.linear_velocity, d.angular_velocity),
           wrong_surface(d.friction, d.restitution)})

@@ -186,7 +186,7 @@ void ColliderSnapshot::commit() {
     uint32_t next = 0;
     for (uint32_t slot = 0; slot < list.slots; ++slot) {
         const auto saved_slot = at<SavedSlot>(slots, slot);
-        c.slots_[slot] = {nullptr, saved_slot.generation, saved_slot.link, Colliders::Where::free, false};
+        c.slots_[slot] = {nullptr, saved_slot.generation, saved_slot.link, Colliders::Where::free, false, false};
         if (saved_slot.link != taken) continue;
         const auto saved = at<SavedCollider>(colliders, next++);
         const auto kind = static_cast<ColliderKind>(saved.kind);

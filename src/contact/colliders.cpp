@@ -239,7 +239,7 @@ void Colliders::release(uint32_t slot) {
     delist(slot);
     geometries_.release(s.shared);
     // The longest unused slot is the next one to be used.
-    s = {nullptr, s.generation == UINT32_MAX ? 1 : s.generation + 1, none, Where::free, false};
+    s = {nullptr, s.generation == UINT32_MAX ? 1 : s.generation + 1, none, Where::free, false, false};
     if (free_first_ == none)
         free_first_ = slot;
     else

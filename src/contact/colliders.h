@@ -144,7 +144,7 @@ private:
     // Finite colliders are in the grid of those that stand still, which is built now and then, or in `active_`, of which a
     // grid is built in each step: those that move, and those that do not but have not been entered in the other yet.
     Buffer<uint32_t> active_, unbounded_;
-    ProxyGrid still_grid_, active_grid_;
+    ProxyGrid still_grid_{true}, active_grid_{false};
     NearColliders near_{};
 
     uint32_t used_ = 0, count_ = 0; // slots

@@ -96,6 +96,9 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
             const Candidate& candidate = near_[i].candidate[k];
             const Collider& c = step_->colliders->at(candidate.slot);
             if (c.geometry.kind == ColliderKind::plane) continue;
+            // Solid below, so that only what is thinner than the way could be jumped.
+            if (const HeightfieldGeometry* const f = c.geometry.heightfield; f && !c.moves)
+                if (length(to.position - from.position) < 0.5f * std::min(f->spacing[0], f->spacing[1])) continue;
             const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), to);
             free = std::min(free, free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part));
         }
@@ -233,9 +236,14 @@ void ContactGroup::resolve(const LaneRow (&before)[pose_fields], float begin, fl
     clip(before, begin, end);
     slots_.used = 0;
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
-    const ContactBodies bodies{
-        body_,        constants_of(*step_->shape), h, step_->gravity, step_->settings->rolling, arrays_, before,
-        contact_lanes};
+    const ContactBodies bodies{body_,
+                               constants_of(*step_->shape, *step_->samples),
+                               h,
+                               step_->gravity,
+                               step_->settings->rolling,
+                               arrays_,
+                               before,
+                               contact_lanes};
     touch_grounds(bodies, begin, end, h);
     for (uint32_t i = 0; i < count_; ++i) touch_others(i, near_[i], begin, end, h);
     std::fill(touches_, touches_ + contact_lanes, false);

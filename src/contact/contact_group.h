@@ -3,6 +3,7 @@
 
 #include "contact/body_shape.h"
 #include "contact/colliders.h"
+#include "contact/ground_samples.h"
 #include "kernel/contact.h"
 #include "kernel/wind.h"
 
@@ -23,17 +24,23 @@ struct ContactStep {
     const ContactTarget* target;
     const Colliders* colliders;
     const BodyShape* shape;
+    const GroundSamples* samples;
     const ContactSettings* settings;
     float gravity; // m/s^2, magnitude
     float dt;      // s, of the step
     float gain;    // m/s that bodies may gain in it beside what they have
 };
 
-constexpr ShapeConstants constants_of(const BodyShape& s) {
+static_assert(most_ground_samples == most_ground_points);
+constexpr ShapeConstants constants_of(const BodyShape& s, const GroundSamples& g) {
     return {s.count,
             s.x,
             s.y,
             s.z,
+            g.count,
+            g.x,
+            g.y,
+            g.z,
             s.radius,
             {s.center.x, s.center.y, s.center.z},
             {s.semi_axes.x, s.semi_axes.y, s.semi_axes.z},

@@ -9,6 +9,9 @@ namespace {
 
 // Of the body's reach: contacts nearer together say the same.
 constexpr float same = 1e-3f;
+// Of the search, side by side: the greatest of many in one chain is slow.
+constexpr uint32_t lanes = 4;
+static_assert(most_found % lanes == 0);
 
 } // namespace
 
@@ -30,26 +33,45 @@ float ContactSet::least_gap(uint32_t from, float otherwise) const {
 
 uint32_t ContactSet::choose(Contact* out) const {
     if (count_ == 0) return 0;
-    float apart[most_found];
-    std::fill_n(apart, count_, std::numeric_limits<float>::infinity());
-    uint32_t next = 0;
-    for (uint32_t i = 1; i < count_; ++i)
-        if (found_[i].gap < found_[next].gap) next = i;
     const float reach = body_->reach + body_->radius, square = reach * reach;
+    // Place and direction of each as one point in six dimensions, the directions times the reach; in columns for the
+    // compiler's vectors.
+    float columns[6][most_found], apart[most_found];
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < count_; ++i) {
+        const Contact& c = found_[i];
+        const float of[6] = {c.arm.x, c.arm.y, c.arm.z, reach * c.normal.x, reach * c.normal.y, reach * c.normal.z};
+        for (uint32_t k = 0; k < 6; ++k) columns[k][i] = of[k];
+        apart[i] = std::numeric_limits<float>::infinity();
+        if (c.gap < found_[next].gap) next = i;
+    }
+    const uint32_t padded = (count_ + lanes - 1) / lanes * lanes;
+    for (uint32_t i = count_; i < padded; ++i) {
+        apart[i] = 0.0f;
+        for (auto& column : columns) column[i] = 0.0f;
+    }
     uint32_t kept = 0;
     while (true) {
-        const Contact& taken = out[kept++] = found_[next];
+        out[kept++] = found_[next];
         if (kept == most_contacts) break;
-        float most = same * same * square;
-        uint32_t farthest = count_;
-        for (uint32_t i = 0; i < count_; ++i) {
-            const Vector a = found_[i].arm - taken.arm, n = found_[i].normal - taken.normal;
-            apart[i] = std::min(apart[i], dot(a, a) + square * dot(n, n));
-            if (apart[i] > most) {
-                most = apart[i];
-                farthest = i;
+        float taken[6];
+        for (uint32_t k = 0; k < 6; ++k) taken[k] = columns[k][next];
+        for (uint32_t i = 0; i < padded; ++i) {
+            float sum = 0.0f;
+            for (uint32_t k = 0; k < 6; ++k) {
+                const float d = columns[k][i] - taken[k];
+                sum += d * d;
             }
+            apart[i] = sum < apart[i] ? sum : apart[i];
         }
+        float most[lanes] = {};
+        for (uint32_t i = 0; i < padded; i += lanes)
+            for (uint32_t lane = 0; lane < lanes; ++lane)
+                most[lane] = most[lane] < apart[i + lane] ? apart[i + lane] : most[lane];
+        const float far = std::max({most[0], most[1], most[2], most[3]});
+        if (!(far > same * same * square)) break;
+        uint32_t farthest = 0;
+        while (farthest < count_ && apart[farthest] != far) ++farthest;
         if (farthest == count_) break;
         next = farthest;
     }

@@ -123,7 +123,7 @@ lr_status make_mesh(Allocator& allocator, const lr_collider_desc& desc, SharedGe
 
 GeometryStore::~GeometryStore() {
     for (size_t i = 0; i < table_.size(); ++i)
-        if (table_[i]) free(table_[i]);
+        if (table_[i].geometry) free(table_[i].geometry);
 }
 
 void GeometryStore::free(SharedGeometry* geometry) {
@@ -148,21 +148,21 @@ lr_status GeometryStore::build(const lr_collider_desc& desc, SharedGeometry& to)
 
 SharedGeometry* GeometryStore::find(ColliderKind kind, uint64_t hash) const {
     if (count_ == 0) return nullptr;
-    for (size_t i = home(hash); table_[i]; i = (i + 1) & (table_.size() - 1))
-        if (table_[i]->hash == hash && table_[i]->kind == kind) return table_[i];
+    for (size_t i = home(hash); table_[i].geometry; i = (i + 1) & (table_.size() - 1))
+        if (table_[i].geometry->hash == hash && table_[i].geometry->kind == kind) return table_[i].geometry;
     return nullptr;
 }
 
 bool GeometryStore::grow() {
-    Buffer<SharedGeometry*> larger;
+    Buffer<Entry> larger;
     if (!larger.allocate(*allocator_, std::max<size_t>(8, 2 * table_.size()))) return false;
-    std::fill_n(larger.data(), larger.size(), nullptr);
+    std::fill_n(larger.data(), larger.size(), Entry{nullptr});
     table_.swap(larger);
     for (size_t i = 0; i < larger.size(); ++i) {
-        if (!larger[i]) continue;
-        size_t at = home(larger[i]->hash);
-        while (table_[at]) at = (at + 1) & (table_.size() - 1);
-        table_[at] = larger[i];
+        if (!larger[i].geometry) continue;
+        size_t at = home(larger[i].geometry->hash);
+        while (table_[at].geometry) at = (at + 1) & (table_.size() - 1);
+        table_[at].geometry = larger[i].geometry;
     }
     return true;
 }
@@ -188,8 +188,8 @@ lr_status GeometryStore::acquire(const lr_collider_desc& desc, SharedGeometry*& 
         return status;
     }
     size_t at = home(hash);
-    while (table_[at]) at = (at + 1) & (table_.size() - 1);
-    table_[at] = geometry;
+    while (table_[at].geometry) at = (at + 1) & (table_.size() - 1);
+    table_[at].geometry = geometry;
     ++count_;
     out = geometry;
     return LR_OK;
@@ -199,15 +199,15 @@ void GeometryStore::release(SharedGeometry* geometry) {
     if (!geometry || --geometry->users != 0) return;
     const size_t mask = table_.size() - 1;
     size_t hole = home(geometry->hash);
-    while (table_[hole] != geometry) hole = (hole + 1) & mask;
+    while (table_[hole].geometry != geometry) hole = (hole + 1) & mask;
     free(geometry);
-    table_[hole] = nullptr;
+    table_[hole].geometry = nullptr;
     --count_;
     // Those that the hole would cut off from their home move into it.
-    for (size_t at = (hole + 1) & mask; table_[at]; at = (at + 1) & mask) {
-        if (((at - home(table_[at]->hash)) & mask) < ((at - hole) & mask)) continue;
-        table_[hole] = table_[at];
-        table_[at] = nullptr;
+    for (size_t at = (hole + 1) & mask; table_[at].geometry; at = (at + 1) & mask) {
+        if (((at - home(table_[at].geometry->hash)) & mask) < ((at - hole) & mask)) continue;
+        table_[hole].geometry = table_[at].geometry;
+        table_[at].geometry = nullptr;
         hole = at;
     }
 }

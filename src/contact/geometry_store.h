@@ -54,7 +54,10 @@ private:
     void free(SharedGeometry* geometry);
 
     Allocator* allocator_;
-    Buffer<SharedGeometry*> table_; // open addressing, at most half full
+    struct Entry {
+        SharedGeometry* geometry; // null: free
+    };
+    Buffer<Entry> table_; // open addressing, at most half full
     size_t count_ = 0;
 };
 

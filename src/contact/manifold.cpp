@@ -121,10 +121,10 @@ void hull_side(const PlacedCollider& collider, const Across& across, Side& side)
     const Vector plane{best[0], best[1], best[2]};
     if (!across.set_slope(side, plane)) return;
     float size = std::abs(best[3]);
-    for (uint32_t i = 0; i < 3 * hull.vertex_count; ++i) size = std::max(size, std::abs(hull.vertices[i]));
+    for (size_t i = 0; i < size_t{3} * hull.vertex_count; ++i) size = std::max(size, std::abs(hull.vertices[i]));
     Side corners;
     for (uint32_t i = 0; i < hull.vertex_count; ++i) {
-        const Vector p{hull.vertices[3 * i], hull.vertices[3 * i + 1], hull.vertices[3 * i + 2]};
+        const Vector p = hull_corner(hull, i);
         if (best[3] - dot(plane, p) < 1e-5f * size) across.append(corners, to_float(collider.origin + to_double(p)));
     }
     if (corners.count < 3) return;

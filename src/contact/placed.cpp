@@ -111,10 +111,7 @@ Double3 PlacedCollider::middle() const {
     if (count == 0 && !hull) return origin;
     Double3 sum{0.0, 0.0, 0.0};
     const uint32_t n = hull ? hull->vertex_count : count;
-    for (uint32_t i = 0; i < n; ++i)
-        sum = sum +
-              (hull ? origin + to_double({hull->vertices[3 * i], hull->vertices[3 * i + 1], hull->vertices[3 * i + 2]})
-                    : points[i]);
+    for (uint32_t i = 0; i < n; ++i) sum = sum + (hull ? origin + to_double(hull_corner(*hull, i)) : points[i]);
     return 1.0 / static_cast<double>(n) * sum;
 }
 

@@ -6,6 +6,7 @@
 #include "contact/geometry.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace lr {
@@ -40,6 +41,11 @@ constexpr Double3 to_double(Vector a) {
 }
 constexpr Vector to_float(Double3 a) {
     return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+inline Vector hull_corner(const HullGeometry& hull, uint32_t i) {
+    const float* v = hull.vertices + size_t{3} * i;
+    return {v[0], v[1], v[2]};
 }
 
 struct PlacedBody {

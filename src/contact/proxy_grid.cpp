@@ -8,12 +8,7 @@ namespace {
 
 constexpr uint64_t spare_words = uint64_t{8} * most_occupancy_levels;
 
-// For the bits of `count` proxies: about one bit in a hundred is set where they are few, one in twenty where they would not
-// stay in a cache.
-uint64_t words_for(uint64_t count) {
-    constexpr uint64_t few = 1u << 14;
-    return spare_words + (count <= few ? 32 * count : std::max(32 * few, 8 * count));
-}
+constexpr uint64_t few = 1u << 12; // proxies
 
 float extent(const Box& box) {
     const Vector e = box.high - box.low;
@@ -21,6 +16,13 @@ float extent(const Box& box) {
 }
 
 } // namespace
+
+// For the bits of `count` proxies, never fewer for more: a few bits in a hundred are set, one in ten or twenty where there are so many
+// that they would not stay in a cache.
+uint64_t ProxyGrid::words_for(uint64_t count) const {
+    const uint64_t each = fine_ ? 128 : 32, most_each = 16;
+    return spare_words + std::max(each * std::min(count, 128 * few / each), most_each * count);
+}
 
 bool ProxyGrid::reserve(Allocator& allocator, size_t proxies) {
     if (proxies <= capacity()) return true;
@@ -53,14 +55,15 @@ ProxyGrid::Cells ProxyGrid::cells_of(const Box& box, float grow_x, float grow_y,
              cell_number(box.high.z + grow_z, inverse_cell)}};
 }
 
-// Each proxy to the finest cells of which, with `dilation`, it covers at most three along each axis. Where these are of more
+// Each proxy to the finest cells of which, with `dilation`, it covers at most three along each axis, or five. Where these are of more
 // sizes than there may be levels, the ones for which coarser cells add the least volume give way.
 void ProxyGrid::choose_levels(float dilation, uint32_t levels) {
+    const int finer = fine_ && count_ <= few ? 1 : 0;
     uint32_t in_rung[rungs] = {};
     for (uint32_t i = 0; i < count_; ++i) {
         int power = 0;
         (void)std::frexp(0.5f * extent(proxies_[i].box) + dilation, &power);
-        level_of_[i] = static_cast<uint8_t>(std::clamp(power - least_rung, 0, rungs - 1));
+        level_of_[i] = static_cast<uint8_t>(std::clamp(power - finer - least_rung, 0, rungs - 1));
         ++in_rung[level_of_[i]];
     }
     int used[rungs];
@@ -97,7 +100,11 @@ void ProxyGrid::choose_levels(float dilation, uint32_t levels) {
             static_cast<uint64_t>(static_cast<double>(words_for(count_) - spare_words) * sum[l] / count_);
         const auto size = static_cast<uint32_t>(std::bit_floor(std::max<uint64_t>(8, share)));
         std::memset(words, 0, size_t{4} * size);
-        levels_[l] = {{std::ldexp(1.0f, -(used[l] + least_rung)), dilation, words, size - 1}, {0.0f, 0.0f, 0.0f}, 0};
+        const int power = used[l] + least_rung;
+        levels_[l] = {{std::ldexp(1.0f, -power), dilation, words, size - 1},
+                      std::ldexp(1.0f, -(power + finer + 1)),
+                      {0.0f, 0.0f, 0.0f},
+                      0};
         words += size;
     }
     for (uint32_t i = 0; i < count_; ++i) {
@@ -135,7 +142,7 @@ void ProxyGrid::build(float dilation, uint32_t levels) {
     bucket_count_ = std::bit_ceil(count_);
     std::memset(buckets_.data(), 0, 4 * (size_t{bucket_count_} + 1));
     const auto bucket_of = [&](uint32_t i) {
-        const float inverse = levels_[level_of_[i]].near.inverse_cell;
+        const float inverse = levels_[level_of_[i]].inverse_bucket;
         const Vector at = middle_of(proxies_[i].box);
         return bucket(cell_number(at.x, inverse), cell_number(at.y, inverse), cell_number(at.z, inverse), level_of_[i]);
     };

@@ -31,6 +31,9 @@ inline int32_t cell_number(float x, float inverse_cell) {
 
 class ProxyGrid {
 public:
+    // fine: of a few proxies the bits are entered in cells half as large, which takes longer and tells more bodies to be far.
+    explicit ProxyGrid(bool fine = false) : fine_(fine) {}
+
     // Memory for `proxies` of them; what was built is gone when this had to take more. False: out of memory, all as before.
     bool reserve(Allocator& allocator, size_t proxies);
     size_t capacity() const { return proxies_.size(); }
@@ -52,13 +55,13 @@ private:
     static constexpr int least_rung = -24, rungs = 48; // cells of 2^rung m
     struct Level {
         OccupancyLevel near;
-        float spread[3]; // m: no box reaches farther from its middle
+        float inverse_bucket; // 1/m, of the cells that make buckets: coarser, so that a query visits few
+        float spread[3];      // m: no box reaches farther from its middle
         uint32_t count;
     };
     struct Cells {
         int32_t low[3], high[3];
     };
-    static constexpr uint64_t most_visited = 4096; // cells in a query; then all proxies are gone through
 
     static Cells cells_of(const Box& box, float grow_x, float grow_y, float grow_z, float inverse_cell);
     uint32_t bucket(int32_t x, int32_t y, int32_t z, uint32_t level) const {
@@ -66,7 +69,9 @@ private:
     }
     void choose_levels(float dilation, uint32_t levels);
     void enter(uint32_t level, const Box& box);
+    uint64_t words_for(uint64_t count) const;
 
+    bool fine_;
     Buffer<Proxy> proxies_;
     Buffer<uint8_t> level_of_; // of each proxy
     Buffer<uint32_t> buckets_; // where each begins in entries_, and an end
@@ -85,19 +90,20 @@ template <class Found> void ProxyGrid::query(const Box& box, Found&& found) cons
     uint64_t visits = 0;
     for (uint32_t l = 0; l < level_count_; ++l) {
         const Level& level = levels_[l];
-        cells[l] = cells_of(box, level.spread[0], level.spread[1], level.spread[2], level.near.inverse_cell);
+        cells[l] = cells_of(box, level.spread[0], level.spread[1], level.spread[2], level.inverse_bucket);
         double all = 1.0;
         for (int k = 0; k < 3; ++k)
             all *= static_cast<double>(cells[l].high[k]) - static_cast<double>(cells[l].low[k]) + 1.0;
         visits += static_cast<uint64_t>(std::min(all, 1e15));
     }
-    if (visits > most_visited && visits > count_) {
+    // A look into a cell costs as much as one at a few boxes.
+    if (4 * visits > count_) {
         for (uint32_t i = 0; i < count_; ++i)
             if (overlap(proxies_[i].box, box)) found(proxies_[i]);
         return;
     }
     for (uint32_t l = 0; l < level_count_; ++l) {
-        const float inverse = levels_[l].near.inverse_cell;
+        const float inverse = levels_[l].inverse_bucket;
         const Cells& c = cells[l];
         for (int32_t z = c.low[2]; z <= c.high[2]; ++z)
             for (int32_t y = c.low[1]; y <= c.high[1]; ++y)

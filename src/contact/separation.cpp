@@ -2,6 +2,8 @@
 
 #include "contact/ccd_pair.h"
 
+#include <limits>
+
 namespace lr {
 namespace {
 
@@ -66,19 +68,21 @@ void offer_body_faces(Search& search) {
 }
 
 // With the body moved out along a direction, the pair's nearest points give a better one.
-void refine(Search& search) {
+void refine(Search& search, Separation from) {
     for (uint32_t round = 0; round < most_refinements; ++round) {
-        const double out = step_out * static_cast<double>(search.body.reach) - search.best.distance;
+        const double out = step_out * static_cast<double>(search.body.reach) - from.distance;
         PlacedCollider moved = search.collider;
-        const Double3 by = -out * search.best.normal;
+        const Double3 by = -out * from.normal;
         moved.origin = moved.origin + by;
         for (uint32_t i = 0; i < moved.count; ++i) moved.points[i] = moved.points[i] + by;
-        const Nearest nearest = nearest_points(search.body, moved, 1e300);
+        const Nearest nearest = nearest_points(search.body, moved, std::numeric_limits<double>::infinity());
         if (nearest.overlap || !search.allowed(nearest.normal)) return;
         const double distance = separation_along(search.body, search.collider, nearest.normal);
         // The rest is rounding.
-        if (!(distance > search.best.distance + 1e-4 * (out < 0.0 ? 0.0 : out))) return;
-        search.offer(nearest.normal, distance);
+        if (!(distance > from.distance + 1e-4 * (out < 0.0 ? 0.0 : out))) return;
+        from.normal = nearest.normal;
+        from.distance = distance;
+        if (distance > search.best.distance + 1e-4 * (out < 0.0 ? 0.0 : out)) search.offer(from.normal, distance);
     }
 }
 
@@ -129,6 +133,9 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
         const double size = length(to);
         if (size > 0.0) search.offer(1.0 / size * to);
     }
+    const Separation of_collider = search.best;
+    const bool has_collider = search.any;
+    search.any = false;
     offer_body_faces(search);
     if (body.count == 0 && collider.count < 3) // an ellipsoid's own axes
         for (const Vector& a : body.axes) {
@@ -137,15 +144,23 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
             search.offer(1.0 / size * to_double(a));
             search.offer(-1.0 / size * to_double(a));
         }
+    const Separation of_body = search.best;
+    const bool has_body = search.any;
+    if (has_collider) search.offer(of_collider.normal, of_collider.distance);
     if (!search.any) search.offer(sides.one ? sides.front : Double3{0.0, 1.0, 0.0});
     Double3 direction;
     // A sphere's centre in a hull is farthest out along one of its faces: nothing is better.
     if (!(collider.count == 1 && body.count > 0)) {
+        // Each is the start of a way to a least depth nearby.
+        if (has_collider) refine(search, of_collider);
+        if (has_body) refine(search, of_body);
+        if (!has_collider && !has_body) refine(search, search.best);
         if (ccd_direction(body, collider, direction) && search.allowed(direction)) {
-            const double distance = separation_along(body, collider, direction);
-            if (distance > search.best.distance * (1.0 - ccd_advantage)) search.offer(direction, distance);
+            Search other = search;
+            other.best = {direction, separation_along(body, collider, direction), false, {}, {}};
+            refine(other, other.best);
+            if (other.best.distance > search.best.distance * (1.0 - ccd_advantage)) search.best = other.best;
         }
-        refine(search);
     }
     return search.best;
 }

@@ -10,8 +10,8 @@ namespace lr {
 namespace {
 
 constexpr uint32_t most_rounds = 24, most_tries = 4;
-// Of the body's thickness: nearer than that is touching.
-constexpr float touching = 0.1f;
+// Of the body's thickness, and of its reach if that is less: nearer than that is touching.
+constexpr float touching = 0.1f, touching_reach = 0.01f;
 // Of the body's thickness: no way this short leads through anything.
 constexpr float short_way = 0.25f;
 
@@ -29,7 +29,7 @@ struct Way {
     Way(const BodyShape& body, float body_scale, const Pose& a, const Pose& b)
         : shape(body), scale(body_scale), from(a), to(b), move(b.position - a.position), axis{0.0f, 0.0f, 0.0f},
           turn(0.0f), reach(body_scale * body.reach), farthest(0.0f),
-          tolerance(touching * body_scale * body.thickness) {
+          tolerance(body_scale * std::min(touching * body.thickness, touching_reach * body.reach)) {
         Rotation& q = to.rotation;
         if (q.x * a.rotation.x + q.y * a.rotation.y + q.z * a.rotation.z + q.w * a.rotation.w < 0.0f)
             q = {-q.x, -q.y, -q.z, -q.w};
@@ -54,9 +54,11 @@ struct Way {
     }
 };
 
-// The fraction of the way until the cores, the body's drawn to `size`, are `target` apart. collider(position) places it.
+// The fraction of the way until the cores, the body's drawn to `size`, are `target` apart; 1 where they come nearer by no more
+// than `slack`. collider(position) places it.
 template <typename Place>
-float advance(const Way& way, float size, double first, double target, Double3 normal, const Place& collider) {
+float advance(const Way& way, float size, double first, double target, double slack, Double3 normal,
+              const Place& collider) {
     float t = 0.0f;
     double distance = first;
     for (uint32_t round = 0; round < most_rounds; ++round) {
@@ -73,7 +75,7 @@ float advance(const Way& way, float size, double first, double target, Double3 n
             // of the arc, and because the normalised linear quaternion does not turn at a steady rate.
             const auto turn = static_cast<double>(way.turn), part = static_cast<double>(step);
             const double bulge = 0.125 * lever * turn * turn * (1.0 + 0.25 * turn) * part * part;
-            if (std::min(distance, then) - bulge >= target - (i == 0 ? static_cast<double>(way.tolerance) : 0.0)) {
+            if (std::min(distance, then) - bulge >= target - (i == 0 ? slack : 0.0)) {
                 if (i == 0) return 1.0f;
                 moved = true;
                 break;
@@ -100,8 +102,8 @@ float advance(const Way& way, float size, double first, double target, Double3 n
     return t;
 }
 
-// A body that touches already may still not go through: what is left of its core keeps half of its distance, and where
-// the core overlaps as well, that drawn together to its half, and to its middle.
+// A body that touches already may still not go through: its core keeps half of the rounding or most of the distance that is
+// left, and where the core overlaps as well, that drawn together to its half, and to its middle.
 template <typename Place> float sweep(const Way& way, const Place& collider) {
     for (const float size : {1.0f, 0.5f, 0.0f}) {
         const PlacedBody body(way.shape, way.scale, way.from, size);
@@ -110,9 +112,13 @@ template <typename Place> float sweep(const Way& way, const Place& collider) {
         const Nearest start =
             nearest_points(body, placed, static_cast<double>(way.farthest) + (size == 1.0f ? rounding : 0.0));
         if (start.overlap) continue;
-        const double target = size == 1.0f && start.lower > rounding ? rounding : 0.5 * start.lower;
+        const bool apart = size == 1.0f && start.lower > rounding;
+        const double target = apart                                           ? rounding
+                              : size == 1.0f && start.lower > 0.75 * rounding ? 0.5 * rounding
+                                                                              : 0.75 * start.lower;
         if (start.lower - target > static_cast<double>(way.farthest)) return 1.0f;
-        return advance(way, size, start.lower, target, start.normal, collider);
+        return advance(way, size, start.lower, target, apart ? static_cast<double>(way.tolerance) : 0.0, start.normal,
+                       collider);
     }
     return 1.0f;
 }

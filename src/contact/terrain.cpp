@@ -117,7 +117,15 @@ void add_points(const PlacedBody& body, const HeightfieldGeometry& field, float 
         if (!inside(field, p) || p.y - body.radius - margin > field.highest) return Vector{0.0f, 0.0f, 0.0f};
         const HeightPoint below = height_at(field, p.x, p.z);
         const float gap = (p.y - below.height) * below.normal.y;
-        if (gap - body.radius < margin) set.add_core(core, below.normal, gap);
+        if (gap - body.radius >= margin) return below.normal;
+        // Beside a ridge a slope's plane goes on where the slope does not: what is nearest is then its triangles' to say.
+        if (gap > 0.0f && below.normal.y < 0.999f) {
+            const Vector foot = p - gap * below.normal;
+            const float off = foot.y - height_at(field, foot.x, foot.z).height;
+            const float rounding = 1e-6f * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z));
+            if (off > 1e-3f * gap + rounding) return below.normal;
+        }
+        set.add_core(core, below.normal, gap);
         return below.normal;
     };
     for (uint32_t i = 0; i < body.count; ++i) add(body.point(i));

@@ -57,6 +57,8 @@ struct NearColliders {
 struct ShapeConstants {
     uint32_t count; // of points; 0: an ellipsoid
     const float *x, *y, *z;
+    uint32_t sample_count; // against heightfields: these, of which the first are the points
+    const float *sample_x, *sample_y, *sample_z;
     float radius;
     float center[3], semi_axes[3];
     float reach;
@@ -67,6 +69,7 @@ struct ShapeConstants {
 using NearCollidersFunction = void (*)(const NearColliders&, float reach, float dt, float speed, const BatchArrays&,
                                        size_t begin, size_t end, uint32_t* near);
 
+inline constexpr size_t most_ground_points = 48;
 inline constexpr size_t contact_lanes = lane_block;
 inline constexpr uint32_t contact_slots = 16, manifold_slots = 4;
 inline constexpr float no_contact = 1e30f; // m, gap of a slot that is empty

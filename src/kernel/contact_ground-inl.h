@@ -69,7 +69,10 @@ public:
     HWY_INLINE GroundPoint get(uint32_t k) const {
         const ShapeConstants& s = bodies_.shape;
         if (s.count == 0) return of_ellipsoid();
-        const Vec3 core = scale(scale_, Vec3{constant(s.x[k]), constant(s.y[k]), constant(s.z[k])});
+        const bool high = ground_.heights != nullptr;
+        const float x = high ? s.sample_x[k] : s.x[k], y = high ? s.sample_y[k] : s.y[k],
+                    z = high ? s.sample_z[k] : s.z[k];
+        const Vec3 core = scale(scale_, Vec3{constant(x), constant(y), constant(z)});
         const Vec3 turned = to_world(q_, core);
         const GroundSample below = sample_ground(ground_, add(local_, rows(ground_.axes, turned)));
         GroundPoint p;
@@ -122,21 +125,28 @@ HWY_INLINE VF contact_margin(const ContactBodies& b, VF reach, Vec3 x) {
     return mul_add(constant(0.005f), reach, mul_add(constant(1e-6f), far, constant(b.gravity * (b.h * b.h))));
 }
 
-// The deepest point, the one farthest from it, and the farthest on either side of the line between them: of a body that lies
+// Slopes that differ by more than this, as the length of the difference of normals, meet in an edge between the points.
+constexpr float sharp = 0.2f;
+
+// The deepest point, the one farthest from it, and the farthest on either side of the line between them, those that touch
+// before those that nearly do: of a body that lies
 // flat, corners of the largest quadrilateral or nearly so.
 bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::Slot (&out)[manifold_slots],
                   uint32_t* rough) {
     const DF d;
     const DU du;
-    const uint32_t count = b.shape.count == 0 ? 1 : b.shape.count;
+    const uint32_t points_there = g.heights ? b.shape.sample_count : b.shape.count;
+    const uint32_t count = b.shape.count == 0 ? 1 : points_there;
     bool any = false;
     const VF empty = constant(no_contact), zero = hn::Zero(d);
-    GroundPoint points[32];
+    GroundPoint points[most_ground_points];
     for (size_t at = 0; at < b.count; at += hn::Lanes(d)) {
         const GroundPoints all(b, g, at);
         const VF reach = hn::Mul(constant(b.shape.reach), hn::Load(d, b.arrays.field[field_scale] + at));
         const VF margin = contact_margin(b, reach, load3(b.arrays, field_x, at));
+        const Vec3 none{zero, zero, zero};
         GroundPoint best[manifold_slots];
+        for (GroundPoint& point : best) point = {none, none, empty, none};
         VF uneven = zero;
         for (uint32_t k = 0; k < count; ++k) {
             points[k] = all.get(k);
@@ -150,7 +160,7 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         }
         const auto touching = hn::Lt(best[0].gap, margin);
         if (g.heights) {
-            const auto uneven_lane = hn::And(touching, hn::Gt(uneven, constant(1e-10f)));
+            const auto uneven_lane = hn::And(touching, hn::Gt(uneven, constant(sharp * sharp)));
             hn::Store(hn::IfThenElseZero(hn::RebindMask(du, uneven_lane), hn::Set(du, 1)), du, rough + at);
         }
         best[0].gap = hn::IfThenElse(touching, best[0].gap, empty);
@@ -158,12 +168,18 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         if (!hn::AllFalse(d, touching)) {
             any = true;
             found = count < manifold_slots ? count : manifold_slots;
+            // A point that touches holds the body; one at the margin is only about to.
+            const VF per_margin = hn::Div(constant(1.0f), margin);
+            const auto nearness = [&](const GroundPoint& p) LR_LAMBDA {
+                const VF part = neg_mul_add(p.gap, per_margin, constant(1.0f));
+                return hn::Min(hn::Max(part, zero), constant(2.0f));
+            };
             const auto farthest = [&](GroundPoint& to, VF least, const auto& measure) LR_LAMBDA {
                 VF most = least;
                 to.gap = empty;
                 to.arm = to.at = to.normal = {zero, zero, zero};
                 for (uint32_t k = 0; k < count; ++k) {
-                    const VF value = measure(points[k]);
+                    const VF value = hn::Mul(nearness(points[k]), measure(points[k]));
                     const auto more = hn::And(hn::Lt(points[k].gap, margin), hn::Gt(value, most));
                     to = select(more, points[k], to);
                     most = hn::IfThenElse(more, value, most);

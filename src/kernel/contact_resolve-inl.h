@@ -15,16 +15,19 @@ namespace lr::HWY_NAMESPACE {
 
 constexpr uint32_t contact_sweeps = 16;
 
-// A contact in the body frame, in kernel units: an impulse p at the arm r is the twist impulse (p, r x p/(d s)).
+// A contact in the body frame, in kernel units: an impulse p at the arm r is the twist impulse (p, r x p/(d s)). Directions: the
+// normal and two tangents.
 struct Row {
-    Vec3 normal, arm; // arm over d s
-    Twist response;   // of the body to a unit impulse along the normal
-    VF inverse;       // 1 over what the point's normal velocity gains by it; 0 for an empty slot
-    VF target;        // normal velocity (or way) that it must have at least
-    Vec3 surface;     // velocity (or way) of the surface
+    Twist along[3];         // the impulse along a direction; with a twist, what the point has of it
+    Twist response[3];      // of the body to it
+    VF inverse;             // 1 over what the normal velocity gains by a unit along the normal; 0 for an empty slot
+    VF to_first, to_second; // what the tangential ones gain by it
+    VF hold[3];             // inverse of what the tangential ones gain by each other, upper triangle
+    VF least;               // 1 over the most that a tangential one gains
+    VF target;              // normal velocity (or way) that it must have at least
+    VF surface[2];          // tangential velocity (or way) of the surface
     VF friction;
-    VF pressed;   // impulse along the normal
-    Vec3 dragged; // by friction
+    VF pressed, dragged[2]; // impulses
 };
 
 HWY_INLINE VF greatest(Vec3 v) {
@@ -33,71 +36,93 @@ HWY_INLINE VF greatest(Vec3 v) {
 HWY_INLINE Vec3 velocity_at(Twist t, Vec3 arm) {
     return add(t.v, cross(t.u, arm));
 }
-HWY_INLINE Twist impulse_at(Vec3 p, Vec3 arm) {
-    return {p, cross(arm, p)};
+HWY_INLINE VF product(const Twist& a, const Twist& b) {
+    return hn::Add(dot(a.v, b.v), dot(a.u, b.u));
 }
 
-// What `size` is multiplied with to be no more than `most`; exactly 1 where it is at its limit but for rounding, so that
-// sweeps come to an end.
-HWY_INLINE VF within_cone(VF most, VF size) {
-    const VF factor = hn::Mul(most, inverse_length(size));
-    return hn::IfThenElse(hn::Ge(factor, constant(0.999999f)), constant(1.0f), factor);
+// The twist that a couple alone gives.
+template <bool kFull, class C> HWY_INLINE Twist turned_by(const C& c, Vec3 couple) {
+    const Vec3 none{hn::Zero(DF()), hn::Zero(DF()), hn::Zero(DF())};
+    if constexpr (!kFull) return {none, scaled_by(c.inverse_spin_mass, couple)};
+    const float* const m = c.full_inverse;
+    const auto row = [&](int x, int y, int z) LR_LAMBDA {
+        return mul_add(constant(m[x]), couple.x, mul_add(constant(m[y]), couple.y, hn::Mul(constant(m[z]), couple.z)));
+    };
+    return {{row(3, 4, 5), row(8, 9, 10), row(12, 13, 14)}, {row(15, 16, 17), row(16, 18, 19), row(17, 19, 20)}};
 }
 
-// Sweeps over the contacts until none changes the twist by more than `dust`.
+// Of a slot's normal impulse: what the contact must be held with at once, and the new one.
+HWY_INLINE VF press(Row& r, VF normal, VF dust) {
+    const VF wanted = hn::Mul(hn::Sub(r.target, normal), hn::Mul(constant(1.3f), r.inverse)); // over-relaxed
+    const VF more = hn::Sub(hn::Max(hn::Add(r.pressed, wanted), hn::Zero(DF())), r.pressed);
+    // Each lane by itself: what is under the dust stays as it is, in every later sweep too.
+    const VF counted = hn::IfThenElseZero(hn::Gt(hn::Abs(more), hn::Mul(dust, r.inverse)), more);
+    r.pressed = hn::Add(r.pressed, counted);
+    return counted;
+}
+
+// Friction against the slip (x, y). Within the cone the point is held; else the impulse goes straight against the slip.
+HWY_INLINE void drag(Row& r, VF x, VF y, VF dust, VF& step_x, VF& step_y) {
+    const DF d;
+    const VF slip = hn::Add(hn::Abs(x), hn::Abs(y));
+    const auto slides = hn::Gt(slip, dust);
+    const VF most = hn::Mul(r.friction, r.pressed), most_squared = hn::Mul(most, most);
+    VF to_x = hn::Sub(r.dragged[0], mul_add(r.hold[0], x, hn::Mul(r.hold[1], y)));
+    VF to_y = hn::Sub(r.dragged[1], mul_add(r.hold[1], x, hn::Mul(r.hold[2], y)));
+    to_x = hn::IfThenElse(slides, to_x, r.dragged[0]);
+    to_y = hn::IfThenElse(slides, to_y, r.dragged[1]);
+    // A little beyond is not worth a root, and would never end.
+    const VF beyond = hn::Mul(constant(1.000001f), most_squared);
+    const auto outside = hn::Gt(mul_add(to_x, to_x, hn::Mul(to_y, to_y)), beyond);
+    if (!hn::AllFalse(d, outside)) {
+        const VF less_x = hn::IfThenElseZero(slides, hn::Mul(r.least, x));
+        const VF less_y = hn::IfThenElseZero(slides, hn::Mul(r.least, y));
+        VF back_x = hn::Sub(r.dragged[0], less_x), back_y = hn::Sub(r.dragged[1], less_y);
+        const VF size = hn::Sqrt(mul_add(back_x, back_x, hn::Mul(back_y, back_y)));
+        const VF factor = hn::Min(hn::Mul(most, inverse_length(size)), constant(1.0f));
+        back_x = hn::Mul(factor, back_x);
+        back_y = hn::Mul(factor, back_y);
+        to_x = hn::IfThenElse(outside, back_x, to_x);
+        to_y = hn::IfThenElse(outside, back_y, to_y);
+    }
+    step_x = hn::Sub(to_x, r.dragged[0]);
+    step_y = hn::Sub(to_y, r.dragged[1]);
+    r.dragged[0] = to_x;
+    r.dragged[1] = to_y;
+}
+
+// Sweeps over the contacts, to and fro, until none changes the twist by more than `dust`.
 template <bool kFull, class C>
-HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF dust, Twist& t) {
+HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF spin_hold, VF dust, Twist& t) {
     const DF d;
     const VF zero = hn::Zero(d);
+    const bool rolls = !hn::AllTrue(d, hn::Eq(rolling, zero));
     Vec3 rolled{zero, zero, zero}; // impulse couple against rolling and spinning
     for (uint32_t sweep = 0; sweep < contact_sweeps; ++sweep) {
         VF change = zero, load = zero;
         for (uint32_t i = 0; i < count; ++i) {
             Row& r = rows[(sweep & 1) == 0 ? i : count - 1 - i];
-            Vec3 at = velocity_at(t, r.arm);
-            const VF wanted = hn::Mul(hn::Sub(r.target, dot(r.normal, at)), hn::Mul(constant(1.3f), r.inverse));
-            VF pressed = hn::Max(hn::Add(r.pressed, wanted), zero);
-            VF more = hn::Sub(pressed, r.pressed);
-            // Each lane by itself: what is under the dust stays as it is, in every later sweep too.
-            const auto counts = hn::Gt(hn::Abs(more), hn::Mul(dust, hn::Min(r.inverse, constant(1e6f))));
-            more = hn::IfThenElseZero(counts, more);
-            pressed = hn::Add(r.pressed, more);
-            r.pressed = pressed;
-            load = hn::Add(load, pressed);
-            t = add_scaled(t, more, r.response);
-            change = hn::Max(change, hn::Abs(more));
-
-            at = sub(velocity_at(t, r.arm), r.surface);
-            const Vec3 slip = add_scaled(at, hn::Neg(dot(r.normal, at)), r.normal);
-            const VF speed = hn::Sqrt(dot(slip, slip));
-            const auto slides = hn::And(hn::Gt(speed, dust), hn::Gt(pressed, zero));
-            const auto held = hn::Gt(dot(r.dragged, r.dragged), zero);
-            if (hn::AllFalse(d, hn::Or(slides, held))) continue;
-            const VF inverse_speed = inverse_length(speed);
-            const Vec3 along = scale(inverse_speed, slip);
-            const Twist answer = acceleration<kFull>(c, impulse_at(along, r.arm));
-            const VF gain = dot(along, velocity_at(answer, r.arm));
-            const VF needed = hn::IfThenElseZero(slides, hn::Mul(speed, inverse_length(gain)));
-            Vec3 dragged = add_scaled(r.dragged, hn::Neg(needed), along);
-            const VF size = hn::Sqrt(dot(dragged, dragged)), most = hn::Mul(r.friction, pressed);
-            dragged = scale(within_cone(most, size), dragged);
-            const Vec3 step = sub(dragged, r.dragged);
-            r.dragged = dragged;
-            t = add(t, acceleration<kFull>(c, impulse_at(step, r.arm)));
-            change = hn::Max(change, greatest(step));
+            const VF more = press(r, product(r.along[0], t), dust);
+            const VF x = hn::Sub(mul_add(more, r.to_first, product(r.along[1], t)), r.surface[0]);
+            const VF y = hn::Sub(mul_add(more, r.to_second, product(r.along[2], t)), r.surface[1]);
+            VF step_x, step_y;
+            drag(r, x, y, dust, step_x, step_y);
+            t = add_scaled(add_scaled(add_scaled(t, more, r.response[0]), step_x, r.response[1]), step_y,
+                           r.response[2]);
+            load = hn::Add(load, r.pressed);
+            change = hn::Max(hn::Max(change, hn::Abs(more)), hn::Max(hn::Abs(step_x), hn::Abs(step_y)));
         }
-        if (!hn::AllTrue(d, hn::Eq(rolling, zero))) {
-            const VF speed = hn::Sqrt(dot(t.u, t.u));
-            const Vec3 along = scale(inverse_length(speed), t.u);
-            const Twist answer = acceleration<kFull>(c, {{zero, zero, zero}, along});
-            const VF needed =
-                hn::IfThenElseZero(hn::Gt(speed, dust), hn::Mul(speed, inverse_length(dot(along, answer.u))));
-            Vec3 couple = add_scaled(rolled, hn::Neg(needed), along);
-            const VF size = hn::Sqrt(dot(couple, couple)), most = hn::Mul(rolling, load);
-            couple = scale(within_cone(most, size), couple);
+        if (rolls) {
+            const Vec3 wanted = sub(rolled, scale(spin_hold, t.u));
+            const auto turns = hn::Gt(greatest(t.u), dust);
+            Vec3 couple = select(turns, wanted, rolled);
+            const VF squared = dot(couple, couple), most = hn::Mul(rolling, load);
+            const auto outside = hn::Gt(squared, hn::Mul(constant(1.000001f), hn::Mul(most, most)));
+            const VF factor = hn::IfThenElse(outside, hn::Mul(most, inverse_length(hn::Sqrt(squared))), constant(1.0f));
+            couple = scale(factor, couple);
             const Vec3 step = sub(couple, rolled);
             rolled = couple;
-            t = add(t, acceleration<kFull>(c, {{zero, zero, zero}, step}));
+            t = add(t, turned_by<kFull>(c, step));
             change = hn::Max(change, greatest(step));
         }
         if (hn::AllTrue(d, hn::Eq(change, zero))) break;
@@ -108,18 +133,47 @@ template <class M> HWY_INLINE Twist select(M mask, const Twist& yes, const Twist
     return {select(mask, yes.v, no.v), select(mask, yes.u, no.u)};
 }
 
+// Two unit vectors across a normal (Duff et al. 2017).
+HWY_INLINE void tangents(Vec3 n, Vec3& first, Vec3& second) {
+    const VF one = constant(1.0f), zero = hn::Zero(DF());
+    const VF sign = hn::IfThenElse(hn::Lt(n.z, zero), hn::Neg(one), one);
+    const VF a = hn::Div(hn::Neg(one), hn::Add(sign, n.z)), b = hn::Mul(hn::Mul(n.x, n.y), a);
+    first = {mul_add(hn::Mul(sign, n.x), hn::Mul(n.x, a), one), hn::Mul(sign, b), hn::Neg(hn::Mul(sign, n.x))};
+    second = {b, mul_add(hn::Mul(n.y, n.y), a, sign), hn::Neg(n.y)};
+}
+
 template <bool kFull, class C> HWY_INLINE void set_row(const C& c, Vec3 normal, Vec3 arm, Row& r) {
-    r.normal = normal;
-    r.arm = arm;
-    r.response = acceleration<kFull>(c, impulse_at(normal, arm));
-    r.inverse = inverse_length(dot(normal, velocity_at(r.response, arm)));
+    const VF one = constant(1.0f);
+    Vec3 direction[3] = {normal, {}, {}};
+    tangents(normal, direction[1], direction[2]);
+    for (int k = 0; k < 3; ++k) {
+        r.along[k] = {direction[k], cross(arm, direction[k])};
+        r.response[k] = acceleration<kFull>(c, r.along[k]);
+    }
+    r.inverse = inverse_length(product(r.along[0], r.response[0]));
+    r.to_first = product(r.along[1], r.response[0]);
+    r.to_second = product(r.along[2], r.response[0]);
+    const VF a = product(r.along[1], r.response[1]), b = product(r.along[1], r.response[2]),
+             e = product(r.along[2], r.response[2]);
+    const VF over = hn::Div(one, neg_mul_add(b, b, hn::Mul(a, e))); // positive definite
+    r.hold[0] = hn::Mul(e, over);
+    r.hold[1] = hn::Neg(hn::Mul(b, over));
+    r.hold[2] = hn::Mul(a, over);
+    const VF half_gap = hn::Mul(constant(0.5f), hn::Sub(a, e));
+    const VF spread = hn::Sqrt(mul_add(half_gap, half_gap, hn::Mul(b, b)));
+    r.least = hn::Div(one, mul_add(constant(0.5f), hn::Add(a, e), spread));
+}
+
+HWY_INLINE void set_surface(Row& r, Vec3 velocity) {
+    r.surface[0] = dot(r.along[1].v, velocity);
+    r.surface[1] = dot(r.along[2].v, velocity);
 }
 
 template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots) {
     const DF d;
     const BodyConstants& c = *b.body;
     const VF zero = hn::Zero(d), one = constant(1.0f), half = constant(0.5f), h = constant(b.h);
-    const VF empty = constant(0.5f * no_contact);
+    const VF empty = constant(0.5f * no_contact), inverse_h = constant(1.0f / b.h);
     Row rows[contact_slots];
     uint32_t used[contact_slots];
     for (size_t at = 0; at < b.count; at += hn::Lanes(d)) {
@@ -149,30 +203,31 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         angle = scale(hn::IfThenElse(hn::Lt(w, zero), constant(-2.0f), constant(2.0f)), angle);
         const Twist way{to_body(q, sub(x, x0)), scale(length, angle)};
 
+        Vec3 over[contact_slots]; // arms over d s
         VF gap[contact_slots], before[contact_slots], bounce[contact_slots], depth = zero;
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 normal = load3(s.normal, at), arm = load3(s.arm, at), surface = load3(s.surface, at);
             Row& r = rows[k];
-            set_row<kFull>(c, to_body(q, normal), scale(inverse, arm), r);
-            r.pressed = zero;
-            r.dragged = {zero, zero, zero};
+            over[k] = scale(inverse, arm);
+            set_row<kFull>(c, to_body(q, normal), over[k], r);
+            r.pressed = r.dragged[0] = r.dragged[1] = zero;
             gap[k] = hn::Load(d, s.gap + at);
             const auto empty_slot = hn::Ge(gap[k], empty);
             // Deep overlap, as of a body that a collider was put on, is undone over a few substeps.
             const VF push = hn::Max(gap[k], hn::Mul(constant(-0.5f), reach));
             depth = hn::Max(depth, hn::IfThenElse(empty_slot, zero, hn::Neg(gap[k])));
             r.inverse = hn::IfThenElse(empty_slot, zero, r.inverse);
-            r.target = hn::Sub(dot(r.normal, velocity_at(way, r.arm)), push);
-            r.surface = scale(h, to_body(q, surface));
+            r.target = hn::Sub(product(r.along[0], way), push);
+            set_surface(r, scale(h, to_body(q, surface)));
             r.friction = hn::IfThenElse(empty_slot, zero, hn::Load(d, s.friction + at));
             // Of the point that touches: where it was, and how fast it came when the gap closed, between its speeds at the ends.
             const Vec3 moved = sub(add(sub(x, x0), to_world(q, arm)), to_world(q0, arm));
             before[k] = hn::Add(gap[k], mul_sub(h, dot(normal, surface), dot(normal, moved)));
             const Twist end{load3(b.arrays, field_vx, at), scale(length, load3(b.arrays, field_wx, at))};
             const VF carried = dot(normal, surface);
-            const VF first = hn::Sub(dot(normal, to_world(q0, velocity_at(began, r.arm))), carried);
-            const VF last = hn::Sub(dot(normal, to_world(q, velocity_at(end, r.arm))), carried);
+            const VF first = hn::Sub(dot(normal, to_world(q0, velocity_at(began, over[k]))), carried);
+            const VF last = hn::Sub(dot(normal, to_world(q, velocity_at(end, over[k]))), carried);
             const VF closed = hn::Sub(before[k], gap[k]);
             const auto closes = hn::And(hn::Gt(before[k], slop), hn::Gt(closed, zero));
             const VF part =
@@ -180,8 +235,12 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             bounce[k] = mul_add(part, hn::Sub(last, first), first);
         }
         const VF rolling = hn::Mul(constant(b.rolling), hn::Mul(reach, inverse));
+        const float* const m = c.full_inverse;
+        const VF spin_hold =
+            constant(1.0f / (kFull ? m[15] + m[18] + m[20]
+                                   : c.inverse_spin_mass[0] + c.inverse_spin_mass[1] + c.inverse_spin_mass[2]));
         Twist moved = way;
-        project<kFull>(c, rows, count, rolling, hn::Mul(constant(1e-4f), slop), moved);
+        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-4f), slop), moved);
         Twist correction{sub(moved.v, way.v), sub(moved.u, way.u)};
         // A twist is a small rotation.
         const VF large = hn::Mul(greatest(correction.u), inverse);
@@ -189,7 +248,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         correction.u = scale(less, correction.u);
         VF touching[contact_slots];
         for (uint32_t k = 0; k < count; ++k) {
-            gap[k] = hn::Add(gap[k], dot(rows[k].normal, velocity_at(correction, rows[k].arm)));
+            gap[k] = hn::Add(gap[k], product(rows[k].along[0], correction));
             const auto touches = hn::Or(hn::Gt(rows[k].pressed, zero), hn::Le(gap[k], slop));
             touching[k] = hn::IfThenElseZero(touches, one);
         }
@@ -209,22 +268,27 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 surface = to_body(q, load3(s.surface, at));
             Row& r = rows[k];
-            set_row<kFull>(c, to_body(q, load3(s.normal, at)), r.arm, r);
+            set_row<kFull>(c, to_body(q, load3(s.normal, at)), over[k], r);
             const auto touches = hn::And(hn::Gt(touching[k], zero), hn::Lt(hn::Load(d, s.gap + at), empty));
-            r.inverse = hn::IfThenElseZero(touches, r.inverse);
+            const auto present = hn::Lt(hn::Load(d, s.gap + at), empty);
+            r.inverse = hn::IfThenElseZero(present, r.inverse);
             const VF back_off = hn::IfThenElseZero(hn::Lt(bounce[k], hn::Neg(slow)),
                                                    hn::Neg(hn::Mul(hn::Load(d, s.restitution + at), bounce[k])));
-            r.target = hn::Add(dot(r.normal, surface), back_off);
-            r.surface = surface;
+            // What does not touch yet may come as fast as it takes to touch in a substep: a body does not rock from one
+            // side to the other with what it falls in each.
+            const VF closing = hn::Neg(hn::Mul(hn::Max(gap[k], zero), inverse_h));
+            r.target = hn::Add(dot(r.along[0].v, surface), hn::IfThenElse(touches, back_off, closing));
+            set_surface(r, surface);
             const VF kept = hn::IfThenElseZero(touches, guess);
             r.pressed = hn::Mul(kept, r.pressed);
-            r.dragged = scale(kept, r.dragged);
-            t = add(t, acceleration<kFull>(c, impulse_at(add_scaled(r.dragged, r.pressed, r.normal), r.arm)));
+            for (VF& dragged : r.dragged) dragged = hn::Mul(kept, dragged);
+            t = add_scaled(add_scaled(add_scaled(t, r.pressed, r.response[0]), r.dragged[0], r.response[1]),
+                           r.dragged[1], r.response[2]);
             carried = hn::Max(carried, hn::IfThenElseZero(touches, greatest(surface)));
             any_touch = hn::Or(any_touch, touches);
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
-        project<kFull>(c, rows, count, rolling, hn::Mul(constant(1e-5f), slow), t);
+        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-5f), slow), t);
         // Restitution and friction of several contacts together could give energy (Kane 1984): still surfaces have none to give.
         const auto energy = [&](const Twist& of) LR_LAMBDA {
             const Twist p = momentum<kFull>(c, of);

@@ -139,11 +139,10 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned 
     }
     batch.restore_rest(parts & part_rest ? from : nullptr);
     if (parts & part_rest) from += 4 * rest_words + 8 * uint64_t{count};
-    if (parts & part_contact) {
-        const ContactArrays contact = batch.contact_arrays();
-        get(contact.rest_time, count);
-        for (uint32_t* touching : contact.touching) get(touching, count);
-    }
+    const ContactArrays contact = batch.contact_arrays();
+    if (!(parts & part_contact) || !contact.rest_time) return; // they have been reserved
+    get(contact.rest_time, count);
+    for (uint32_t* touching : contact.touching) get(touching, count);
 }
 
 } // namespace lr

@@ -77,10 +77,10 @@ ContactRun StepChunks::contact_run(Batch& batch, const SurfaceStep* water) const
     const float* const g = world_->gravity;
     const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     const auto seconds = static_cast<float>(batch.pace.behind());
-    const ContactStep step{
-        contact, colliders, &batch.shape, &batch.contact, gravity, seconds, world_->contact_gain(batch, seconds)};
-    // The speed of a fall by a thousandth of the reach.
-    return {step, world_->target, water, batch.pace.time(), batch.contact_book(), std::sqrt(0.002f * gravity)};
+    const ContactStep step{contact,        colliders, &batch.shape, &batch.samples,
+                           &batch.contact, gravity,   seconds,      world_->contact_gain(batch, seconds)};
+    // The speed of a fall by 1e-5 of the reach.
+    return {step, world_->target, water, batch.pace.time(), batch.contact_book(), std::sqrt(2e-5f * gravity)};
 }
 
 void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const {

@@ -413,9 +413,9 @@ uint64_t lr_world::hash() const {
             if (batch.external.pending())
                 for (size_t c = 0; c < lr::force_components; ++c)
                     rare(64 + c, std::bit_cast<uint32_t>(batch.external.bodies()[c * batch.external.stride() + i]));
-            if (const lr::ContactArrays contact = batch.contact_arrays(); contact.rest_time) {
-                rare(128, std::bit_cast<uint32_t>(contact.rest_time[i]));
-                for (size_t k = 0; k < lr::most_touched; ++k) rare(129 + k, contact.touching[k][i]);
+            if (const lr::ContactArrays noted = batch.contact_arrays(); noted.rest_time) {
+                rare(128, std::bit_cast<uint32_t>(noted.rest_time[i]));
+                for (size_t k = 0; k < lr::most_touched; ++k) rare(129 + k, noted.touching[k][i]);
             }
             sum += body;
         }

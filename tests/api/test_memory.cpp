@@ -1,3 +1,4 @@
+#include "support/colliders.h"
 #include "support/counting_memory.h"
 #include "support/water.h"
 
@@ -40,6 +41,11 @@ struct Scenario {
         r.max_age = 0.005f;
         r.action = LR_END_RESPAWN;
         if ((status = lr_batch_set_rules(world, batch, &r)) != LR_OK) return status;
+        lr_collider_desc solid[3] = {sphere_collider(1.0f), sphere_collider(2.0f), collider_desc(LR_COLLIDER_PLANE)};
+        lr_collider colliders[3] = {};
+        if ((status = lr_collider_create(world, solid, 3, colliders)) != LR_OK) return status;
+        const lr_collider_motion motion = motion_of(colliders[1], LR_MOVE_TO);
+        if ((status = lr_collider_move(world, &motion, 1)) != LR_OK) return status;
         snapshot.resize(lr_world_snapshot_size(world));
         if ((status = lr_world_snapshot_save(world, snapshot.data(), snapshot.size(), nullptr)) != LR_OK) return status;
         if ((status = lr_batch_set_turbulence_table(world, batch, nullptr)) != LR_OK) return status;

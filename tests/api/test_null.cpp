@@ -1,4 +1,4 @@
-#include "support/scene.h"
+#include "support/colliders.h"
 
 using namespace test;
 
@@ -201,6 +201,36 @@ TEST_CASE("every pointer that must be given is asked for") {
     lr_step_report report = initialised(lr_step_report_init);
     CHECK(lr_world_get_step_report(nullptr, &report) == null);
     CHECK(lr_world_get_step_report(w, nullptr) == null);
+    const lr_collider_desc cd = collider_desc(LR_COLLIDER_PLANE);
+    lr_collider collider = 9;
+    CHECK(lr_collider_create(nullptr, &cd, 1, &collider) == null);
+    CHECK(lr_collider_create(w, nullptr, 1, &collider) == null);
+    CHECK(lr_collider_create(w, nullptr, 0, nullptr) == LR_OK);
+    const uint32_t triangle[3] = {0, 0, 0};
+    for (int32_t kind : {LR_COLLIDER_HULL, LR_COLLIDER_MESH, LR_COLLIDER_HEIGHTFIELD}) {
+        lr_collider_desc arrays_missing = collider_desc(kind);
+        arrays_missing.vertex_count = 4;
+        arrays_missing.triangle_count = 1;
+        arrays_missing.counts[0] = arrays_missing.counts[1] = 2;
+        CHECK(lr_collider_create(w, &arrays_missing, 1, &collider) == null);
+        arrays_missing.indices = triangle;
+        CHECK(lr_collider_create(w, &arrays_missing, 1, &collider) == null);
+    }
+    CHECK(collider == 9);
+    CHECK(lr_collider_destroy(nullptr, &collider, 1) == null);
+    CHECK(lr_collider_destroy(w, nullptr, 1) == null);
+    CHECK(lr_collider_destroy(w, nullptr, 0) == LR_OK);
+    const lr_collider_motion motion = initialised(lr_collider_motion_init);
+    CHECK(lr_collider_move(nullptr, &motion, 1) == null);
+    CHECK(lr_collider_move(w, nullptr, 1) == null);
+    CHECK(lr_collider_move(w, nullptr, 0) == LR_OK);
+    lr_collider_state of_collider = initialised(lr_collider_state_init);
+    CHECK(lr_collider_get_state(nullptr, 1, &of_collider) == null);
+    const lr_collider_surface rough = initialised(lr_collider_surface_init);
+    CHECK(lr_collider_set_surface(nullptr, &collider, 1, &rough) == null);
+    CHECK(lr_collider_set_surface(w, nullptr, 1, &rough) == null);
+    CHECK(lr_collider_set_surface(w, &collider, 1, nullptr) == null);
+    CHECK(lr_collider_set_surface(w, nullptr, 0, &rough) == LR_OK);
 
     CHECK(hash_of(world) == before);
     steps(world, 1, 0.01f);

@@ -1,4 +1,5 @@
 // struct_size of every struct: 0, too small, exact, larger with a zero tail, larger with a tail, absurd.
+#include "support/colliders.h"
 #include "support/scene.h"
 
 #include <functional>
@@ -90,6 +91,10 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_batch_pace>(lr_batch_pace_init);
     check_init<lr_budget>(lr_budget_init);
     check_init<lr_step_report>(lr_step_report_init);
+    check_init<lr_collider_desc>(lr_collider_desc_init);
+    check_init<lr_collider_motion>(lr_collider_motion_init);
+    check_init<lr_collider_state>(lr_collider_state_init);
+    check_init<lr_collider_surface>(lr_collider_surface_init);
 }
 
 TEST_CASE("initial values are those of the header") {
@@ -125,6 +130,13 @@ TEST_CASE("initial values are those of the header") {
     const lr_batch_rate t = initialised(lr_batch_rate_init);
     CHECK((t.divisor == 1 && t.priority == 1.0f && t.longest_substep == 0.0f));
     CHECK(initialised(lr_budget_init).kind == LR_BUDGET_NONE);
+    const lr_collider_desc c = initialised(lr_collider_desc_init);
+    CHECK((c.kind == 0 && c.orientation[3] == 1.0f && c.size[0] == 0.0f && c.friction == 0.5f));
+    CHECK((c.restitution == 0.2f && c.layers == 1 && c.flags == 0 && c.spacing[1] == 1.0f && !c.vertices));
+    const lr_collider_motion v = initialised(lr_collider_motion_init);
+    CHECK((v.mode == LR_MOVE_TO && v.collider == 0 && v.orientation[3] == 1.0f && v.linear_velocity[0] == 0.0f));
+    const lr_collider_surface u = initialised(lr_collider_surface_init);
+    CHECK((u.layers == 1 && u.friction == 0.5f && u.restitution == 0.2f));
     CHECK((e.fluid_density == 1.2 && e.fluid_viscosity == 1.5e-5 && e.intensity == 1.0));
 }
 
@@ -225,6 +237,16 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
     check_use<lr_budget>(initialised(lr_budget_init), [&](lr_budget* d) { return lr_world_set_budget(w, d); });
     check_use<lr_step_report>(initialised(lr_step_report_init),
                               [&](lr_step_report* r) { return lr_world_get_step_report(w, r); });
+    const lr_collider_desc plane = collider_desc(LR_COLLIDER_PLANE);
+    check_use<lr_collider_desc>(plane, [&](lr_collider_desc* d) { return lr_collider_create(w, d, 1, nullptr); });
+    lr_collider_motion motion = initialised(lr_collider_motion_init);
+    motion.collider = add_collider(world, plane);
+    check_use<lr_collider_motion>(motion, [&](lr_collider_motion* m) { return lr_collider_move(w, m, 1); });
+    check_use<lr_collider_state>(initialised(lr_collider_state_init),
+                                 [&](lr_collider_state* s) { return lr_collider_get_state(w, motion.collider, s); });
+    check_use<lr_collider_surface>(initialised(lr_collider_surface_init), [&](lr_collider_surface* s) {
+        return lr_collider_set_surface(w, &motion.collider, 1, s);
+    });
     check_use<lr_batch_view>(initialised(lr_batch_view_init),
                              [&](lr_batch_view* v) { return lr_batch_get_view(w, batch, v); });
 }
@@ -303,9 +325,23 @@ TEST_CASE("results go to callers that were built before there were bodies at res
           [&](lr_body_state* s) { return lr_body_get_state(world.get(), body, s); });
     check(lr_batch_view{}, offsetof(lr_batch_view, revision),
           [&](lr_batch_view* v) { return lr_batch_get_view(world.get(), batch, v); });
-    check(lr_world_info{}, offsetof(lr_world_info, awake_count),
+    check(lr_world_info{}, offsetof(lr_world_info, collider_count),
           [&](lr_world_info* i) { return lr_world_get_info(world.get(), i); });
     lr_body_state old = body_state();
     old.struct_size = offsetof(lr_body_state, resting);
     CHECK(lr_body_set_state(world.get(), body, &old) == LR_OK);
+}
+
+// The same of what it is told about one.
+TEST_CASE("the first released size of a world's info is taken, and nothing behind it is written") {
+    constexpr uint32_t first = offsetof(lr_world_info, collider_count);
+    const World world = make(world_desc());
+    lr_world_info info;
+    std::memset(static_cast<void*>(&info), 0x5a, sizeof info);
+    const uint64_t garbage = info.collider_count;
+    REQUIRE(lr_world_info_init(&info, first) == LR_OK);
+    CHECK(lr_world_get_info(world.get(), &info) == LR_OK);
+    CHECK(info.struct_size == first);
+    CHECK(info.memory_bytes > 0);
+    CHECK(info.collider_count == garbage);
 }

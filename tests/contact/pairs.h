@@ -114,8 +114,12 @@ struct Solid {
         geometry.kind = lr::ColliderKind::mesh;
         vertices = points;
         indices = corners;
-        mesh = {static_cast<uint32_t>(points.size() / 3), static_cast<uint32_t>(corners.size() / 3), vertices.data(),
-                indices.data(), nullptr, nullptr};
+        mesh = {static_cast<uint32_t>(points.size() / 3),
+                static_cast<uint32_t>(corners.size() / 3),
+                vertices.data(),
+                indices.data(),
+                nullptr,
+                nullptr};
         if (!lr::build_mesh(mesh.vertices, mesh.vertex_count, mesh.indices, mesh.triangle_count, normals, hidden))
             return false;
         mesh.normals = normals.data();
@@ -143,9 +147,11 @@ struct Solid {
 inline void make_random(Solid& solid, lr::ColliderKind kind, float size, Random& random) {
     const auto some = [&] { return size * random.real(0.2, 1.0); };
     if (kind == lr::ColliderKind::hull) {
-        while (!solid.make_hull(cloud(random, 4 + random.below(20), size))) {}
+        while (!solid.make_hull(cloud(random, 4 + random.below(20), size))) {
+        }
     } else if (kind == lr::ColliderKind::mesh) {
-        while (!solid.make_mesh(cloud(random, 3, size), {0, 1, 2})) {}
+        while (!solid.make_mesh(cloud(random, 3, size), {0, 1, 2})) {
+        }
     } else {
         const float a = some(), b = some(), c = some();
         solid.make(kind, a, b, c);

@@ -131,7 +131,7 @@ TEST_CASE("planes and heightfields are near where bodies can touch them, also wh
     for (int scene = 0; scene < 300; ++scene) {
         lr::Allocator allocator;
         Colliders colliders(allocator);
-        std::vector<float> heights(9 * 14);
+        std::vector<float> heights(126);
         for (float& h : heights) h = random.real(-0.5, 1.0) * random.real(0, 1) * 3.0f;
         lr_collider_desc d = scene % 2 ? collider_desc(LR_COLLIDER_PLANE) : heightfield_collider(heights, 9, 0.2f);
         scatter(random, d.position, d.orientation, 3.0);

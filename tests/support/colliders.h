@@ -24,6 +24,27 @@ inline lr_collider_desc box_collider(float x, float y, float z) {
     return d;
 }
 
+inline lr_collider add_collider(const World& w, const lr_collider_desc& d) {
+    lr_collider collider = 0;
+    REQUIRE(lr_collider_create(w.get(), &d, 1, &collider) == LR_OK);
+    return collider;
+}
+inline lr_collider_state state_of_collider(const World& w, lr_collider collider) {
+    lr_collider_state s = initialised(lr_collider_state_init);
+    REQUIRE(lr_collider_get_state(w.get(), collider, &s) == LR_OK);
+    return s;
+}
+inline lr_collider_motion motion_of(lr_collider collider, int32_t mode) {
+    lr_collider_motion m = initialised(lr_collider_motion_init);
+    m.collider = collider;
+    m.mode = mode;
+    return m;
+}
+
+inline bool same_bits(const lr_collider_state& a, const lr_collider_state& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
 // Arrays that a desc points to.
 struct Triangles {
     std::vector<float> vertices;
