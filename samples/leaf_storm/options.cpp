@@ -84,8 +84,7 @@ void add_ground_options(CLI::App& app, Options& options) {
         ->needs(ground)
         ->check(within(0, 100, "from 0 to 100 m/s"));
     app.add_flag("--check", options.check,
-                 "count what lies on the ground, in it and above it, for each frame and at the end; exit code 2 if any "
-                 "body is deeper in it than 2 mm")
+                 "count what lies on the ground, in it, above it and on edge, at each frame and at the end")
         ->needs(ground);
 }
 

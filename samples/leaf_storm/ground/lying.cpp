@@ -27,8 +27,14 @@ void Lying::add(const lr_batch_view& view, const Mesh& mesh, int thin, const Par
             const Terrain::Place below_it = park.terrain().at(p[0], p[2]);
             gap = std::min(gap, (p[1] - below_it.height) * below_it.normal[1]);
         }
-        deepest = std::max(deepest, -gap);
-        below += gap < -tolerance ? 1 : 0;
+        const float* walker = park.walker();
+        if (walker && std::hypot(place[0] - static_cast<double>(walker[0]), place[2] - static_cast<double>(walker[2])) <
+                          static_cast<double>(Park::walker_radius) + reach) {
+            trodden += gap < -tolerance ? 1 : 0;
+        } else {
+            deepest = std::max(deepest, -gap);
+            below += gap < -tolerance ? 1 : 0;
+        }
         if (!rests) {
             near_awake += gap < 0.05 ? 1 : 0;
             continue;

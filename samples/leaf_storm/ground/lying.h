@@ -15,6 +15,7 @@ struct Lying {
     std::uint64_t bodies = 0, at_rest = 0;
     std::uint64_t near_awake = 0; // move, though less than 5 cm above the ground
     std::uint64_t below = 0;      // reach deeper than the tolerance into the ground, at rest or not
+    std::uint64_t trodden = 0;    // the same, but the walker stands on them
     std::uint64_t hovering = 0; // at rest, higher than the tolerance over the ground, with nothing else there to lie on
     std::uint64_t on_edge = 0;  // at rest on the ground, more than 60 degrees from flat
     double deepest = 0.0;       // m, below the ground
