@@ -1111,6 +1111,30 @@ LR_API lr_status lr_collider_surface_init(lr_collider_surface* surface, uint32_t
 LR_API lr_status lr_collider_set_surface(lr_world* world, const lr_collider* colliders, uint32_t count,
                                          const lr_collider_surface* surface);
 
+#define LR_CONTACT_NEVER_REST 1u /* bodies move until they are put to rest by lr_body_set_rest */
+
+/* How the bodies of a batch meet colliders. Of a pair, friction is the geometric mean of both and restitution the larger.
+ * Bodies touch with their hull, reduced to 32 points at most, or as the ellipsoid that they are. */
+typedef struct lr_batch_contact {
+    uint32_t struct_size;
+    uint32_t layers;          /* bit mask: colliders that are in one of these are met; initially all; 0: none */
+    float friction;           /* coefficient of Coulomb friction, 0 to 10; initially 0.5 */
+    float restitution;        /* speed after over speed before an impact, 0 to 1; initially 0.1 */
+    float rolling_resistance; /* moment against rolling and spinning over normal force and reach, 0 to 10; initially 0.05 */
+    uint32_t flags;           /* LR_CONTACT_*; initially 0 */
+} lr_batch_contact;
+
+LR_API lr_status lr_batch_contact_init(lr_batch_contact* contact, uint32_t struct_size);
+
+/* From the next step on; copied. Null is what a batch has initially. Wakes the batch's bodies at rest. Part of snapshots.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_contact* contact);
+
+/* contact: initialised, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact);
+
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Births and ends: storms that run by themselves. docs/lifecycle.md                                                  */
 

@@ -210,6 +210,23 @@ bool Colliders::in_reach(const Collider& c, const Box& box) const {
            !outside(span(box, axes.z, c.begin.position), own.high.z);
 }
 
+bool Colliders::any_candidate(Vector low, Vector high, uint32_t layers) const {
+    const Box box{low, high};
+    bool any = false;
+    const auto take = [&](uint32_t slot) { any = any || (colliders_[slot].layers & layers) != 0; };
+    for (uint32_t i = 0; i < unbounded_count_ && !any; ++i)
+        if (in_reach(colliders_[unbounded_[i]], box)) take(unbounded_[i]);
+    if (any) return true;
+    still_grid_.query(box, [&](const Proxy& p) {
+        if (slots_[p.slot].where == Where::still) take(p.slot);
+    });
+    if (any) return true;
+    active_grid_.query(box, [&](const Proxy& p) {
+        if (slots_[p.slot].where == Where::active) take(p.slot);
+    });
+    return any;
+}
+
 uint32_t Colliders::candidates(Vector low, Vector high, uint32_t layers, Candidate (&out)[most_candidates],
                                uint32_t& missed) const {
     uint32_t count = 0;

@@ -14,6 +14,20 @@ Rotation mix(Rotation a, Rotation b, float part) {
     const auto between = [&](float from, float to) { return from + part * (sign * to - from); };
     return normalised({between(a.x, b.x), between(a.y, b.y), between(a.z, b.z), between(a.w, b.w)});
 }
+// Where a body may be within so long; as in the kernel.
+struct Vicinity {
+    Vector low, high;
+    bool finite() const { return length(high - low) < 1e10f && dot(low, low) < 1e20f; } // false for NaN
+};
+Vicinity vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i, float dt) {
+    const auto at = [&](size_t f) {
+        return Vector{arrays.field[f][i], arrays.field[f + 1][i], arrays.field[f + 2][i]};
+    };
+    const float far =
+        1.5f * step.shape->reach * arrays.field[field_scale][i] + dt * (1.5f * length(at(field_vx)) + step.gain);
+    const Vector x = at(field_x), half{far, far, far};
+    return {x - half, x + half};
+}
 bool is_ground(const Collider& c) {
     return c.geometry.kind == ColliderKind::plane || c.geometry.kind == ColliderKind::heightfield;
 }
@@ -40,6 +54,12 @@ float restitution_of(const ContactSettings& s, const Collider& c) {
 
 } // namespace
 
+const char* wrong_in(const ContactSettings& s) {
+    if (!(s.friction >= 0.0f && s.friction <= 10.0f)) return "friction is not 0 to 10";
+    if (!(s.restitution >= 0.0f && s.restitution <= 1.0f)) return "restitution is not 0 to 1";
+    return s.rolling >= 0.0f && s.rolling <= 10.0f ? nullptr : "rolling_resistance is not 0 to 10";
+}
+
 Pose pose_at(const Collider& c, float part) {
     if (!c.moves || part <= 0.0f) return c.begin;
     if (part >= 1.0f) return c.end;
@@ -51,14 +71,11 @@ ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, c
     : step_(&step), body_(&body), arrays_(arrays), count_(count) {
     std::fill(touches_, touches_ + contact_lanes, false);
     for (uint32_t i = 0; i < count; ++i) {
-        const Pose pose = pose_of(i);
-        const Vector v{arrays.field[field_vx][i], arrays.field[field_vy][i], arrays.field[field_vz][i]};
-        const float far =
-            1.5f * step.shape->reach * arrays.field[field_scale][i] + step.dt * (1.5f * length(v) + step.gain);
-        const Vector half{far, far, far};
         Near& near = near_[i];
-        near.count = step.colliders->candidates(pose.position - half, pose.position + half, step.settings->layers,
-                                                near.candidate, missed_);
+        const Vicinity around = vicinity(step, arrays, i, step.dt);
+        uint32_t missed = 0;
+        near.count = step.colliders->candidates(around.low, around.high, step.settings->layers, near.candidate, missed);
+        missed_ += missed;
         for (uint32_t k = 0; k < near.count; ++k) {
             const uint32_t slot = near.candidate[k].slot;
             if (!is_ground(step.colliders->at(slot))) continue;
@@ -276,8 +293,16 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
                            uint32_t end, float dt)
     : begin_(begin), live_(live) {
     step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, begin, end, near_);
-    for (uint32_t i = begin; i < std::min(end, live); ++i)
-        if (near_[i - begin] != 0) index_[count_++] = i;
+    // What the grids hold depends on when they were built, and must not matter: a body that nothing reaches goes the way of
+    // the others, to the bit.
+    for (uint32_t i = begin; i < std::min(end, live); ++i) {
+        if (near_[i - begin] == 0) continue;
+        const Vicinity around = vicinity(step, arrays, i, dt);
+        if (around.finite() && step.colliders->any_candidate(around.low, around.high, step.settings->layers))
+            index_[count_++] = i;
+        else
+            near_[i - begin] = 0;
+    }
 }
 
 bool NearContacts::others(uint32_t begin) const {

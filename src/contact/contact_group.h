@@ -17,7 +17,10 @@ struct ContactSettings {
     float friction = 0.5f, restitution = 0.1f;
     float rolling = 0.05f; // of the reach
     bool may_rest = true;
+    bool operator==(const ContactSettings&) const = default;
 };
+// Null when fine, else what is wrong; NaN is.
+const char* wrong_in(const ContactSettings& settings);
 
 // Of a batch in a step.
 struct ContactStep {

@@ -126,7 +126,7 @@ public:
 
     ContactSettings contact;
     BodyShape shape{}; // what of its bodies can touch
-    GroundSamples samples{};
+    GroundSamples ground{};
     ContactBook contact_book();
 
     StepInput step; // constants of the shape, filled up by World::step

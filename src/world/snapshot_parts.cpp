@@ -12,8 +12,20 @@ constexpr uint64_t even(uint64_t words) {
     return (words + 1) / 2 * 2;
 }
 constexpr uint64_t record_words = sizeof(Lifecycle::Record) / 4;
+// How a batch meets colliders.
+struct SettingsRecord {
+    uint32_t layers;
+    float friction, restitution, rolling;
+    uint32_t may_rest, reserved;
+};
+constexpr uint64_t settings_words = sizeof(SettingsRecord) / 4;
+static_assert(sizeof(SettingsRecord) % 8 == 0);
 constexpr uint64_t rest_words = sizeof(Resting::Record) / 4;
 static_assert(sizeof(Lifecycle::Record) % 8 == 0 && force_components % 2 == 0);
+
+ContactSettings settings_of(const SettingsRecord& r) {
+    return {r.layers, r.friction, r.restitution, r.rolling, r.may_rest != 0};
+}
 
 bool finite(const unsigned char* from, uint64_t words) {
     for (uint64_t i = 0; i < words; ++i) {
@@ -30,7 +42,8 @@ uint32_t parts_of(const Batch& batch) {
     const Lifecycle* const lifecycle = batch.lifecycle();
     return (batch.external.on_batch() ? part_batch_force : 0u) | (batch.external.pending() ? part_body_forces : 0u) |
            (lifecycle && lifecycle->in_use() ? part_lifecycle : 0u) | (batch.awake() < batch.count() ? part_rest : 0u) |
-           (batch.resting() && batch.resting()->any_contact(batch.count()) ? part_contact : 0u);
+           (batch.resting() && batch.resting()->any_contact(batch.count()) ? part_contact : 0u) |
+           (batch.contact == ContactSettings{} ? 0u : part_settings);
 }
 
 // A birth for each body, of which those that move have none: so that the size depends on these two alone.
@@ -41,6 +54,7 @@ uint64_t parts_bytes(uint32_t parts, uint32_t count) {
     if (parts & part_lifecycle) words += record_words + even(count);
     if (parts & part_rest) words += rest_words + 2 * uint64_t{count};
     if (parts & part_contact) words += (1 + most_touched) * even(count);
+    if (parts & part_settings) words += settings_words;
     return 4 * words;
 }
 
@@ -71,6 +85,11 @@ void save_parts(Batch& batch, unsigned char* to) {
         const ContactArrays contact = batch.contact_arrays();
         put(contact.rest_time, count);
         for (const uint32_t* touching : contact.touching) put(touching, count);
+    }
+    if (parts & part_settings) {
+        const ContactSettings& s = batch.contact;
+        const SettingsRecord record{s.layers, s.friction, s.restitution, s.rolling, s.may_rest ? 1u : 0u, 0};
+        put(&record, settings_words);
     }
 }
 
@@ -107,6 +126,12 @@ bool parts_consistent(uint32_t parts, uint32_t count, const unsigned char* from)
             std::memcpy(&rest_time, from + 4 * uint64_t{i}, 4);
             if (!(rest_time >= 0.0f) || !std::isfinite(rest_time)) return false;
         }
+        from += 4 * (1 + most_touched) * even(count);
+    }
+    if (parts & part_settings) {
+        SettingsRecord record;
+        std::memcpy(&record, from, sizeof record);
+        if (record.may_rest > 1 || wrong_in(settings_of(record))) return false;
     }
     return true;
 }
@@ -140,9 +165,15 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned 
     batch.restore_rest(parts & part_rest ? from : nullptr);
     if (parts & part_rest) from += 4 * rest_words + 8 * uint64_t{count};
     const ContactArrays contact = batch.contact_arrays();
-    if (!(parts & part_contact) || !contact.rest_time) return; // they have been reserved
-    get(contact.rest_time, count);
-    for (uint32_t* touching : contact.touching) get(touching, count);
+    if ((parts & part_contact) && contact.rest_time) { // they have been reserved
+        get(contact.rest_time, count);
+        for (uint32_t* touching : contact.touching) get(touching, count);
+    }
+    batch.contact = {};
+    if (!(parts & part_settings)) return;
+    SettingsRecord record;
+    get(&record, settings_words);
+    batch.contact = settings_of(record);
 }
 
 } // namespace lr

@@ -77,7 +77,7 @@ ContactRun StepChunks::contact_run(Batch& batch, const SurfaceStep* water) const
     const float* const g = world_->gravity;
     const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     const auto seconds = static_cast<float>(batch.pace.behind());
-    const ContactStep step{contact,        colliders, &batch.shape, &batch.samples,
+    const ContactStep step{contact,        colliders, &batch.shape, &batch.ground,
                            &batch.contact, gravity,   seconds,      world_->contact_gain(batch, seconds)};
     // The speed of a fall by 1e-5 of the reach.
     return {step, world_->target, water, batch.pace.time(), batch.contact_book(), std::sqrt(2e-5f * gravity)};

@@ -420,6 +420,10 @@ uint64_t lr_world::hash() const {
             sum += body;
         }
         result = mix(result ^ mix(b)) + sum;
+        if (const lr::ContactSettings& c = batch.contact; !(c == lr::ContactSettings{}))
+            for (uint32_t word : {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
+                                  std::bit_cast<uint32_t>(c.rolling), c.may_rest ? 1u : 0u})
+                result = mix(result ^ word);
         if (batch.awake() < batch.count()) {
             const lr::Resting::Record rest = batch.resting()->record(batch.awake());
             for (uint64_t word : {std::bit_cast<uint64_t>(rest.clock), rest.steps | uint64_t{rest.unjudged} << 32})

@@ -17,6 +17,17 @@
 
 namespace test {
 
+// Sanitizers make everything ten times slower.
+#ifdef LR_TEST_QUICK
+constexpr uint32_t rounds(uint32_t n) {
+    return n / 10;
+}
+#else
+constexpr uint32_t rounds(uint32_t n) {
+    return n;
+}
+#endif
+
 inline lr::AssetData asset_of(const std::vector<float>& vertices) {
     lr::AssetData asset;
     asset.mass = 1.0;

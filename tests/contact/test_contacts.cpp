@@ -78,7 +78,7 @@ void make_floor(test::Solid& solid, int which, float size, test::Random& random)
 
 TEST_CASE("a leaf that lies on a floor is held, with vertical normals") {
     test::Random random(11);
-    for (uint32_t i = 0; i < 4000; ++i) {
+    for (uint32_t i = 0; i < test::rounds(4000); ++i) {
         const auto size = static_cast<float>(random.logarithmic(1e-3, 1.0));
         const BodyShape shape = test::leaf(size, 0.01f * size);
         test::Solid floor;
@@ -112,7 +112,7 @@ TEST_CASE("contacts are those of the pair: none missed, as deep as it is") {
     constexpr ColliderKind kinds[] = {ColliderKind::sphere, ColliderKind::capsule, ColliderKind::box,
                                       ColliderKind::hull, ColliderKind::mesh};
     uint32_t touching = 0;
-    for (uint32_t i = 0; i < 30000; ++i) {
+    for (uint32_t i = 0; i < test::rounds(30000); ++i) {
         const auto size = static_cast<float>(random.logarithmic(1e-3, 1.0));
         const BodyShape shape = i % 4 == 0   ? test::ellipsoid(0.5f * size, 0.1f * size, 0.3f * size)
                                 : i % 4 == 1 ? make_body_shape(test::asset_of(test::cloud(random, 20, 0.5f * size)))
@@ -139,7 +139,7 @@ TEST_CASE("contacts are those of the pair: none missed, as deep as it is") {
             CHECK(found.count == 0);
         }
     }
-    CHECK(touching > 10000);
+    CHECK(touching > test::rounds(10000));
 }
 
 TEST_CASE("a peak, a ridge, a corner and an edge under the middle of a leaf") {
@@ -216,7 +216,7 @@ TEST_CASE("a peak, a ridge, a corner and an edge under the middle of a leaf") {
 
 TEST_CASE("an ellipsoid touches a plane and a slope in one point, in closed form") {
     test::Random random(16);
-    for (uint32_t i = 0; i < 2000; ++i) {
+    for (uint32_t i = 0; i < test::rounds(2000); ++i) {
         const auto size = static_cast<float>(random.logarithmic(1e-3, 1.0));
         const float semi[3] = {size, size * random.real(0.1, 1.0), size * random.real(0.1, 1.0)};
         const BodyShape shape = test::ellipsoid(semi[0], semi[1], semi[2]);
@@ -251,7 +251,7 @@ TEST_CASE("a leaf in a thin wall is pushed to the side where most of it is") {
             REQUIRE(wall.make_mesh({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, {0, 1, 2, 0, 2, 3}));
         else
             wall.make(ColliderKind::box, 1.0f, 1.0f, 5e-4f);
-        for (uint32_t i = 0; i < 5000; ++i) {
+        for (uint32_t i = 0; i < test::rounds(5000); ++i) {
             const Rotation q = test::any_rotation(random);
             const PlacedBody turned(shape, 1.0f, {{0, 0, 0}, q});
             const double low = turned.support({0, 0, -1}).z, high = turned.support({0, 0, 1}).z;
@@ -272,7 +272,7 @@ TEST_CASE("hostile pairs give finite contacts or none") {
     std::vector<BodyShape> shapes{test::leaf(0.04f, 0.0f), test::leaf(1.0f, 1e-6f), test::ellipsoid(0.1f, 1e-6f, 0.1f),
                                   make_body_shape(test::asset_of(test::box_corners(0.1f, 0.1f, 0.1f))),
                                   make_body_shape(AssetData{})};
-    for (uint32_t i = 0; i < 20000; ++i) {
+    for (uint32_t i = 0; i < test::rounds(20000); ++i) {
         test::Solid solid;
         const uint32_t which = random.below(7);
         const auto some = [&] {

@@ -7,11 +7,7 @@ using namespace lr;
 
 namespace {
 
-#ifdef LR_TEST_QUICK
-constexpr uint32_t shots = 5000;
-#else
-constexpr uint32_t shots = 100000;
-#endif
+constexpr uint32_t shots = test::rounds(100000);
 
 Pose between(const Pose& a, Pose b, float t) {
     Rotation &q = b.rotation, p = a.rotation;
