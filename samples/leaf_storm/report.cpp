@@ -67,13 +67,15 @@ std::string table_report(const Options& options, const Storm& storm, const Measu
                     grouped(storm.blown_away()).c_str(), grouped(storm.fell_through()).c_str());
     else
         out += text("bodies that re-entered     %s\n", grouped(storm.reentries()).c_str());
+    if (!measured.lying.empty())
+        out += "on the ground         at s   bodies  at rest   moving  2 mm in it (trodden)  deepest mm  2 mm over it  "
+               "on edge  "
+               "tilt\n";
     for (const Lying& at : measured.lying) {
-        out +=
-            text("on the ground at %6.2f s   %s of %s at rest, %s move there; over 2 mm in it %s, above it %s; deepest "
-                 "%.2f, highest %.2f mm; on edge %s, tilt %.1f degrees in the median\n",
-                 at.time, grouped(at.at_rest).c_str(), grouped(at.bodies).c_str(), grouped(at.near_awake).c_str(),
-                 grouped(at.below).c_str(), grouped(at.hovering).c_str(), 1e3 * at.deepest, 1e3 * at.highest,
-                 grouped(at.on_edge).c_str(), at.median_tilt);
+        out += text("%26.2f %8s %8s %8s %11s %9s %11.2f %13s %8s %5.1f\n", at.time, grouped(at.bodies).c_str(),
+                    grouped(at.at_rest).c_str(), grouped(at.near_awake).c_str(), grouped(at.below).c_str(),
+                    text("(%s)", grouped(at.trodden).c_str()).c_str(), 1e3 * at.deepest, grouped(at.hovering).c_str(),
+                    grouped(at.on_edge).c_str(), at.median_tilt);
     }
     out += text("wall time in stepping      %.3f s of %.3f s in all\n", stepping, measured.wall);
     out += text("body-steps                 %.3g, %.2f million/s, %.2f ns each (one body, one substep)\n", work,
@@ -134,6 +136,7 @@ std::string json_report(const Options& options, const Storm& storm, const Measur
                              {"at_rest", at.at_rest},
                              {"move_on_the_ground", at.near_awake},
                              {"below_2_mm", at.below},
+                             {"trodden_below_2_mm", at.trodden},
                              {"above_2_mm", at.hovering},
                              {"deepest_m", at.deepest},
                              {"highest_m", at.highest},
