@@ -314,21 +314,27 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
              hn::IfThenElse(stays, q0.w, q.w)};
         t = select(stays, Twist{{zero, zero, zero}, {zero, zero, zero}}, t);
 
+        // Bodies without contacts keep their bits, whoever their neighbours in the vector are.
+        auto held = hn::Lt(reach, zero);
         for (uint32_t k = 0; k < count; ++k) {
             ContactSlots::Slot& s = slots.slot[used[k]];
+            held = hn::Or(held, hn::Lt(hn::Load(d, s.gap + at), empty));
             const auto touches = hn::And(hn::Gt(touching[k], zero), hn::Lt(hn::Load(d, s.gap + at), empty));
             hn::Store(hn::IfThenElse(touches, rows[k].pressed, hn::Neg(one)), d, s.impulse + at);
         }
-        store3(b.arrays, field_x, at, x);
+        const Quaternion q_before = load4(b.arrays, at);
+        q = {hn::IfThenElse(held, q.x, q_before.x), hn::IfThenElse(held, q.y, q_before.y),
+             hn::IfThenElse(held, q.z, q_before.z), hn::IfThenElse(held, q.w, q_before.w)};
+        const auto dustless = [&](Vec3 v) LR_LAMBDA {
+            return Vec3{without_dust(v.x), without_dust(v.y), without_dust(v.z)};
+        };
+        store3(b.arrays, field_x, at, select(held, x, load3(b.arrays, field_x, at)));
         hn::Store(q.x, d, b.arrays.field[field_qx] + at);
         hn::Store(q.y, d, b.arrays.field[field_qy] + at);
         hn::Store(q.z, d, b.arrays.field[field_qz] + at);
         hn::Store(q.w, d, b.arrays.field[field_qw] + at);
-        const auto dustless = [&](Vec3 v) LR_LAMBDA {
-            return Vec3{without_dust(v.x), without_dust(v.y), without_dust(v.z)};
-        };
-        store3(b.arrays, field_vx, at, dustless(t.v));
-        store3(b.arrays, field_wx, at, dustless(scale(inverse, t.u)));
+        store3(b.arrays, field_vx, at, select(held, dustless(t.v), load3(b.arrays, field_vx, at)));
+        store3(b.arrays, field_wx, at, select(held, dustless(scale(inverse, t.u)), load3(b.arrays, field_wx, at)));
     }
 }
 
