@@ -1122,6 +1122,9 @@ typedef struct lr_batch_contact {
     float restitution;        /* speed after over speed before an impact, 0 to 1; initially 0.1 */
     float rolling_resistance; /* moment against rolling and spinning over normal force and reach, 0 to 10; initially 0.05 */
     uint32_t flags;           /* LR_CONTACT_*; initially 0 */
+    float ground_effect;      /* the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and
+                                 heightfields gives in theory; initially 0. docs/contact.md */
+    uint32_t reserved;        /* 0 */
 } lr_batch_contact;
 
 LR_API lr_status lr_batch_contact_init(lr_batch_contact* contact, uint32_t struct_size);

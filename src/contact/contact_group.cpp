@@ -57,7 +57,8 @@ float restitution_of(const ContactSettings& s, const Collider& c) {
 const char* wrong_in(const ContactSettings& s) {
     if (!(s.friction >= 0.0f && s.friction <= 10.0f)) return "friction is not 0 to 10";
     if (!(s.restitution >= 0.0f && s.restitution <= 1.0f)) return "restitution is not 0 to 1";
-    return s.rolling >= 0.0f && s.rolling <= 10.0f ? nullptr : "rolling_resistance is not 0 to 10";
+    if (!(s.rolling >= 0.0f && s.rolling <= 10.0f)) return "rolling_resistance is not 0 to 10";
+    return s.ground_effect >= 0.0f && s.ground_effect <= 1.0f ? nullptr : "ground_effect is not 0 to 1";
 }
 
 Pose pose_at(const Collider& c, float part) {
@@ -250,6 +251,7 @@ void ContactGroup::touch_others(uint32_t i, const Near& near, float begin, float
 }
 
 void ContactGroup::resolve(const LaneRow (&before)[pose_fields], float begin, float end, float h) {
+    if (step_->settings->ground_effect > 0.0f) press_air(before, begin, end);
     clip(before, begin, end);
     slots_.used = 0;
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});

@@ -16,6 +16,7 @@ struct ContactSettings {
     uint32_t layers = 0xffffffffu;
     float friction = 0.5f, restitution = 0.1f;
     float rolling = 0.05f; // of the reach
+    float ground_effect = 0.0f;
     bool may_rest = true;
     bool operator==(const ContactSettings&) const = default;
 };
@@ -29,9 +30,10 @@ struct ContactStep {
     const BodyShape* shape;
     const GroundSamples* samples;
     const ContactSettings* settings;
-    float gravity; // m/s^2, magnitude
-    float dt;      // s, of the step
-    float gain;    // m/s that bodies may gain in it beside what they have
+    float gravity;       // m/s^2, magnitude
+    float fluid_density; // kg/m^3
+    float dt;            // s, of the step
+    float gain;          // m/s that bodies may gain in it beside what they have
 };
 
 static_assert(most_ground_samples == most_ground_points);
@@ -73,6 +75,7 @@ private:
         uint32_t count;
         Candidate candidate[most_candidates];
     };
+    void press_air(const LaneRow (&before)[pose_fields], float begin, float end);
     void clip(const LaneRow (&before)[pose_fields], float begin, float end);
     void touch_grounds(const ContactBodies& bodies, float begin, float end, float h);
     void touch_others(uint32_t lane, const Near& near, float begin, float end, float h);

@@ -195,6 +195,7 @@ uint32_t Batch::wake(uint32_t index) {
     resting_->leave(unpack(ids_[index]).slot);
     resting_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_rest][index]);
     if (resting_->contact.rest_time) resting_->contact.rest_time[index] = 0.0f;
+    for (size_t f = field_gust_x; f < fields(); ++f) arrays_.field[f][index] = 0.0f; // see LiftOff
     swap(index, awake_);
     ++revision_;
     return awake_++;
@@ -260,6 +261,18 @@ void Batch::settle_noted() {
         const uint32_t begin = cut * cut_bodies;
         for (uint32_t i = std::min(begin + cut_bodies, awake_); i-- > begin;)
             if (resting_->take_note(i)) rest(i);
+    }
+}
+
+// From the first to the last: one that moves into the place of another has been looked at.
+void Batch::wake_noted() {
+    if (!resting_ || !resting_->contact.rest_time) return;
+    const uint32_t shared = awake_ / cut_bodies; // with bodies that move, which may be noted for rest
+    for (uint32_t cut = shared, end = cut_count(count_); cut < end; ++cut) {
+        if (cut == shared ? !resting_->cut_noted(cut) : !resting_->take_cut(cut)) continue;
+        const uint32_t begin = cut * cut_bodies;
+        for (uint32_t i = std::max(begin, awake_); i < std::min(begin + cut_bodies, count_); ++i)
+            if (resting_->take_note(i)) wake(i);
     }
 }
 

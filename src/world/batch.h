@@ -108,6 +108,7 @@ public:
     // A body of a chunk that is stepped is to rest from the end of the step on; from any thread.
     void note_rest(uint32_t index) { resting_->note(index); }
     void settle_noted(); // after the step
+    void wake_noted();   // bodies at rest that were noted, before that
     const lr_asset& asset() const { return *asset_; }
     const BatchArrays& arrays() const { return arrays_; }
     const lr_body* ids() const { return ids_.data(); }

@@ -2,6 +2,7 @@
 
 #include "field/field_step.h"
 #include "world/lifecycle.h"
+#include "world/lift_off.h"
 
 #include <algorithm>
 #include <bit>
@@ -257,6 +258,8 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
         if (wind.take_blame())
             log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
     }
+    const bool lift_off = colliders.any() && any_resting();
+    if (lift_off) lr::LiftOff(*this, items.data(), {time, static_cast<double>(dt) / substeps, 1}).run(mode);
     wind.end_step(dt);
     if (colliders.any()) colliders.end_step();
     if (unfit)
@@ -266,6 +269,8 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     ++step_count;
     substep_count += substeps;
     time += static_cast<double>(dt);
+    for (uint32_t i = 0; i < batch_slots && lift_off; ++i)
+        if (batches[i].batch) batches[i].batch->wake_noted();
     finish_batches(static_cast<double>(dt));
     if (pacing.timed()) pacing.learn(std::chrono::duration<double>(Clock::now() - since).count());
 }
@@ -284,10 +289,7 @@ void lr_world::run(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at
     }
     lr::StepChunks chunks(*this, some, count, blocks, work, crew.helpers());
     chunks.surface = at_surface;
-    if (colliders.any()) {
-        chunks.colliders = &colliders;
-        chunks.contact = contact;
-    }
+    chunks.colliders = colliders.any();
     chunks.timed = pacing.timed();
     if (!field || count == 0) {
         crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
@@ -421,8 +423,9 @@ uint64_t lr_world::hash() const {
         }
         result = mix(result ^ mix(b)) + sum;
         if (const lr::ContactSettings& c = batch.contact; !(c == lr::ContactSettings{}))
-            for (uint32_t word : {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
-                                  std::bit_cast<uint32_t>(c.rolling), c.may_rest ? 1u : 0u})
+            for (uint32_t word :
+                 {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
+                  std::bit_cast<uint32_t>(c.rolling), std::bit_cast<uint32_t>(c.ground_effect), c.may_rest ? 1u : 0u})
                 result = mix(result ^ word);
         if (batch.awake() < batch.count()) {
             const lr::Resting::Record rest = batch.resting()->record(batch.awake());
@@ -436,7 +439,8 @@ uint64_t lr_world::hash() const {
                                   std::bit_cast<uint64_t>(batch.lifecycle()->burst_clock())})
                 result = mix(result ^ word);
     }
-    if (paced || pacing.limited()) result = mix(result ^ step_count);
+    // Whose turn it is to be tried by the wind.
+    if (paced || pacing.limited() || (colliders.any() && any_resting())) result = mix(result ^ step_count);
     pacing.hash([&](uint64_t word) { result = mix(result ^ word); });
     if (const uint64_t sources = wind.hash(time)) result = mix(result ^ sources);
     if (const uint64_t water = surface.hash()) result = mix(result ^ water);
