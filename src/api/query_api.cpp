@@ -8,6 +8,8 @@ namespace {
 
 using namespace lr::api;
 
+static_assert(sizeof(lr_ray_hit) == 48);
+
 constexpr double most_place = 1e9, most_size = 1e6; // m
 
 // Null when fine, else what is wrong. Of finite numbers only.
