@@ -110,6 +110,7 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
                         {before[3][i], before[4][i], before[5][i], before[6][i]}};
         const Pose to = pose_of(i);
         float free = 1.0f;
+        stopped_[i] = nobody;
         for (uint32_t k = 0; k < near_[i].count; ++k) {
             const Candidate& candidate = near_[i].candidate[k];
             const Collider& c = step_->colliders->at(candidate.slot);
@@ -118,7 +119,10 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
             if (const HeightfieldGeometry* const f = c.geometry.heightfield; f && !c.moves)
                 if (length(to.position - from.position) < 0.5f * std::min(f->spacing[0], f->spacing[1])) continue;
             const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), to);
-            free = std::min(free, free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part));
+            const float here = free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part);
+            if (here >= free) continue;
+            free = here;
+            stopped_[i] = k;
         }
         if (free < 1.0f) set_pose(i, {mix(from.position, to.position, free), mix(from.rotation, to.rotation, free)});
     }
@@ -241,9 +245,18 @@ void ContactGroup::touch_others(uint32_t i, const Near& near, float begin, float
         if (is_ground(c)) continue;
         const Pose pose = pose_at(c, end);
         Contact contacts[most_contacts];
-        const uint32_t count = find_contacts(*step_->shape, arrays_.field[field_scale][i], relative(pose, pose_of(i)),
-                                             c.geometry, candidate.part, margin, contacts);
+        const float scale = arrays_.field[field_scale][i];
+        // What stopped it may have done so at some distance, and is touched there: else nothing would take its speed.
+        const bool stopped = stopped_[i] == k;
+        const float within = stopped ? std::max(margin, 0.2f * step_->shape->reach * scale) : margin;
+        const uint32_t count = find_contacts(*step_->shape, scale, relative(pose, pose_of(i)), c.geometry,
+                                             candidate.part, within, contacts);
         if (count == 0) continue;
+        if (stopped) {
+            float least = contacts[0].gap;
+            for (uint32_t n = 1; n < count; ++n) least = std::min(least, contacts[n].gap);
+            for (uint32_t n = 0; n < count; ++n) contacts[n].gap -= std::max(least, 0.0f);
+        }
         const Motion motion = motion_of(c, begin, end, h);
         for (uint32_t n = 0; n < count; ++n)
             add(i, candidate.slot, contacts[n], pose, motion.velocity, motion.spin, pose.position);

@@ -102,6 +102,8 @@ private:
     uint32_t count_, missed_ = 0;
     uint32_t ground_count_ = 0;
     uint32_t grounds_[most_candidates];
+    static constexpr uint32_t nobody = UINT32_MAX;
+    uint32_t stopped_[contact_lanes]; // the candidate that ended its way in this substep
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
     Near near_[contact_lanes];
