@@ -6,14 +6,6 @@
 namespace lr {
 namespace {
 
-Vector mix(Vector a, Vector b, float part) {
-    return a + part * (b - a);
-}
-Rotation mix(Rotation a, Rotation b, float part) {
-    const float sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0.0f ? -1.0f : 1.0f;
-    const auto between = [&](float from, float to) { return from + part * (sign * to - from); };
-    return normalised({between(a.x, b.x), between(a.y, b.y), between(a.z, b.z), between(a.w, b.w)});
-}
 // Where a body may be within so long; as in the kernel.
 struct Vicinity {
     Vector low, high;
@@ -100,32 +92,6 @@ void ContactGroup::set_pose(uint32_t i, const Pose& pose) {
     const float values[7] = {pose.position.x, pose.position.y, pose.position.z, pose.rotation.x,
                              pose.rotation.y, pose.rotation.z, pose.rotation.w};
     for (size_t f = 0; f < 7; ++f) arrays_.field[f][i] = values[f];
-}
-
-// Bodies that would pass through something within the substep end it where they meet it.
-void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float end) {
-    for (uint32_t i = 0; i < count_; ++i) {
-        const float scale = arrays_.field[field_scale][i];
-        const Pose from{{before[0][i], before[1][i], before[2][i]},
-                        {before[3][i], before[4][i], before[5][i], before[6][i]}};
-        const Pose to = pose_of(i);
-        float free = 1.0f;
-        stopped_[i] = nobody;
-        for (uint32_t k = 0; k < near_[i].count; ++k) {
-            const Candidate& candidate = near_[i].candidate[k];
-            const Collider& c = step_->colliders->at(candidate.slot);
-            if (c.geometry.kind == ColliderKind::plane) continue;
-            // Solid below, so that only what is thinner than the way could be jumped.
-            if (const HeightfieldGeometry* const f = c.geometry.heightfield; f && !c.moves)
-                if (length(to.position - from.position) < 0.5f * std::min(f->spacing[0], f->spacing[1])) continue;
-            const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), to);
-            const float here = free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part);
-            if (here >= free) continue;
-            free = here;
-            stopped_[i] = k;
-        }
-        if (free < 1.0f) set_pose(i, {mix(from.position, to.position, free), mix(from.rotation, to.rotation, free)});
-    }
 }
 
 // The slot for one more contact of a body: a free one, or that of its shallowest if this one is deeper; else none.

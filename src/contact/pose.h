@@ -61,6 +61,18 @@ constexpr Vector to_outer(const Pose& pose, Vector inner) {
 constexpr Vector to_inner(const Pose& pose, Vector outer) {
     return rotate(inverse(pose.rotation), outer - pose.position);
 }
+// Part of the way from one to the other; rotations by the normalised linear quaternion, the shorter way round.
+constexpr Vector mix(Vector a, Vector b, float part) {
+    return a + part * (b - a);
+}
+inline Rotation mix(Rotation a, Rotation b, float part) {
+    const float sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0.0f ? -1.0f : 1.0f;
+    const auto between = [&](float from, float to) { return from + part * (sign * to - from); };
+    return normalised({between(a.x, b.x), between(a.y, b.y), between(a.z, b.z), between(a.w, b.w)});
+}
+inline Pose mix(const Pose& a, const Pose& b, float part) {
+    return {mix(a.position, b.position, part), mix(a.rotation, b.rotation, part)};
+}
 // `of` as seen from `frame`, both given in the same outer frame.
 constexpr Pose relative(const Pose& frame, const Pose& of) {
     return {to_inner(frame, of.position), inverse(frame.rotation) * of.rotation};
