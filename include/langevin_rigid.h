@@ -358,7 +358,7 @@ typedef struct lr_world_info {
     double time;            /* s since creation: the sum of all dt, in double */
     uint64_t memory_bytes;  /* taken from the allocator at present */
     uint64_t collider_count;
-    uint64_t awake_count;   /* bodies that are not at rest: lr_body_set_rest */
+    uint64_t awake_count; /* bodies that are not at rest: lr_body_set_rest */
 } lr_world_info;
 
 LR_API lr_status lr_world_info_init(lr_world_info* info, uint32_t struct_size);
@@ -1117,14 +1117,15 @@ LR_API lr_status lr_collider_set_surface(lr_world* world, const lr_collider* col
  * Bodies touch with their hull, reduced to 32 points at most, or as the ellipsoid that they are. */
 typedef struct lr_batch_contact {
     uint32_t struct_size;
-    uint32_t layers;          /* bit mask: colliders that are in one of these are met; initially all; 0: none */
-    float friction;           /* coefficient of Coulomb friction, 0 to 10; initially 0.5 */
-    float restitution;        /* speed after over speed before an impact, 0 to 1; initially 0.1 */
-    float rolling_resistance; /* moment against rolling and spinning over normal force and reach, 0 to 10; initially 0.05 */
-    uint32_t flags;           /* LR_CONTACT_*; initially 0 */
-    float ground_effect;      /* the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and
+    uint32_t layers;   /* bit mask: colliders that are in one of these are met; initially all; 0: none */
+    float friction;    /* coefficient of Coulomb friction, 0 to 10; initially 0.5 */
+    float restitution; /* speed after over speed before an impact, 0 to 1; initially 0.1 */
+    float
+        rolling_resistance; /* moment against rolling and spinning over normal force and reach, 0 to 10; initially 0.05 */
+    uint32_t flags;         /* LR_CONTACT_*; initially 0 */
+    float ground_effect; /* the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and
                                  heightfields gives in theory; initially 0. docs/contact.md */
-    uint32_t reserved;        /* 0 */
+    uint32_t reserved;   /* 0 */
 } lr_batch_contact;
 
 LR_API lr_status lr_batch_contact_init(lr_batch_contact* contact, uint32_t struct_size);
@@ -1161,7 +1162,8 @@ typedef struct lr_contact_event {
     lr_batch batch;
     lr_body body;         /* stale where it has been destroyed */
     lr_collider collider; /* LR_CONTACT_*; else 0 */
-    float position[3];    /* m, world frame: of LR_CONTACT_BEGIN where they touch, else of the centre of mass; of a body that was
+    float position
+        [3]; /* m, world frame: of LR_CONTACT_BEGIN where they touch, else of the centre of mass; of a body that was
                              killed for not being finite as it is */
     float normal[3];      /* LR_CONTACT_BEGIN: unit, world frame, from the collider to the body; else 0 */
     float speed;          /* m/s, LR_CONTACT_BEGIN: at which they approach each other along the normal, >= 0; else 0 */
@@ -1180,8 +1182,8 @@ typedef struct lr_contact_event_list {
     uint32_t struct_size;
     uint32_t count;
     const lr_contact_event* events; /* of the last step; null before lr_world_set_contact_events */
-    uint64_t lost;                  /* events of the last step for which there was no room: the last ones in their order */
-    uint64_t total_lost;            /* since lr_world_set_contact_events */
+    uint64_t lost;       /* events of the last step for which there was no room: the last ones in their order */
+    uint64_t total_lost; /* since lr_world_set_contact_events */
 } lr_contact_event_list;
 
 LR_API lr_status lr_contact_event_list_init(lr_contact_event_list* list, uint32_t struct_size);
@@ -1222,8 +1224,9 @@ typedef struct lr_ray_hit {
     lr_collider collider; /* 0 where it is a body */
     float distance;       /* m, from the ray's origin */
     float position[3];    /* m, world frame */
-    float normal[3];      /* unit, world frame, out of what is hit; against the ray where that begins inside, at distance 0 */
-    uint32_t reserved;    /* 0 */
+    float
+        normal[3]; /* unit, world frame, out of what is hit; against the ray where that begins inside, at distance 0 */
+    uint32_t reserved; /* 0 */
 } lr_ray_hit;
 
 /* What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/contact.md);
@@ -1254,8 +1257,8 @@ LR_API lr_status lr_overlap_desc_init(lr_overlap_desc* desc, uint32_t struct_siz
  * bodies: room for `capacity` ids; may be null when that is 0. count: receives how many there are.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_STALE_BATCH,
  * LR_ERROR_BUFFER_TOO_SMALL: *count is set, and `bodies` holds no meaning. */
-LR_API lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity,
-                                  uint32_t* count);
+LR_API lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies,
+                                  uint32_t capacity, uint32_t* count);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Births and ends: storms that run by themselves. docs/lifecycle.md                                                  */

@@ -19,7 +19,7 @@ constexpr float going = 0.05f;
 struct Copies {
     alignas(64) float field[field_count][field_block];
     alignas(64) uint32_t key[field_block];
-    alignas(64) float wind[3 * field_block]; // m/s, x y z of each
+    alignas(64) float wind[size_t{3} * field_block]; // m/s, x y z of each
 
     uint32_t take(const BatchArrays& from, const uint32_t* index, uint32_t count) {
         const uint32_t padded = (count + lanes - 1) / lanes * lanes;
@@ -38,7 +38,8 @@ struct Copies {
 };
 
 Vector wind_of(const Copies& c, uint32_t i) {
-    return {c.wind[3 * i], c.wind[3 * i + 1], c.wind[3 * i + 2]};
+    const float* const w = c.wind + size_t{3} * i;
+    return {w[0], w[1], w[2]};
 }
 
 } // namespace
@@ -100,6 +101,7 @@ void LiftOff::try_range(const StepItem& item, uint32_t begin, uint32_t end) {
     const Batch& batch = *item.batch;
     const uint32_t* const key = batch.arrays().key;
     const uint32_t* const touching = batch.contact_arrays().touching[0];
+    if (!touching) return; // not of a batch that is among the items
     const auto turn = static_cast<uint32_t>(world_->step_count % turns);
     uint32_t index[most], count = 0;
     for (uint32_t i = begin; i < end; ++i) {
@@ -121,10 +123,10 @@ void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t c
     BatchArrays arrays = copies.arrays();
     if (field) {
         for (uint32_t i = 0; i < count; ++i)
-            for (size_t k = 0; k < 3; ++k) copies.wind[3 * i + k] = copies.field[field_x + k][i];
+            for (size_t k = 0; k < 3; ++k) copies.wind[size_t{3} * i + k] = copies.field[field_x + k][i];
         sample_field(*world_->target, world_->wind, time_.begin + 0.5 * time_.h, copies.wind, count, copies.wind);
     } else {
-        for (uint32_t i = 0; i < count; ++i) std::copy(in.wind, in.wind + 3, copies.wind + 3 * i);
+        for (uint32_t i = 0; i < count; ++i) std::copy(in.wind, in.wind + 3, copies.wind + size_t{3} * i);
     }
     alignas(64) uint32_t wet[most] = {};
     if (in.water) {

@@ -127,7 +127,7 @@ bool parts_consistent(uint32_t parts, uint32_t count, const unsigned char* from)
             std::memcpy(&rest_time, from + 4 * uint64_t{i}, 4);
             if (!(rest_time >= 0.0f) || !std::isfinite(rest_time)) return false;
         }
-        from += 4 * (1 + most_touched) * even(count);
+        from += uint64_t{4} * (1 + most_touched) * even(count);
     }
     if (parts & part_settings) {
         SettingsRecord record;
