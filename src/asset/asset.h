@@ -12,8 +12,8 @@ struct lr_asset {
 
     const lr::AssetData data;
     const uint64_t content_hash;
-    const bool diagonal;           // inertia and added mass diagonal, B = 0, buoyancy centred
-    const uint32_t format_version; // of the file; 0 without one
+    const bool diagonal;                 // inertia and added mass diagonal, B = 0, buoyancy centred
+    const uint32_t format_version;       // of the file; 0 without one
     const std::array<double, 3> extents; // m, along the body axes, of a rigid without a hull; else zero
     mutable std::atomic<uint32_t> references{1};
 };

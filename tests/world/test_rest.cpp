@@ -71,8 +71,8 @@ struct Fixture {
             good = good && batch->ids()[at] == id && batch->rests(at) == m.rests && a.key[at] == m.key;
             good = good && a.field[lr::field_x][at] == m.x && a.field[lr::field_vx][at] == speed &&
                    a.field[lr::field_wz][at] == speed && a.field[lr::field_gust_y][at] == speed;
-            good =
-                good && batch->contact_arrays().rest_time[at] == m.rest_time && batch->contact_arrays().touching[2][at] == m.touching;
+            good = good && batch->contact_arrays().rest_time[at] == m.rest_time &&
+                   batch->contact_arrays().touching[2][at] == m.touching;
             good = good && batch->lifecycle()->life(at) == m.life;
             const float pushed = batch->external.bodies()[at];
             good = good && wide(pushed) == (m.rests ? 0.0 : m.pushed);
