@@ -89,7 +89,7 @@ private:
     BatchArrays arrays_;
     uint32_t count_, missed_ = 0;
     uint32_t ground_count_ = 0;
-    uint32_t grounds_[most_candidates];
+    uint32_t grounds_[contact_lanes * most_candidates]; // room for all: none may be left out for the company's sake
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
     Near near_[contact_lanes];

@@ -314,21 +314,30 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
              hn::IfThenElse(stays, q0.w, q.w)};
         t = select(stays, Twist{{zero, zero, zero}, {zero, zero, zero}}, t);
 
+        auto any_contact = hn::Lt(reach, zero);
         for (uint32_t k = 0; k < count; ++k) {
             ContactSlots::Slot& s = slots.slot[used[k]];
-            const auto touches = hn::And(hn::Gt(touching[k], zero), hn::Lt(hn::Load(d, s.gap + at), empty));
+            const auto present = hn::Lt(hn::Load(d, s.gap + at), empty);
+            any_contact = hn::Or(any_contact, present);
+            const auto touches = hn::And(hn::Gt(touching[k], zero), present);
             hn::Store(hn::IfThenElse(touches, rows[k].pressed, hn::Neg(one)), d, s.impulse + at);
         }
-        store3(b.arrays, field_x, at, x);
-        hn::Store(q.x, d, b.arrays.field[field_qx] + at);
-        hn::Store(q.y, d, b.arrays.field[field_qy] + at);
-        hn::Store(q.z, d, b.arrays.field[field_qz] + at);
-        hn::Store(q.w, d, b.arrays.field[field_qw] + at);
+        // A body without contacts must not see that another in its vector has some: not even by rounding.
+        const auto put = [&](VF value, size_t field) LR_LAMBDA {
+            float* const to = b.arrays.field[field] + at;
+            hn::Store(hn::IfThenElse(any_contact, value, hn::Load(d, to)), d, to);
+        };
+        const auto put3 = [&](Vec3 v, size_t field) LR_LAMBDA {
+            put(v.x, field), put(v.y, field + 1), put(v.z, field + 2);
+        };
         const auto dustless = [&](Vec3 v) LR_LAMBDA {
             return Vec3{without_dust(v.x), without_dust(v.y), without_dust(v.z)};
         };
-        store3(b.arrays, field_vx, at, dustless(t.v));
-        store3(b.arrays, field_wx, at, dustless(scale(inverse, t.u)));
+        put3(x, field_x);
+        put3({q.x, q.y, q.z}, field_qx);
+        put(q.w, field_qw);
+        put3(dustless(t.v), field_vx);
+        put3(dustless(scale(inverse, t.u)), field_wx);
     }
 }
 
