@@ -227,7 +227,9 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     pace_batches(dt, substeps);
     if (colliders.any()) {
         const bool resting = any_resting();
-        if (resting) colliders.for_fresh([&](uint32_t slot) { wake_at(slot); });
+        colliders.for_fresh([&](uint32_t slot) {
+            if (resting) wake_at(slot);
+        });
         colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
         if (resting) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
     }

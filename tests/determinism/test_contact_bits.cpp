@@ -12,11 +12,11 @@ TEST_CASE("in scenes with contact some bodies rest in the end and others move, a
         Play play(scene, {});
         const uint64_t hash = play.run();
         const lr_world_info info = info_of(play.world);
-        MESSAGE(scene.name << ": " << info.awake_count << " of " << info.body_count << " awake");
+        MESSAGE(std::string(scene.name), ": ", info.awake_count, " of ", info.body_count, " awake");
         CHECK(info.awake_count > info.body_count / 20);
-        CHECK(info.awake_count < info.body_count - info.body_count / 20);
+        CHECK(info.awake_count + 10 <= info.body_count);
         scene.solids = scene.solids == Solids::ground ? Solids::edges : Solids::ground;
         CHECK(outcome(scene) != hash);
     }
-    CHECK(found == 3);
+    CHECK(found == 4);
 }

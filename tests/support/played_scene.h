@@ -146,12 +146,14 @@ inline std::vector<PlayedScene> played_scenes() {
         return scene;
     };
     landing("landing", Solids::ground).bodies = 250;
+    landing("landing_on_terrain", Solids::terrain);
     PlayedScene& landing_in_everything = landing("landing_in_everything", Solids::ground);
     landing_in_everything.loads = LR_LOADS_LANGEVIN, landing_in_everything.tensor = LR_TENSOR_FULL;
     landing_in_everything.sources = {LR_WIND_SOURCE_GUSTS, LR_WIND_SOURCE_RANKINE, LR_WIND_SOURCE_GROUND};
-    landing_in_everything.afloat = landing_in_everything.forced = landing_in_everything.called_back = true;
+    landing_in_everything.afloat = landing_in_everything.called_back = true;
     landing_in_everything.divisors[0] = 3, landing_in_everything.divisors[1] = 2;
-    landing("landing_on_edges", Solids::edges).born_and_dying = true;
+    PlayedScene& landing_on_edges = landing("landing_on_edges", Solids::edges);
+    landing_on_edges.born_and_dying = true, landing_on_edges.dt = 0.1f, landing_on_edges.substeps = 6;
 
     // Storms of more bodies than are stepped in one piece.
     const auto storm = [&](const char* name) -> PlayedScene& {
