@@ -27,7 +27,7 @@ struct SavedCollider {
     uint32_t layers;
     Pose begin, end;
     Vector linear, angular, rest;
-    uint32_t reserved;
+    uint32_t fresh;
 };
 static_assert(sizeof(SavedList) % 8 == 0 && sizeof(SavedSlot) % 8 == 0 && sizeof(SavedCollider) % 8 == 0);
 
@@ -54,7 +54,7 @@ bool consistent(const Pose& pose) {
 }
 
 bool consistent(const SavedCollider& c) {
-    if (c.kind < LR_COLLIDER_PLANE || c.kind > LR_COLLIDER_MESH || c.pending > 1 || c.reserved != 0) return false;
+    if (c.kind < LR_COLLIDER_PLANE || c.kind > LR_COLLIDER_MESH || c.pending > 1 || c.fresh > 1) return false;
     const int sizes = c.kind == LR_COLLIDER_SPHERE    ? 1
                       : c.kind == LR_COLLIDER_CAPSULE ? 2
                       : c.kind == LR_COLLIDER_BOX     ? 3
@@ -122,6 +122,7 @@ void ColliderSnapshot::save(const Colliders& c, unsigned char* to) {
         saved.linear = m.linear;
         saved.angular = m.angular;
         saved.rest = m.rest;
+        saved.fresh = s.fresh ? 1 : 0;
         std::memcpy(to, &saved, sizeof saved);
         to += sizeof saved;
     }
@@ -183,6 +184,7 @@ void ColliderSnapshot::commit() {
     c.active_grid_.clear();
     c.near_ = NearColliders{};
     c.stale_ = true;
+    c.any_fresh_ = false;
     uint32_t next = 0;
     for (uint32_t slot = 0; slot < list.slots; ++slot) {
         const auto saved_slot = at<SavedSlot>(slots, slot);
@@ -206,6 +208,8 @@ void ColliderSnapshot::commit() {
         c.proxies_ += proxies;
         if (c.moving(slot)) c.mover_proxies_ += proxies;
         c.enlist(slot);
+        c.slots_[slot].fresh = saved.fresh != 0;
+        c.any_fresh_ = c.any_fresh_ || saved.fresh != 0;
     }
 }
 

@@ -74,7 +74,7 @@ ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, c
             if (!is_ground(step.colliders->at(slot))) continue;
             uint32_t* const end = grounds_ + ground_count_;
             uint32_t* const at = std::lower_bound(grounds_, end, slot);
-            if ((at != end && *at == slot) || ground_count_ == most_candidates) continue;
+            if (at != end && *at == slot) continue;
             std::copy_backward(at, end, end + 1);
             *at = slot;
             ++ground_count_;

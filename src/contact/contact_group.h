@@ -101,7 +101,7 @@ private:
     BatchArrays arrays_;
     uint32_t count_, missed_ = 0;
     uint32_t ground_count_ = 0;
-    uint32_t grounds_[most_candidates];
+    uint32_t grounds_[contact_lanes * most_candidates]; // room for all: none may be left out for the company's sake
     static constexpr uint32_t nobody = UINT32_MAX;
     uint32_t stopped_[contact_lanes]; // the candidate that ended its way in this substep
     uint8_t filled_[contact_lanes];

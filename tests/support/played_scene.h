@@ -1,6 +1,7 @@
 // Scenes with everything that a world can do, written once, for tests of determinism and for the held hashes.
 #pragma once
 
+#include "support/played_colliders.h"
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/water.h"
@@ -28,6 +29,7 @@ struct PlayedScene {
     bool called_back = false;          // wind from a callback, and of a sea its surface
     uint32_t divisors[2] = {1, 1};     // of the batches' rates
     bool resting = false;              // bodies come to rest and wake
+    Solids solids = Solids::none;      // to land on: bodies begin near them, the second batch's are bricks
     uint64_t budget = 0;               // body-substeps a step
     float dt = 1.0f / 60.0f;           // s
     uint32_t substeps = 3;             // neither a power of two nor an even division: every rounding is there
@@ -137,6 +139,22 @@ inline std::vector<PlayedScene> played_scenes() {
     still_in_everything.afloat = still_in_everything.governed = still_in_everything.called_back = true;
     still_in_everything.born_and_dying = still_in_everything.resting = true, still_in_everything.bodies = 300;
 
+    // Leaves and bricks that land, some of which lie still in the end.
+    const auto landing = [&](const char* name, Solids on) -> PlayedScene& {
+        PlayedScene& scene = with(name, LR_LOADS_AERODYNAMIC);
+        scene.solids = on, scene.windy = true, scene.dt = 0.05f;
+        return scene;
+    };
+    landing("landing", Solids::ground).bodies = 250;
+    landing("landing_on_terrain", Solids::terrain);
+    PlayedScene& landing_in_everything = landing("landing_in_everything", Solids::ground);
+    landing_in_everything.loads = LR_LOADS_LANGEVIN, landing_in_everything.tensor = LR_TENSOR_FULL;
+    landing_in_everything.sources = {LR_WIND_SOURCE_GUSTS, LR_WIND_SOURCE_RANKINE, LR_WIND_SOURCE_GROUND};
+    landing_in_everything.afloat = landing_in_everything.called_back = true;
+    landing_in_everything.divisors[0] = 3, landing_in_everything.divisors[1] = 2;
+    PlayedScene& landing_on_edges = landing("landing_on_edges", Solids::edges);
+    landing_on_edges.born_and_dying = true, landing_on_edges.dt = 0.1f, landing_on_edges.substeps = 6;
+
     // Storms of more bodies than are stepped in one piece.
     const auto storm = [&](const char* name) -> PlayedScene& {
         PlayedScene& scene = add(name);
@@ -166,10 +184,11 @@ class Play {
 public:
     static constexpr int frames = 30;
 
-    Play(const PlayedScene& scene, const Circumstances& how) : scene_(scene), how_(how) {
+    Play(const PlayedScene& scene, const Circumstances& how) : scene_(scene), how_(how), colliders_(scene.solids) {
         assets_[0] = leaf();
-        assets_[1] = curled_leaf();
+        assets_[1] = scene_.solids == Solids::none ? curled_leaf() : brick();
         build();
+        colliders_.place(world);
         for (int32_t kind : scene_.sources) add_wind(kind);
         if (scene_.afloat) set_water(world, sea()); // not anew after a snapshot: that brings it back
         for (size_t b = 0; b < 2; ++b) {
@@ -196,11 +215,13 @@ public:
                 build();
                 for (int32_t kind : scene_.sources)
                     if (kind == LR_WIND_SOURCE_GRID) add_wind(kind);
+                colliders_.prepare(world);
                 REQUIRE(lr_world_snapshot_restore(world.get(), snapshot.data(), snapshot.size()) == LR_OK);
             }
             if (scene_.windy && frame % 10 == 5) set_wind(world, 0.1f * static_cast<float>(frame), 0.0f, 1.0f);
             if (scene_.born_and_dying) turn_over();
             if (scene_.resting) lie_and_wake(static_cast<uint32_t>(frame));
+            colliders_.move(world, frame);
             steps(world, 1, scene_.dt, scene_.substeps);
         }
         CHECK(all_finite()); // nothing is promised of others
@@ -268,11 +289,15 @@ private:
     }
 
     // The same body for the same key, wherever and whenever it is made.
-    static lr_body_desc body(uint32_t key) {
+    lr_body_desc body(uint32_t key) const {
         Random random(key);
         lr_body_desc d = body_desc();
         d.key = key;
         for (float& x : d.position) x = random.real(-5.0, 5.0);
+        if (scene_.solids != Solids::none) {
+            for (float& x : d.position) x *= 0.4f;
+            d.position[1] = 0.15f * d.position[1] + 0.35f;
+        }
         for (float& q : d.orientation) q = random.real(-1.0, 1.0);
         for (float& v : d.linear_velocity) v = random.real(-0.5, 0.5);
         for (float& w : d.angular_velocity) w = random.real(-5.0, 5.0);
@@ -402,6 +427,7 @@ private:
 
     PlayedScene scene_;
     Circumstances how_;
+    PlayedColliders colliders_;
     Asset assets_[2];
     uint32_t next_key_[2] = {};
 };

@@ -80,6 +80,28 @@ inline lr_rigid_desc rigid_plate() {
     d.extents[0] = 0.2, d.extents[1] = 0.1, d.extents[2] = 0.001;
     return d;
 }
+// Its added mass is that of a sphere of its volume, with a little for turning.
+inline lr_rigid_desc rigid_box(double x, double y, double z, double density) {
+    lr_rigid_desc d = initialised(lr_rigid_desc_init);
+    d.volume = x * y * z;
+    d.mass = density * d.volume;
+    const double squares[3] = {x * x, y * y, z * z}, sum = squares[0] + squares[1] + squares[2];
+    for (size_t k = 0; k < 3; ++k) {
+        d.inertia[4 * k] = d.mass / 12.0 * (sum - squares[k]);
+        d.added_mass[7 * k] = 0.5 * d.fluid_density * d.volume;
+        d.added_mass[7 * (k + 3)] = 0.05 * d.fluid_density * d.inertia[4 * k] / density;
+    }
+    d.extents[0] = x, d.extents[1] = y, d.extents[2] = z;
+    return d;
+}
+inline Asset make(const lr_rigid_desc& d) {
+    lr_asset* asset = nullptr;
+    REQUIRE(lr_asset_create_rigid(&d, &asset) == LR_OK);
+    return Asset(asset);
+}
+inline Asset brick() {
+    return make(rigid_box(0.06, 0.04, 0.03, 300.0));
+}
 inline Asset make(const lr_ellipsoid_desc& d) {
     lr_asset* asset = nullptr;
     REQUIRE(lr_asset_create_ellipsoid(&d, &asset) == LR_OK);

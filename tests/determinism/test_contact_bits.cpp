@@ -1,0 +1,22 @@
+// Scenes with contact do what they are for.
+#include "support/played_scene.h"
+
+using namespace test;
+
+TEST_CASE("in scenes with contact some bodies rest in the end and others move, and what lies in the way matters") {
+    size_t found = 0;
+    for (PlayedScene scene : played_scenes()) {
+        if (scene.solids == Solids::none) continue;
+        ++found;
+        CAPTURE(std::string(scene.name));
+        Play play(scene, {});
+        const uint64_t hash = play.run();
+        const lr_world_info info = info_of(play.world);
+        MESSAGE(std::string(scene.name), ": ", info.awake_count, " of ", info.body_count, " awake");
+        CHECK(info.awake_count > info.body_count / 20);
+        CHECK(info.awake_count + 10 <= info.body_count);
+        scene.solids = scene.solids == Solids::ground ? Solids::edges : Solids::ground;
+        CHECK(outcome(scene) != hash);
+    }
+    CHECK(found == 4);
+}
