@@ -63,6 +63,7 @@ private:
         int32_t low[3], high[3];
     };
 
+    bool clear_of(const Box& box) const;
     static Cells cells_of(const Box& box, float grow_x, float grow_y, float grow_z, float inverse_cell);
     uint32_t bucket(int32_t x, int32_t y, int32_t z, uint32_t level) const {
         return (cell_hash(x, y, z) ^ level * 0x9e3779b9u) & (bucket_count_ - 1);
@@ -86,6 +87,7 @@ inline Vector middle_of(const Box& box) {
 }
 
 template <class Found> void ProxyGrid::query(const Box& box, Found&& found) const {
+    if (clear_of(box)) return;
     Cells cells[most_occupancy_levels];
     uint64_t visits = 0;
     for (uint32_t l = 0; l < level_count_; ++l) {
