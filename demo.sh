@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a mesh to a leaf storm: set-up, build, bake, 20,000 leaves in wind, a picture and a table. Results in demo/.
+# From a mesh to a leaf storm: set-up, build, bake, 20,000 leaves in wind and on the ground, pictures and tables. Results in demo/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -32,4 +32,9 @@ build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --cou
     --wind 2,0,0.5 --threads "$(nproc)" --png demo/leaf_storm.png --tracks demo/tracks.png \
     --csv demo/leaf_storm.csv --json demo/leaf_storm.json
 
-printf '\nLook at demo/leaf_storm.png (the storm) and demo/tracks.png (single falls).\n'
+step "Leaves land, lie, are walked through, and blow away"
+build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --count 20000 --seconds 19.5 \
+    --ground --walk 11.5 --gusts 15.5 --check --threads "$(nproc)" --at 3,6,11,14.5,17,19.5 --width 960 --height 540 \
+    --png demo/leaves_on_the_ground.png --json demo/leaves_on_the_ground.json
+
+printf '\nLook at demo/leaf_storm.png (the storm), demo/tracks.png (single falls), and demo/leaves_on_the_ground.png.\n'

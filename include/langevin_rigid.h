@@ -1122,6 +1122,9 @@ typedef struct lr_batch_contact {
     float restitution;        /* speed after over speed before an impact, 0 to 1; initially 0.1 */
     float rolling_resistance; /* moment against rolling and spinning over normal force and reach, 0 to 10; initially 0.05 */
     uint32_t flags;           /* LR_CONTACT_*; initially 0 */
+    float ground_effect;      /* the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and
+                                 heightfields gives in theory; initially 0. docs/contact.md */
+    uint32_t reserved;        /* 0 */
 } lr_batch_contact;
 
 LR_API lr_status lr_batch_contact_init(lr_batch_contact* contact, uint32_t struct_size);
@@ -1134,6 +1137,125 @@ LR_API lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_
 /* contact: initialised, or with struct_size set.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Contact events: what touched, left, landed, woke and ended in a step. docs/contact_events.md                       */
+
+#define LR_CONTACT_BEGIN 1 /* a body touches a collider that it did not touch at the end of the step before */
+#define LR_CONTACT_END 2   /* it no longer does, or the collider has been destroyed, whose id is then stale */
+#define LR_BODY_LANDED 3   /* it has come to rest by itself */
+#define LR_BODY_WOKE 4     /* it has left rest since the step before, whatever for */
+#define LR_BODY_KILLED 5   /* its batch's rules have ended it; with LR_END_RESPAWN it goes on with the same id */
+
+/* Bits for lr_world_set_contact_events. */
+#define LR_EVENTS_BEGIN 1u
+#define LR_EVENTS_END 2u
+#define LR_EVENTS_LANDED 4u
+#define LR_EVENTS_WOKE 8u
+#define LR_EVENTS_KILLED 16u
+#define LR_EVENTS_ALL 31u
+
+/* Never changes: 64 bytes, an element of arrays without gaps. */
+typedef struct lr_contact_event {
+    int32_t kind; /* LR_CONTACT_*, LR_BODY_* */
+    lr_batch batch;
+    lr_body body;         /* stale where it has been destroyed */
+    lr_collider collider; /* LR_CONTACT_*; else 0 */
+    float position[3];    /* m, world frame: of LR_CONTACT_BEGIN where they touch, else of the centre of mass; of a body that was
+                             killed for not being finite as it is */
+    float normal[3];      /* LR_CONTACT_BEGIN: unit, world frame, from the collider to the body; else 0 */
+    float speed;          /* m/s, LR_CONTACT_BEGIN: at which they approach each other along the normal, >= 0; else 0 */
+    float impulse;        /* N s, LR_CONTACT_BEGIN: along the normal, of the substep in which they meet; else 0 */
+    uint32_t reserved[2]; /* 0 */
+} lr_contact_event;
+
+/* Has events kept, at most `capacity` of a step, from now on: contacts that there are already do not begin again. kinds: bits
+ * LR_EVENTS_*. capacity 0 ends it. All memory is taken here and by lr_batch_create, 225 bytes for each of a batch's capacity and 64
+ * for each event, and a step takes none. Neither part of snapshots nor of the world's hash.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits; no bit but a capacity),
+ * LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_world_set_contact_events(lr_world* world, uint32_t capacity, uint32_t kinds);
+
+typedef struct lr_contact_event_list {
+    uint32_t struct_size;
+    uint32_t count;
+    const lr_contact_event* events; /* of the last step; null before lr_world_set_contact_events */
+    uint64_t lost;                  /* events of the last step for which there was no room: the last ones in their order */
+    uint64_t total_lost;            /* since lr_world_set_contact_events */
+} lr_contact_event_list;
+
+LR_API lr_status lr_contact_event_list_init(lr_contact_event_list* list, uint32_t struct_size);
+
+/* Valid until the next call that is not a query; empty after lr_world_snapshot_restore. In order of batches (their place in the
+ * world's table), then of the bodies' keys, then of kinds, then of colliders' slots: independent of workers, processors and where
+ * bodies lie in memory. Bodies that share a key are in order of their slots.
+ * Contact is looked at after each substep, and ends only at the end of a step: what bounces within one begins once. What touches
+ * and leaves within a step begins and ends in it. A body at rest still touches what it lies on. Of a body that ends there is one
+ * LR_BODY_KILLED and nothing else; of those destroyed by lr_body_destroy there is nothing. At most four colliders of a body count,
+ * those that press it most.
+ * list: initialised, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_world_get_contact_events(const lr_world* world, lr_contact_event_list* list);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Queries: rays, and what is in a sphere or box. docs/queries.md                                                     */
+
+#define LR_RAY_BODIES 1u
+#define LR_RAY_COLLIDERS 2u
+
+typedef struct lr_ray {
+    uint32_t struct_size;     /* the same in all elements of an array: it is the array's stride */
+    uint32_t flags;           /* LR_RAY_*, what it can hit; initially both */
+    float origin[3];          /* m, up to 1e9 in magnitude; initially 0 */
+    float direction[3];       /* of any length from 1e-6 to 1e6; initially 0, -1, 0 */
+    float max_distance;       /* m, 0 to 1e9; initially 1e9 */
+    lr_batch batch;           /* whose bodies it can hit; initially 0: all */
+    uint32_t collider_layers; /* bits: it meets colliders that have one of them; initially all */
+    uint32_t reserved;        /* 0 */
+} lr_ray;
+
+LR_API lr_status lr_ray_init(lr_ray* ray, uint32_t struct_size);
+
+/* Never changes: 48 bytes, an element of arrays without gaps. All 0 where nothing is hit. */
+typedef struct lr_ray_hit {
+    lr_body body;         /* 0 where it is a collider */
+    lr_collider collider; /* 0 where it is a body */
+    float distance;       /* m, from the ray's origin */
+    float position[3];    /* m, world frame */
+    float normal[3];      /* unit, world frame, out of what is hit; against the ray where that begins inside, at distance 0 */
+    uint32_t reserved;    /* 0 */
+} lr_ray_hit;
+
+/* What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/contact.md);
+ * those of batches that wait (lr_batch_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
+ * meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
+ * before colliders, then the order is that of batches and keys, or of colliders' slots.
+ * rays: `count` elements. hits: receives `count` elements.
+ * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
+ * LR_ERROR_STALE_BATCH: then no hit is written. */
+LR_API lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits);
+
+#define LR_OVERLAP_SPHERE 1 /* size[0]: radius */
+#define LR_OVERLAP_BOX 2    /* size: half extents along its own axes */
+
+typedef struct lr_overlap_desc {
+    uint32_t struct_size;
+    int32_t shape;        /* LR_OVERLAP_*; initially LR_OVERLAP_SPHERE */
+    float position[3];    /* m, of its middle, up to 1e9 in magnitude; initially 0 */
+    float orientation[4]; /* of a box, x y z w, normalised when taken; initially 0 0 0 1 */
+    float size[3];        /* m, > 0, up to 1e6; initially 1 */
+    lr_batch batch;       /* whose bodies are looked for; initially 0: all */
+    uint32_t reserved;    /* 0 */
+} lr_overlap_desc;
+
+LR_API lr_status lr_overlap_desc_init(lr_overlap_desc* desc, uint32_t struct_size);
+
+/* All bodies of which a part is in a sphere or box, in order of batches, then keys, then slots. They are the same as for rays.
+ * bodies: room for `capacity` ids; may be null when that is 0. count: receives how many there are.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_STALE_BATCH,
+ * LR_ERROR_BUFFER_TOO_SMALL: *count is set, and `bodies` holds no meaning. */
+LR_API lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity,
+                                  uint32_t* count);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Births and ends: storms that run by themselves. docs/lifecycle.md                                                  */

@@ -29,6 +29,27 @@ std::string mesh_for(const Options& options, std::size_t kind, const std::string
     return {};
 }
 
+int columns(const Options& options) {
+    return options.ground ? std::min(options.frames, 2) : 1;
+}
+
+int sheet_width(const Options& options) {
+    return columns(options) * (options.width + gap) - gap;
+}
+
+int sheet_height(const Options& options) {
+    if (!options.ground) return options.height + (options.frames > 1 ? gap + strip_height(options) : 0);
+    const int rows = (options.frames + columns(options) - 1) / columns(options);
+    return rows * (options.height + gap) - gap;
+}
+
+// At the height of a child's eyes.
+View view_of_ground(const Park& park) {
+    const double z = 4.0;
+    const auto floor = static_cast<float>(park.terrain().at(0.0, z).height);
+    return {{0.0f, floor + 1.25f, static_cast<float>(z)}, -0.19f, 0.1f, 400.0f, 26.0f, {0.48f, 0.45f, -0.7531f}};
+}
+
 Look look_for(const std::string& name) {
     if (name.find("petal") != std::string::npos) return Look::petal;
     if (name.find("confetti") != std::string::npos || name.find("paper") != std::string::npos) return Look::paper;
@@ -37,14 +58,21 @@ Look look_for(const std::string& name) {
 
 } // namespace
 
+Mesh drawn_mesh(const Options& options, const Storm& storm, std::size_t kind, std::string& path) {
+    const Storm::Kind& of = storm.kinds()[kind];
+    path = mesh_for(options, kind, of.path);
+    return path.empty() ? ellipse_card(of.info) : load_obj(path, of.info);
+}
+
 ContactSheet::ContactSheet(const Options& options, const Storm& storm)
-    : picture_(options.width, options.height + (options.frames > 1 ? gap + strip_height(options) : 0),
-               from_srgb(22, 20, 18)) {
+    : view_(storm.park() ? view_of_ground(*storm.park()) : view_of(storm.box())),
+      picture_(sheet_width(options), sheet_height(options), from_srgb(22, 20, 18)) {
     renderer_ = std::make_unique<Renderer>(options.width, options.height);
+    if (storm.park()) scenery_ = std::make_unique<Scenery>(*storm.park());
     for (std::size_t k = 0; k < storm.kinds().size(); ++k) {
         const Storm::Kind& kind = storm.kinds()[k];
-        const std::string path = mesh_for(options, k, kind.path);
-        const Mesh mesh = path.empty() ? ellipse_card(kind.info) : load_obj(path, kind.info);
+        std::string path;
+        const Mesh mesh = drawn_mesh(options, storm, k, path);
         const double ratio = 2.0 * static_cast<double>(mesh.radius()) / kind.info.length_d;
         if (ratio < 0.6 || ratio > 2.5) {
             std::fprintf(stderr, "leaf_storm: %s is %.2g times the size of %s: is it in metres, and the right one?\n",
@@ -52,16 +80,17 @@ ContactSheet::ContactSheet(const Options& options, const Storm& storm)
         }
         const std::string name = std::filesystem::path(path.empty() ? kind.path : path).stem().string();
         bodies_.push_back({kind.batch, renderer_->add_kind(mesh, look_for(name), kind.count)});
+        if (scenery_) scenery_->add_kind(kind.batch, mesh);
     }
-    const std::uint64_t steps = options.steps();
-    for (int i = 1; i <= options.frames; ++i) {
-        const auto part = static_cast<double>(i) / options.frames;
-        const auto step =
-            std::max<std::uint64_t>(1, static_cast<std::uint64_t>(part * static_cast<double>(steps) + 0.5));
-        if (i == options.frames) {
-            tiles_.push_back({0, 0, options.width, options.height, steps});
+    for (int i = 0; i < options.frames; ++i) {
+        const std::uint64_t step = options.frame_step(i);
+        if (options.ground) {
+            tiles_.push_back({i % columns(options) * (options.width + gap),
+                              i / columns(options) * (options.height + gap), options.width, options.height, step});
+        } else if (i + 1 == options.frames) {
+            tiles_.push_back({0, 0, options.width, options.height, step});
         } else {
-            tiles_.push_back({(i - 1) * (strip_width(options) + gap), options.height + gap, strip_width(options),
+            tiles_.push_back({i * (strip_width(options) + gap), options.height + gap, strip_width(options),
                               strip_height(options), step});
         }
     }
@@ -73,7 +102,10 @@ bool ContactSheet::due(std::uint64_t step) const {
 
 void ContactSheet::take(const Storm& storm) {
     const Tile& tile = tiles_[taken_++];
-    const auto pixels = renderer_->draw(storm.world(), bodies_, storm.box(), tile.width, tile.height);
+    const auto pixels =
+        renderer_->draw(storm.world(), bodies_, view_, tile.width, tile.height, [&](const Frame& frame) {
+            if (scenery_) scenery_->draw(storm.world(), frame);
+        });
     picture_.paste_srgba(pixels, tile.width, tile.height, tile.left, tile.top);
 
     char text[96];

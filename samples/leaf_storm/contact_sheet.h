@@ -1,15 +1,22 @@
-// The picture of a storm: its frames in time, the last one large above, the earlier ones in a strip below.
+// The picture of a storm: its frames in time, the last one large above, the earlier ones in a strip below; on the ground all
+// alike, in two columns.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "image/picture.h"
 #include "options.h"
 #include "renderer/renderer.h"
+#include "renderer/scenery.h"
 #include "storm.h"
+
+// What is drawn for the bodies of a kind, from --mesh, a file beside the asset, or neither. path: receives where from, may be
+// empty.
+Mesh drawn_mesh(const Options& options, const Storm& storm, std::size_t kind, std::string& path);
 
 class ContactSheet {
 public:
@@ -28,7 +35,9 @@ private:
     };
     std::vector<Tile> tiles_;
     std::size_t taken_ = 0;
+    View view_;
     std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Scenery> scenery_; // with --ground
     std::vector<Renderer::Bodies> bodies_;
     Picture picture_;
 };

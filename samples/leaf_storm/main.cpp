@@ -6,6 +6,8 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "contact_sheet.h"
 #include "failure.h"
@@ -18,6 +20,20 @@
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+
+Lying check_lying(const Storm& storm, const std::vector<Mesh>& meshes) {
+    Lying lying;
+    lying.time = storm.info().time;
+    for (std::size_t k = 0; k < meshes.size(); ++k) {
+        const Storm::Kind& kind = storm.kinds()[k];
+        lr_batch_view view;
+        check(lr_batch_view_init(&view, sizeof view), "lr_batch_view_init");
+        check(lr_batch_get_view(storm.world(), kind.batch, &view), "view");
+        lying.add(view, meshes[k], thin_axis(kind.info), *storm.park());
+    }
+    lying.finish();
+    return lying;
+}
 
 std::unique_ptr<OutputFile> open_output(const std::string& path) {
     return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
@@ -36,6 +52,11 @@ void run(const Options& options) {
     const auto often = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(0.1 / options.dt + 0.5));
     const double half = 0.5 * static_cast<double>(measured.steps) * options.dt;
     Histogram descents;
+    std::vector<Mesh> meshes; // with --check
+    std::string ignored;
+    for (std::size_t k = 0; options.check && k < storm.kinds().size(); ++k)
+        meshes.push_back(drawn_mesh(options, storm, k, ignored));
+    int checked = 0;
     measured.samples.push_back(storm.sample(nullptr));
     for (std::uint64_t step = 1; step <= measured.steps; ++step) {
         if (interrupted) throw Failure("interrupted", "");
@@ -45,6 +66,11 @@ void run(const Options& options) {
             measured.samples.push_back(storm.sample(counts ? &descents : nullptr));
         }
         while (sheet && sheet->due(step)) sheet->take(storm);
+        if (options.check &&
+            (step == measured.steps || (checked < options.frames && step >= options.frame_step(checked)))) {
+            measured.lying.push_back(check_lying(storm, meshes));
+            ++checked;
+        }
         progress.update(step, storm.stepping_seconds());
     }
     measured.summary = summarise(measured.samples, descents, half - 1e-6);

@@ -65,10 +65,39 @@ void check_paths(const Options& options) {
     }
 }
 
+void add_ground_options(CLI::App& app, Options& options) {
+    auto* const ground =
+        app.add_flag("--ground", options.ground,
+                     "leaves set out above rolling ground with a bench, a wall and stones, land, and lie");
+    app.add_option("--fall", options.fall, "s in which all of them set out")
+        ->needs(ground)
+        ->check(within(0.1, 1e6, "from 0.1 to 1e6 s"));
+    app.add_option("--walk", options.walk, "s: when somebody walks through them; without: nobody does")
+        ->needs(ground)
+        ->default_str("")
+        ->check(within(0, 1e6, "from 0 to 1e6 s"));
+    app.add_option("--gusts", options.gusts, "s: when a gust of 4 s comes that sweeps them away; without: none does")
+        ->needs(ground)
+        ->default_str("")
+        ->check(within(0, 1e6, "from 0 to 1e6 s"));
+    app.add_option("--gust-speed", options.gust_speed, "of it, 10 m above the ground, m/s, on top of --wind")
+        ->needs(ground)
+        ->check(within(0, 100, "from 0 to 100 m/s"));
+    app.add_flag("--check", options.check,
+                 "count what lies on the ground, in it, above it and on edge, at each frame and at the end")
+        ->needs(ground);
+}
+
 } // namespace
 
 std::uint64_t Options::steps() const {
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(seconds / dt)));
+}
+
+std::uint64_t Options::frame_step(int frame) const {
+    const double time =
+        at.empty() ? static_cast<double>(steps()) * (frame + 1.0) / frames * dt : at[static_cast<std::size_t>(frame)];
+    return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(time / dt + 0.5), 1, steps());
 }
 
 std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
@@ -95,7 +124,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->expected(3)
         ->delimiter(',')
         ->type_name("X,Y,Z")
-        ->default_str("1.5,0,0.5")
+        ->default_str("1.5,0,0.5; with --ground 0.4,0,0.1")
         ->check(within(-1000, 1000, "from -1000 to 1000 m/s"));
     app.add_option("--seed", options.seed, "of the births and of the turbulence");
     app.add_option("--noise", options.noise, "multiplies the turbulent noise")->check(within(0, 100, "from 0 to 100"));
@@ -130,6 +159,14 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
     app.add_option("--height", options.height, "of its large frame, px")->check(within(180, 8192, "from 180 to 8192"));
     app.add_option("--frames", options.frames, "in the picture; the last one is the large one")
         ->check(within(1, 16, "from 1 to 16"));
+    app.add_option("--at", options.at, "s: times of the frames, instead of --frames at equal distances")
+        ->delimiter(',')
+        ->type_name("T,T...")
+        ->default_str("")
+        ->check(within(0, 1e6, "from 0 to 1e6 s"));
+    app.add_option("--rate", options.divisor, "level of detail: a substep where others take so many")
+        ->check(within(1, 1024, "from 1 to 1024"));
+    add_ground_options(app, options);
     app.add_option("--tracks", options.tracks, "picture: single falls from rest in still air, seen from the side")
         ->type_name("F");
     app.add_option("--tracks-count", options.track_count, "falls in it")->check(within(1, 400, "from 1 to 400"));
@@ -145,11 +182,18 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         if (options.count < options.assets.size()) throw CLI::ValidationError("--count", "fewer bodies than assets");
         if (options.dt / options.substeps > LR_MAX_SUBSTEP) throw CLI::ValidationError("--dt", "substeps over 1 s");
         check_paths(options);
+        if (options.at.size() > 16) throw CLI::ValidationError("--at", "more than 16 frames");
+        if (!std::is_sorted(options.at.begin(), options.at.end()))
+            throw CLI::ValidationError("--at", "not in the order of time");
+        if (!options.at.empty() && options.at.back() > options.seconds)
+            throw CLI::ValidationError("--at", "later than --seconds");
         if (options.seconds / options.dt > 1e9) throw CLI::ValidationError("--seconds", "more than 1e9 steps");
     } catch (const CLI::ParseError& error) {
         exit_code = app.exit(error) == 0 ? 0 : 1;
         return std::nullopt;
     }
+    if (wind.empty() && options.ground) wind = {0.4f, 0.0f, 0.1f};
     if (!wind.empty()) std::copy(wind.begin(), wind.end(), options.wind);
+    if (!options.at.empty()) options.frames = static_cast<int>(options.at.size());
     return options;
 }

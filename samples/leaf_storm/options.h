@@ -31,7 +31,17 @@ struct Options {
     int frames = 6;
     bool quiet = false;
 
+    bool ground = false;
+    double fall = 7.0;       // s in which all leaves set out
+    double walk = -1.0;      // s: when somebody walks through; negative: nobody does
+    double gusts = -1.0;     // s: when a gust comes; negative: none
+    double gust_speed = 9.0; // m/s, 10 m above the ground
+    std::uint32_t divisor = 1;
+    bool check = false;
+    std::vector<double> at; // s: when frames are taken
+
     std::uint64_t steps() const;
+    std::uint64_t frame_step(int frame) const; // after which it is taken
 };
 
 // Empty when the program has nothing more to do (--help, or bad usage, already told): then exit_code is what to end

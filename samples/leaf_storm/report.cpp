@@ -62,7 +62,21 @@ std::string table_report(const Options& options, const Storm& storm, const Measu
         text("spin                       mean %.2f rad/s, %.2f turns/s\n", s.spin, s.spin / (2.0 * std::numbers::pi));
     out += text("  (over %.1f to %.1f s, %llu samples of every body, relative to the air)\n", s.from, s.to,
                 static_cast<unsigned long long>(s.samples));
-    out += text("bodies that re-entered     %s\n", grouped(storm.reentries()).c_str());
+    if (options.ground)
+        out += text("left the ground            %s blown over its edges, %s through it\n",
+                    grouped(storm.blown_away()).c_str(), grouped(storm.fell_through()).c_str());
+    else
+        out += text("bodies that re-entered     %s\n", grouped(storm.reentries()).c_str());
+    if (!measured.lying.empty())
+        out += "on the ground         at s   bodies  at rest   moving  2 mm in it (trodden)  deepest mm  2 mm over it  "
+               "on edge  "
+               "tilt\n";
+    for (const Lying& at : measured.lying) {
+        out += text("%26.2f %8s %8s %8s %11s %9s %11.2f %13s %8s %5.1f\n", at.time, grouped(at.bodies).c_str(),
+                    grouped(at.at_rest).c_str(), grouped(at.near_awake).c_str(), grouped(at.below).c_str(),
+                    text("(%s)", grouped(at.trodden).c_str()).c_str(), 1e3 * at.deepest, grouped(at.hovering).c_str(),
+                    grouped(at.on_edge).c_str(), at.median_tilt);
+    }
     out += text("wall time in stepping      %.3f s of %.3f s in all\n", stepping, measured.wall);
     out += text("body-steps                 %.3g, %.2f million/s, %.2f ns each (one body, one substep)\n", work,
                 1e-6 * work / stepping, 1e9 * stepping / work);
@@ -85,7 +99,7 @@ std::string json_report(const Options& options, const Storm& storm, const Measur
                           {"count", kind.count},
                           {"content_hash", text("%016llx", static_cast<unsigned long long>(kind.info.content_hash))}});
     }
-    const nlohmann::ordered_json report = {
+    nlohmann::ordered_json report = {
         {"library_version", library_version()},
         {"assets", assets},
         {"bodies", options.count},
@@ -114,14 +128,32 @@ std::string json_report(const Options& options, const Storm& storm, const Measur
         {"threads", info.worker_count + 1},
         {"state_hash", text("%016llx", static_cast<unsigned long long>(storm.hash()))},
     };
+    if (options.ground) {
+        nlohmann::ordered_json lying = nlohmann::ordered_json::array();
+        for (const Lying& at : measured.lying) {
+            lying.push_back({{"time_s", at.time},
+                             {"bodies", at.bodies},
+                             {"at_rest", at.at_rest},
+                             {"move_on_the_ground", at.near_awake},
+                             {"below_2_mm", at.below},
+                             {"trodden_below_2_mm", at.trodden},
+                             {"above_2_mm", at.hovering},
+                             {"deepest_m", at.deepest},
+                             {"highest_m", at.highest},
+                             {"on_edge", at.on_edge},
+                             {"median_tilt_degrees", at.median_tilt}});
+        }
+        report["ground"] = {
+            {"blown_away", storm.blown_away()}, {"fell_through", storm.fell_through()}, {"checks", lying}};
+    }
     return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string csv_report(const Measured& measured) {
-    std::string out = "time_s,bodies,descent_m_s,horizontal_m_s,spin_rad_s,mean_abs_cos_tilt\n";
+    std::string out = "time_s,bodies,descent_m_s,horizontal_m_s,spin_rad_s,mean_abs_cos_tilt,at_rest\n";
     for (const Sample& s : measured.samples) {
-        out += text("%.6f,%llu,%.6f,%.6f,%.6f,%.6f\n", s.time, static_cast<unsigned long long>(s.bodies), s.descent,
-                    s.horizontal, s.spin, s.tilt);
+        out += text("%.6f,%llu,%.6f,%.6f,%.6f,%.6f,%llu\n", s.time, static_cast<unsigned long long>(s.bodies),
+                    s.descent, s.horizontal, s.spin, s.tilt, static_cast<unsigned long long>(s.at_rest));
     }
     return out;
 }

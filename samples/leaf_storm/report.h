@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "ground/lying.h"
 #include "options.h"
 #include "statistics.h"
 #include "storm.h"
 
 struct Measured {
     std::vector<Sample> samples;
+    std::vector<Lying> lying; // with --check
     Summary summary;
     double wall = 0.0; // s, all in all
     std::uint64_t steps = 0;

@@ -24,7 +24,8 @@ double Histogram::quantile(double part) const {
 }
 
 void Sampler::add(const lr_batch_view& view, const float* wind, Histogram* descents) {
-    for (std::uint32_t i = 0; i < view.count; ++i) {
+    sample_.at_rest += view.count - view.awake_count;
+    for (std::uint32_t i = 0; i < view.awake_count; ++i) {
         const double x = view.orientation[0][i], y = view.orientation[1][i], z = view.orientation[2][i],
                      w = view.orientation[3][i];
         const double v[3] = {view.velocity[0][i], view.velocity[1][i], view.velocity[2][i]};
@@ -55,6 +56,11 @@ Sample Sampler::finish() const {
     mean.spin /= n;
     mean.tilt /= n;
     return mean;
+}
+
+int thin_axis(const lr_asset_info& info) {
+    const double* i = info.inertia;
+    return i[8] >= i[0] && i[8] >= i[4] ? 2 : (i[4] >= i[0] ? 1 : 0);
 }
 
 Summary summarise(const std::vector<Sample>& samples, const Histogram& descents, double from) {

@@ -8,12 +8,13 @@
 #include "langevin_rigid.h"
 
 struct Sample {
-    double time = 0.0;        // s
-    std::uint64_t bodies = 0; // with a finite motion
-    double descent = 0.0;     // m/s, mean, against the vertical speed of the air; down is positive
-    double horizontal = 0.0;  // m/s, mean of the magnitude, against the air
-    double spin = 0.0;        // rad/s, mean of the magnitude
-    double tilt = 0.0;        // mean |cos| between body z and the vertical: 1 flat, 0 on edge
+    double time = 0.0;         // s
+    std::uint64_t bodies = 0;  // that move, with a finite motion
+    double descent = 0.0;      // m/s, mean, against the vertical speed of the air; down is positive
+    double horizontal = 0.0;   // m/s, mean of the magnitude, against the air
+    double spin = 0.0;         // rad/s, mean of the magnitude
+    double tilt = 0.0;         // mean |cos| between body z and the vertical: 1 flat, 0 on edge
+    std::uint64_t at_rest = 0; // besides: all else is of bodies that move
 };
 
 // Counts values in bins of 2 mm/s from -50 to 50 m/s; what lies outside goes to the ends.
@@ -37,6 +38,9 @@ public:
 private:
     Sample sample_; // sums until finish
 };
+
+// The body axis across which the body is thin: a plate has its largest moment of inertia about it.
+int thin_axis(const lr_asset_info& info);
 
 struct Summary {
     double mean_descent = 0.0, median_descent = 0.0, descent_5 = 0.0, descent_95 = 0.0; // m/s

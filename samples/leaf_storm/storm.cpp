@@ -7,6 +7,14 @@
 
 #include "failure.h"
 
+namespace {
+
+constexpr int over_the_edge = 0, through_the_ground = 1; // kill volumes
+
+constexpr storm::Box ground_box{{-10.0f, -1.0f, -10.0f}, {10.0f, 8.0f, 10.0f}}; // the terrain, and air above it
+
+} // namespace
+
 WorldPointer create_world(const Options& options, const float* wind) {
     lr_world_desc desc;
     check(lr_world_desc_init(&desc, sizeof desc), "lr_world_desc_init", "header and library differ: build again");
@@ -45,6 +53,11 @@ lr_batch create_batch(lr_world* world, const lr_asset* asset, std::uint32_t capa
     check(lr_load_gains_init(&gains, sizeof gains), "lr_load_gains_init");
     gains.turbulence = options.noise;
     check(lr_batch_set_load_gains(world, batch, &gains), "gains");
+    if (options.divisor == 1) return batch;
+    lr_batch_rate rate;
+    check(lr_batch_rate_init(&rate, sizeof rate), "lr_batch_rate_init");
+    rate.divisor = options.divisor;
+    check(lr_batch_set_rate(world, batch, &rate), "rate");
     return batch;
 }
 
@@ -59,26 +72,84 @@ Storm::Storm(const Options& options) : options_(options), world_(create_world(op
         length += kind.info.length_d * kind.count;
         kinds_.push_back(std::move(kind));
     }
-    box_ = storm::box_for(options.count, length / static_cast<double>(options.count));
+    box_ = options.ground ? ground_box : storm::box_for(options.count, length / static_cast<double>(options.count));
+    if (options.ground) park_ = std::make_unique<Park>(options, world_.get());
     std::uint64_t first = 0;
     for (Kind& kind : kinds_) {
         kind.batch = create_batch(world_.get(), kind.asset.get(), kind.count, options);
-        auto bodies = storm::births(box_, options.seed, first, kind.count, options.wind);
-        if (options.same_size)
-            for (lr_body_desc& body : bodies) body.scale = 1.0f;
-        check(lr_body_create(world_.get(), kind.batch, bodies.data(), kind.count, nullptr), "cannot create the bodies",
-              "try a smaller --count");
-        reentries_.emplace_back(box_);
+        if (options.ground)
+            fill_from_above(kind);
+        else
+            fill(kind, first);
         first += kind.count;
     }
 }
 
+void Storm::fill(Kind& kind, std::uint64_t first) {
+    auto bodies = storm::births(box_, options_.seed, first, kind.count, options_.wind);
+    if (options_.same_size)
+        for (lr_body_desc& body : bodies) body.scale = 1.0f;
+    check(lr_body_create(world_.get(), kind.batch, bodies.data(), kind.count, nullptr), "cannot create the bodies",
+          "try a smaller --count");
+    reentries_.emplace_back(box_);
+}
+
+void Storm::fill_from_above(Kind& kind) {
+    lr_emitter_desc emitter;
+    check(lr_emitter_desc_init(&emitter, sizeof emitter), "lr_emitter_desc_init");
+    emitter.shape = LR_EMIT_BOX;
+    const float middle[3] = {-1.0f, 3.6f, -1.8f}, half[3] = {5.5f, 0.9f, 5.0f};
+    std::copy(middle, middle + 3, emitter.position);
+    std::copy(half, half + 3, emitter.size);
+    emitter.rate = static_cast<float>(kind.count / options_.fall);
+    if (!options_.same_size) emitter.scale_min = 0.7f, emitter.scale_max = 1.3f;
+    check(lr_batch_set_emitter(world_.get(), kind.batch, &emitter), "emitter", "try a longer --fall");
+    lr_batch_rules rules;
+    check(lr_batch_rules_init(&rules, sizeof rules), "lr_batch_rules_init");
+    // Over its edges with the wind; and through it, which nobody should.
+    rules.volume_count = 2;
+    lr_kill_volume& edges = rules.volumes[over_the_edge];
+    edges.shape = LR_VOLUME_BOX;
+    edges.side = LR_KILL_OUTSIDE;
+    for (int axis = 0; axis < 3; ++axis) {
+        edges.center[axis] = 0.5f * (box_.low[axis] + box_.high[axis]);
+        edges.size[axis] = axis == 1 ? 1000.0f : 0.5f * box_.size(axis);
+    }
+    lr_kill_volume& depth = rules.volumes[through_the_ground];
+    depth.shape = LR_VOLUME_PLANE;
+    depth.center[1] = box_.low[1];
+    depth.size[1] = 1.0f;
+    check(lr_batch_set_rules(world_.get(), kind.batch, &rules), "rules");
+}
+
+// Those that were carried away leave room that nobody is to fill.
+void Storm::end_births() {
+    if (births_ended_ || info().time < options_.fall) return;
+    for (const Kind& kind : kinds_) check(lr_batch_set_emitter(world_.get(), kind.batch, nullptr), "emitter");
+    births_ended_ = true;
+}
+
+void Storm::count_ended() {
+    for (const Kind& kind : kinds_) {
+        lr_batch_events events;
+        check(lr_batch_events_init(&events, sizeof events), "lr_batch_events_init");
+        check(lr_batch_get_events(world_.get(), kind.batch, &events), "events");
+        blown_away_ += events.by_volume[over_the_edge];
+        fell_through_ += events.by_volume[through_the_ground];
+    }
+}
+
 void Storm::step() {
+    if (park_) park_->move(info().time + options_.dt);
     const auto start = std::chrono::steady_clock::now();
     const lr_status status = lr_world_step(world_.get(), static_cast<float>(options_.dt), options_.substeps);
     stepping_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     check(status, "step", "try a smaller --dt");
-    for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    if (park_) {
+        count_ended();
+        end_births();
+    }
+    for (std::size_t k = 0; k < reentries_.size(); ++k) {
         check(reentries_[k].apply(world_.get(), kinds_[k].batch), "the motion of a body blew up",
               "try more --substeps or a smaller --dt; if that does not help, report it");
     }

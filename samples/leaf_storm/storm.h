@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "asset_file.h"
+#include "ground/park.h"
 #include "langevin_rigid.h"
 #include "options.h"
 #include "statistics.h"
@@ -27,22 +29,34 @@ public:
 
     explicit Storm(const Options& options);
 
-    void step(); // one dt; what has left the box comes in again
+    // One dt. What has left the box comes in again; with --ground leaves set out above it, and end where they have left it.
+    void step();
     Sample sample(Histogram* descents) const;
     std::uint64_t hash() const;
 
     lr_world* world() const { return world_.get(); }
     const std::vector<Kind>& kinds() const { return kinds_; }
     const storm::Box& box() const { return box_; }
-    double stepping_seconds() const { return stepping_; } // wall time in lr_world_step
+    const Park* park() const { return park_.get(); }             // with --ground
+    std::uint64_t blown_away() const { return blown_away_; }     // from the ground
+    std::uint64_t fell_through() const { return fell_through_; } // it: a fault of somebody's
+    double stepping_seconds() const { return stepping_; }        // wall time in lr_world_step
     std::uint64_t reentries() const;
     lr_world_info info() const;
 
 private:
+    void fill(Kind& kind, std::uint64_t first);
+    void fill_from_above(Kind& kind);
+    void end_births();
+    void count_ended();
+
     const Options& options_;
     std::vector<Kind> kinds_;
     WorldPointer world_;
     storm::Box box_{};
     std::vector<storm::Reentry> reentries_; // one for each kind
+    std::unique_ptr<Park> park_;
+    bool births_ended_ = false;
+    std::uint64_t blown_away_ = 0, fell_through_ = 0;
     double stepping_ = 0.0;
 };

@@ -18,12 +18,6 @@ struct Instant {
     std::array<double, 3> normal; // of the leaf's plane, world frame
 };
 
-// The body axis across which the body is thin: a plate has its largest moment of inertia about it.
-int thin_axis(const lr_asset_info& info) {
-    const double* i = info.inertia;
-    return i[8] >= i[0] && i[8] >= i[4] ? 2 : (i[4] >= i[0] ? 1 : 0);
-}
-
 std::array<double, 3> world_axis(const float* q, int axis) {
     const double x = q[0], y = q[1], z = q[2], w = q[3];
     if (axis == 0) return {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)};

@@ -195,7 +195,9 @@ lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uin
     for (uint32_t i = 0; i < count && resting; ++i)
         if (world->colliders.find(colliders[i], slot)) world->wake_at(slot);
     const lr_status status = world->colliders.destroy(colliders, count);
-    return status == LR_OK ? status : refuse(world, "lr_collider_destroy", status);
+    if (status != LR_OK) return refuse(world, "lr_collider_destroy", status);
+    world->recheck_contacts();
+    return status;
 }
 
 lr_status lr_collider_motion_init(lr_collider_motion* motion, uint32_t struct_size) {

@@ -40,13 +40,15 @@ lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_c
     if (contact) {
         const lr_status status = read_struct(contact, c);
         if (status != LR_OK) return refuse(world, name, status);
-        if (!std::isfinite(c.friction) || !std::isfinite(c.restitution) || !std::isfinite(c.rolling_resistance))
+        if (!std::isfinite(c.friction) || !std::isfinite(c.restitution) || !std::isfinite(c.rolling_resistance) ||
+            !std::isfinite(c.ground_effect))
             return refuse(world, name, LR_ERROR_NOT_FINITE);
-        if ((c.flags & ~LR_CONTACT_NEVER_REST) != 0)
-            return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "flags has an unknown bit");
+        if ((c.flags & ~LR_CONTACT_NEVER_REST) != 0 || c.reserved != 0)
+            return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "flags has an unknown bit, or reserved is not 0");
     }
-    const lr::ContactSettings settings{c.layers, c.friction, c.restitution, c.rolling_resistance,
-                                       (c.flags & LR_CONTACT_NEVER_REST) == 0};
+    const lr::ContactSettings settings{c.layers,        c.friction,
+                                       c.restitution,   c.rolling_resistance,
+                                       c.ground_effect, (c.flags & LR_CONTACT_NEVER_REST) == 0};
     if (const char* why = lr::wrong_in(settings)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     b->wake_all();
     b->contact = settings;
@@ -66,6 +68,7 @@ lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_c
     c.friction = s.friction;
     c.restitution = s.restitution;
     c.rolling_resistance = s.rolling;
+    c.ground_effect = s.ground_effect;
     c.flags = s.may_rest ? 0 : LR_CONTACT_NEVER_REST;
     write_struct(c, contact);
     return LR_OK;

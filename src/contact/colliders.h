@@ -73,6 +73,9 @@ public:
     const Collider& at(uint32_t slot) const { return colliders_[slot]; }
     const ColliderMotion& motion(uint32_t slot) const { return motions_[slot]; }
     lr_collider id(uint32_t slot) const;
+    uint32_t slots() const { return used_; }
+    bool in_use(uint32_t slot) const { return slot < used_ && slots_[slot].where != Where::free; }
+    const SharedGeometry* shared(uint32_t slot) const { return slots_[slot].shared; } // null where it has none
 
     // Those whose boxes, over all of the step, reach into [low, high] (m, world) and that are in one of `layers`: in order of
     // slots and parts, each once, at most most_candidates: the first ones. `missed` counts those without room. Any thread.

@@ -57,7 +57,8 @@ float restitution_of(const ContactSettings& s, const Collider& c) {
 const char* wrong_in(const ContactSettings& s) {
     if (!(s.friction >= 0.0f && s.friction <= 10.0f)) return "friction is not 0 to 10";
     if (!(s.restitution >= 0.0f && s.restitution <= 1.0f)) return "restitution is not 0 to 1";
-    return s.rolling >= 0.0f && s.rolling <= 10.0f ? nullptr : "rolling_resistance is not 0 to 10";
+    if (!(s.rolling >= 0.0f && s.rolling <= 10.0f)) return "rolling_resistance is not 0 to 10";
+    return s.ground_effect >= 0.0f && s.ground_effect <= 1.0f ? nullptr : "ground_effect is not 0 to 1";
 }
 
 Pose pose_at(const Collider& c, float part) {
@@ -109,6 +110,7 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
                         {before[3][i], before[4][i], before[5][i], before[6][i]}};
         const Pose to = pose_of(i);
         float free = 1.0f;
+        stopped_[i] = nobody;
         for (uint32_t k = 0; k < near_[i].count; ++k) {
             const Candidate& candidate = near_[i].candidate[k];
             const Collider& c = step_->colliders->at(candidate.slot);
@@ -117,7 +119,10 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
             if (const HeightfieldGeometry* const f = c.geometry.heightfield; f && !c.moves)
                 if (length(to.position - from.position) < 0.5f * std::min(f->spacing[0], f->spacing[1])) continue;
             const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), to);
-            free = std::min(free, free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part));
+            const float here = free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part);
+            if (here >= free) continue;
+            free = here;
+            stopped_[i] = k;
         }
         if (free < 1.0f) set_pose(i, {mix(from.position, to.position, free), mix(from.rotation, to.rotation, free)});
     }
@@ -240,9 +245,18 @@ void ContactGroup::touch_others(uint32_t i, const Near& near, float begin, float
         if (is_ground(c)) continue;
         const Pose pose = pose_at(c, end);
         Contact contacts[most_contacts];
-        const uint32_t count = find_contacts(*step_->shape, arrays_.field[field_scale][i], relative(pose, pose_of(i)),
-                                             c.geometry, candidate.part, margin, contacts);
+        const float scale = arrays_.field[field_scale][i];
+        // What stopped it may have done so at some distance, and is touched there: else nothing would take its speed.
+        const bool stopped = stopped_[i] == k;
+        const float within = stopped ? std::max(margin, 0.2f * step_->shape->reach * scale) : margin;
+        const uint32_t count = find_contacts(*step_->shape, scale, relative(pose, pose_of(i)), c.geometry,
+                                             candidate.part, within, contacts);
         if (count == 0) continue;
+        if (stopped) {
+            float least = contacts[0].gap;
+            for (uint32_t n = 1; n < count; ++n) least = std::min(least, contacts[n].gap);
+            for (uint32_t n = 0; n < count; ++n) contacts[n].gap -= std::max(least, 0.0f);
+        }
         const Motion motion = motion_of(c, begin, end, h);
         for (uint32_t n = 0; n < count; ++n)
             add(i, candidate.slot, contacts[n], pose, motion.velocity, motion.spin, pose.position);
@@ -250,6 +264,7 @@ void ContactGroup::touch_others(uint32_t i, const Near& near, float begin, float
 }
 
 void ContactGroup::resolve(const LaneRow (&before)[pose_fields], float begin, float end, float h) {
+    if (step_->settings->ground_effect > 0.0f) press_air(before, begin, end);
     clip(before, begin, end);
     slots_.used = 0;
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
@@ -287,6 +302,31 @@ void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {
             out[at] = id;
         }
     }
+}
+
+Touch ContactGroup::meeting(uint32_t i, uint32_t collider, const LaneRow (&before)[pose_fields]) const {
+    Touch touch{};
+    touch.collider = collider + 1;
+    const Pose pose = pose_of(i);
+    const Rotation turn{before[3][i], before[4][i], before[5][i], before[6][i]};
+    const Vector v{before[7][i], before[8][i], before[9][i]}, w{before[10][i], before[11][i], before[12][i]};
+    const auto put = [](Vector a, float(&to)[3]) { to[0] = a.x, to[1] = a.y, to[2] = a.z; };
+    float strongest = -1.0f, sum = 0.0f;
+    for (uint32_t k = 0; k < filled_[i]; ++k) {
+        const ContactSlots::Slot& s = slots_.slot[k];
+        if (s.collider[i] != collider || !(s.impulse[i] >= 0.0f)) continue;
+        sum += s.impulse[i];
+        if (!(s.impulse[i] > strongest)) continue;
+        strongest = s.impulse[i];
+        const auto row = [i](const LaneRow(&rows)[3]) { return Vector{rows[0][i], rows[1][i], rows[2][i]}; };
+        const Vector arm = row(s.arm), normal = row(s.normal);
+        put(to_outer(pose, arm), touch.position);
+        put(normal, touch.normal);
+        touch.speed = std::max(dot(normal, row(s.surface) - rotate(turn, v + cross(w, arm))), 0.0f);
+    }
+    const float scale = arrays_.field[field_scale][i];
+    touch.impulse = body_->unit_mass * scale * scale * scale * sum;
+    return touch;
 }
 
 NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin,

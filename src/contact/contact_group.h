@@ -16,6 +16,7 @@ struct ContactSettings {
     uint32_t layers = 0xffffffffu;
     float friction = 0.5f, restitution = 0.1f;
     float rolling = 0.05f; // of the reach
+    float ground_effect = 0.0f;
     bool may_rest = true;
     bool operator==(const ContactSettings&) const = default;
 };
@@ -29,9 +30,10 @@ struct ContactStep {
     const BodyShape* shape;
     const GroundSamples* samples;
     const ContactSettings* settings;
-    float gravity; // m/s^2, magnitude
-    float dt;      // s, of the step
-    float gain;    // m/s that bodies may gain in it beside what they have
+    float gravity;       // m/s^2, magnitude
+    float fluid_density; // kg/m^3
+    float dt;            // s, of the step
+    float gain;          // m/s that bodies may gain in it beside what they have
 };
 
 static_assert(most_ground_samples == most_ground_points);
@@ -53,6 +55,13 @@ constexpr ShapeConstants constants_of(const BodyShape& s, const GroundSamples& g
 // Where a collider is at a part of the step, 0 to 1.
 Pose pose_at(const Collider& collider, float part);
 
+// How a body met a collider.
+struct Touch {
+    uint32_t collider; // slot + 1; 0: none
+    float position[3], normal[3];
+    float speed, impulse; // m/s, N s
+};
+
 // Up to contact_lanes bodies that may touch something, through a step.
 class ContactGroup {
 public:
@@ -65,6 +74,8 @@ public:
 
     // Of the last substep: the strongest contacts' colliders of a body, slot + 1 each, 0 behind the last; strongest first.
     void touched(uint32_t lane, uint32_t (&out)[4]) const;
+    // With one of them, in the last substep: at its strongest contact, and the impulse of all. before: as for resolve().
+    Touch meeting(uint32_t lane, uint32_t collider, const LaneRow (&before)[pose_fields]) const;
     bool touches(uint32_t lane) const { return touches_[lane]; }
     uint32_t missed() const { return missed_; } // candidates without room
 
@@ -73,6 +84,7 @@ private:
         uint32_t count;
         Candidate candidate[most_candidates];
     };
+    void press_air(const LaneRow (&before)[pose_fields], float begin, float end);
     void clip(const LaneRow (&before)[pose_fields], float begin, float end);
     void touch_grounds(const ContactBodies& bodies, float begin, float end, float h);
     void touch_others(uint32_t lane, const Near& near, float begin, float end, float h);
@@ -90,6 +102,8 @@ private:
     uint32_t count_, missed_ = 0;
     uint32_t ground_count_ = 0;
     uint32_t grounds_[most_candidates];
+    static constexpr uint32_t nobody = UINT32_MAX;
+    uint32_t stopped_[contact_lanes]; // the candidate that ended its way in this substep
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
     Near near_[contact_lanes];

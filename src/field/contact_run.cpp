@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace lr {
 namespace {
@@ -47,9 +48,35 @@ struct States {
     uint32_t bodies(uint32_t first) const { return std::min(lanes, near->count() - first); }
 };
 
+template <class Row> bool holds(const Row& row, uint32_t collider) {
+    return std::any_of(std::begin(row), std::end(row), [&](uint32_t c) { return c == collider; });
+}
+
+// What a body has begun to touch in a substep, and that it no longer touches what it did.
+void note(const ContactRun& run, const ContactGroup& group, const LaneRow (&before)[pose_fields], uint32_t lane,
+          uint32_t at, const uint32_t (&now)[most_touches]) {
+    const ContactBook& book = run.book;
+    const uint32_t slot = book.notes.slot(at);
+    uint32_t was[most_touches];
+    for (size_t k = 0; k < most_touches; ++k) was[k] = book.touching[k][at];
+    bool changed = book.notes.all;
+    for (const uint32_t collider : was) changed = changed || (collider != 0 && !holds(now, collider));
+    for (const uint32_t collider : now) {
+        if (collider == 0 || (!book.notes.all && holds(was, collider))) continue;
+        changed = true;
+        for (Touch& touch : book.notes.met[slot].touch) {
+            if (touch.collider == collider) break;
+            if (touch.collider != 0) continue;
+            touch = group.meeting(lane, collider - 1, before);
+            break;
+        }
+    }
+    if (changed) book.notes.noted[slot] |= noted_touch;
+}
+
 // After a substep: what the bodies of a group touch, and how long they have lain still.
-void enter(const ContactRun& run, const ContactGroup& group, const States& states, uint32_t first, float seconds,
-           bool last) {
+void enter(const ContactRun& run, const ContactGroup& group, const States& states, const LaneRow (&before)[pose_fields],
+           uint32_t first, float seconds, bool last) {
     const ContactBook& book = run.book;
     if (!book.rest_time) return;
     for (uint32_t i = 0; i < states.bodies(first); ++i) {
@@ -66,10 +93,11 @@ void enter(const ContactRun& run, const ContactGroup& group, const States& state
         book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
         if (last && run.step.settings->may_rest && book.rest_time[at] >= time_to_rest)
             book.comes_to_rest(book.batch, at);
-        uint32_t now[4];
+        uint32_t now[most_touches];
         group.touched(i, now);
         if (!last && now[0] == 0) continue; // it may come back within the step
-        for (size_t k = 0; k < 4; ++k) book.touching[k][at] = now[k];
+        if (book.notes.noted) note(run, group, before, i, at, now);
+        for (size_t k = 0; k < most_touches; ++k) book.touching[k][at] = now[k];
     }
 }
 
@@ -83,6 +111,7 @@ void leave(const ContactBook& book, const NearContacts& near, uint32_t begin, ui
             continue;
         }
         book.rest_time[i] = 0.0f;
+        if (book.notes.noted && book.touching[0][i] != 0) book.notes.noted[book.notes.slot(i)] |= noted_touch;
         for (uint32_t* row : book.touching) row[i] = 0;
     }
 }
@@ -119,7 +148,7 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
             run.target->step(one, arrays, 0, lanes);
         }
         group.resolve(before, begin, end, h);
-        enter(run, group, states, first, h, i + 1 == in.substeps);
+        enter(run, group, states, before, first, h, i + 1 == in.substeps);
     }
 }
 
@@ -180,7 +209,8 @@ void ContactPass::resolve() {
         alignas(64) LaneRow before[pose_fields];
         for (size_t f = 0; f < pose_fields; ++f) std::copy_n(before_[f] + first, contact_lanes, before[f]);
         group.resolve(before, begin, end, static_cast<float>(run_->time.h));
-        enter(*run_, group, states, first, static_cast<float>(run_->time.h), substep_ + 1 == run_->time.substeps);
+        enter(*run_, group, states, before, first, static_cast<float>(run_->time.h),
+              substep_ + 1 == run_->time.substeps);
     }
     states.put_back(*arrays_);
 }

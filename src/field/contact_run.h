@@ -3,16 +3,18 @@
 
 #include "contact/contact_group.h"
 #include "field/surface_step.h"
+#include "field/touch_notes.h"
 #include "kernel/step.h"
 
 namespace lr {
 
 // Per body of a batch, by dense index; each written by the thread that steps the body.
 struct ContactBook {
-    float* rest_time = nullptr; // s, for which it has lain still; null: nothing is noted
-    uint32_t* touching[4] = {}; // slots + 1 of the colliders that it touches, 0: none
+    float* rest_time = nullptr;            // s, for which it has lain still; null: nothing is noted
+    uint32_t* touching[most_touches] = {}; // slots + 1 of the colliders that it touches, 0: none
     void (*comes_to_rest)(void* batch, uint32_t index) = nullptr;
     void* batch = nullptr;
+    TouchNotes notes;
 };
 
 // A body comes to rest when it has touched something and hardly moved for so long.

@@ -259,7 +259,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         Twist t = met;
         const VF slow = constant(2.0f * b.gravity * b.h);
         VF carried = zero, shallow = zero; // shallow: the least gap that the substep began with
-        auto any_touch = hn::Lt(reach, zero);
+        auto any_touch = hn::Lt(reach, zero), any_present = any_touch;
         // A body that rests falls half of g h^2 in a substep and gains g h: the impulses that undo the one are a good guess of those
         // that undo the other.
         const auto rests = hn::Lt(depth, mul_add(constant(2.0f), slop, constant(b.gravity * (b.h * b.h))));
@@ -286,6 +286,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
                            r.dragged[1], r.response[2]);
             carried = hn::Max(carried, hn::IfThenElseZero(touches, greatest(surface)));
             any_touch = hn::Or(any_touch, touches);
+            any_present = hn::Or(any_present, present);
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
         project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-5f), slow), t);
@@ -319,16 +320,19 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             const auto touches = hn::And(hn::Gt(touching[k], zero), hn::Lt(hn::Load(d, s.gap + at), empty));
             hn::Store(hn::IfThenElse(touches, rows[k].pressed, hn::Neg(one)), d, s.impulse + at);
         }
-        store3(b.arrays, field_x, at, x);
-        hn::Store(q.x, d, b.arrays.field[field_qx] + at);
-        hn::Store(q.y, d, b.arrays.field[field_qy] + at);
-        hn::Store(q.z, d, b.arrays.field[field_qz] + at);
-        hn::Store(q.w, d, b.arrays.field[field_qw] + at);
+        // Bodies that are with those in a vector, and meet nothing themselves, keep all bits.
+        const Quaternion q1 = load4(b.arrays, at);
+        store3(b.arrays, field_x, at, select(any_present, x, load3(b.arrays, field_x, at)));
+        hn::Store(hn::IfThenElse(any_present, q.x, q1.x), d, b.arrays.field[field_qx] + at);
+        hn::Store(hn::IfThenElse(any_present, q.y, q1.y), d, b.arrays.field[field_qy] + at);
+        hn::Store(hn::IfThenElse(any_present, q.z, q1.z), d, b.arrays.field[field_qz] + at);
+        hn::Store(hn::IfThenElse(any_present, q.w, q1.w), d, b.arrays.field[field_qw] + at);
         const auto dustless = [&](Vec3 v) LR_LAMBDA {
             return Vec3{without_dust(v.x), without_dust(v.y), without_dust(v.z)};
         };
-        store3(b.arrays, field_vx, at, dustless(t.v));
-        store3(b.arrays, field_wx, at, dustless(scale(inverse, t.u)));
+        const Vec3 v1 = load3(b.arrays, field_vx, at), w1 = load3(b.arrays, field_wx, at);
+        store3(b.arrays, field_vx, at, select(any_present, dustless(t.v), v1));
+        store3(b.arrays, field_wx, at, select(any_present, dustless(scale(inverse, t.u)), w1));
     }
 }
 

@@ -75,6 +75,7 @@ void Batch::destroy(Batch* batch) {
 Batch::~Batch() {
     Lifecycle::destroy(*allocator_, lifecycle_);
     Resting::destroy(*allocator_, resting_);
+    drop_events();
     release(asset_);
 }
 
@@ -122,6 +123,7 @@ lr_body Batch::add(const BodyState& state) {
     write(index, state);
     arrays_.key[index] = state.key;
     if (resting_) resting_->clear(index);
+    if (events_) events_->clear(slot);
     return ids_[index];
 }
 
@@ -135,6 +137,7 @@ void Batch::remove(lr_body body) {
     free_last_ = slot;
     generations_[slot] = next_generation(generations_[slot]);
     dense_[slot] = free_bit;
+    if (events_) events_->clear(slot);
     if (awake_ < count_) ++revision_;
     uint32_t hole = index;
     if (rests(index)) {
@@ -195,6 +198,8 @@ uint32_t Batch::wake(uint32_t index) {
     resting_->leave(unpack(ids_[index]).slot);
     resting_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_rest][index]);
     if (resting_->contact.rest_time) resting_->contact.rest_time[index] = 0.0f;
+    for (size_t f = field_gust_x; f < fields(); ++f) arrays_.field[f][index] = 0.0f; // see LiftOff
+    if (events_) events_->note_woke(unpack(ids_[index]).slot);
     swap(index, awake_);
     ++revision_;
     return awake_++;
@@ -242,7 +247,6 @@ void Batch::make_ages_exact() {
         resting_->age_of(i, arrays_.field[field_age][i], arrays_.field[field_age_rest][i]);
 }
 
-// From the last to the first: one that is noted too never moves to a place that has been passed.
 ContactBook Batch::contact_book() {
     const ContactArrays arrays = contact_arrays();
     ContactBook book;
@@ -250,16 +254,33 @@ ContactBook Batch::contact_book() {
     std::copy(arrays.touching, arrays.touching + most_touched, book.touching);
     book.comes_to_rest = [](void* batch, uint32_t index) { static_cast<Batch*>(batch)->note_rest(index); };
     book.batch = this;
+    if (events_) book.notes = events_->notes(ids_.data());
     return book;
 }
 
+// From the last to the first: one that is noted too never moves to a place that has been passed.
 void Batch::settle_noted() {
     if (!resting_ || !resting_->contact.rest_time) return;
     for (uint32_t cut = cut_count(padded_awake()); cut-- > 0;) {
         if (!resting_->take_cut(cut)) continue;
         const uint32_t begin = cut * cut_bodies;
         for (uint32_t i = std::min(begin + cut_bodies, awake_); i-- > begin;)
-            if (resting_->take_note(i)) rest(i);
+            if (resting_->take_note(i)) {
+                if (events_) events_->note_landed(unpack(ids_[i]).slot);
+                rest(i);
+            }
+    }
+}
+
+// From the first to the last: one that moves into the place of another has been looked at.
+void Batch::wake_noted() {
+    if (!resting_ || !resting_->contact.rest_time) return;
+    const uint32_t shared = awake_ / cut_bodies; // with bodies that move, which may be noted for rest
+    for (uint32_t cut = shared, end = cut_count(count_); cut < end; ++cut) {
+        if (cut == shared ? !resting_->cut_noted(cut) : !resting_->take_cut(cut)) continue;
+        const uint32_t begin = cut * cut_bodies;
+        for (uint32_t i = std::max(begin, awake_); i < std::min(begin + cut_bodies, count_); ++i)
+            if (resting_->take_note(i)) wake(i);
     }
 }
 
@@ -348,6 +369,16 @@ bool Batch::reserve_forces() {
 bool Batch::reserve_lifecycle() {
     if (!lifecycle_) lifecycle_ = Lifecycle::create(*allocator_, capacity_, padded(capacity_));
     return lifecycle_ != nullptr;
+}
+
+bool Batch::reserve_events() {
+    if (!events_) events_ = ContactEvents::create(*allocator_, capacity_);
+    return events_ != nullptr;
+}
+
+void Batch::drop_events() {
+    ContactEvents::destroy(*allocator_, events_);
+    events_ = nullptr;
 }
 
 bool Batch::set_table(const TableView& t) {

@@ -7,6 +7,7 @@
 #include "kernel/batch_arrays.h"
 #include "kernel/step.h"
 #include "world/allocator.h"
+#include "world/contact_events.h"
 #include "world/external_forces.h"
 #include "world/handles.h"
 #include "world/pace.h"
@@ -108,6 +109,7 @@ public:
     // A body of a chunk that is stepped is to rest from the end of the step on; from any thread.
     void note_rest(uint32_t index) { resting_->note(index); }
     void settle_noted(); // after the step
+    void wake_noted();   // bodies at rest that were noted, before that
     const lr_asset& asset() const { return *asset_; }
     const BatchArrays& arrays() const { return arrays_; }
     const lr_body* ids() const { return ids_.data(); }
@@ -128,6 +130,10 @@ public:
     BodyShape shape{}; // what of its bodies can touch
     GroundSamples ground{};
     ContactBook contact_book();
+
+    ContactEvents* events() const { return events_; } // null where none are kept
+    bool reserve_events();                            // false when out of memory
+    void drop_events();
 
     StepInput step; // constants of the shape, filled up by World::step
     Pace pace;
@@ -173,6 +179,7 @@ private:
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
     Lifecycle* lifecycle_ = nullptr;
     Resting* resting_ = nullptr;
+    ContactEvents* events_ = nullptr;
 };
 
 } // namespace lr

@@ -90,6 +90,7 @@ void Lifecycle::respawn(Batch& batch, const lr_world& world, uint32_t index) {
     if (batch.rests(index)) index = batch.wake(index);
     batch.write(index, emitter_.draw(world.seed, batch.arrays().key[index], ++life_[index]));
     if (batch.resting()) batch.resting()->forget(index);
+    if (batch.events()) batch.events()->clear(unpack(batch.ids()[index]).slot);
 }
 
 // A body that moves into the place of one that ends has been judged already. What becomes of a body depends on its key and
@@ -99,6 +100,10 @@ void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
     const auto note = [&](uint32_t i) {
         ++by_cause_[cause_[i]];
         ended_ids_[ended_++] = batch.ids()[i];
+        if (!batch.events()) return;
+        const BatchArrays& a = batch.arrays();
+        batch.events()->note_killed(batch.ids()[i], a.key[i],
+                                    {a.field[field_x][i], a.field[field_y][i], a.field[field_z][i]});
     };
     if (ended_respawned_) {
         for_ended(0, awake, [&](uint32_t i) { note(i), respawn(batch, world, i); });

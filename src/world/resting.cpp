@@ -2,6 +2,7 @@
 
 #include "world/step_chunks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -16,7 +17,18 @@ constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double longest = 1e12; // s: of clocks and ages, far beyond what steps come to
 constexpr double slack = 1.0;    // s: an age of 0 may be less by rounding
 
+constexpr float most_wind = 1e4f; // m/s
+
 } // namespace
+
+// A wind that a body has withstood says the same of every weaker one from about the same direction.
+bool withstands(Vector held, Vector wind) {
+    const float squared = dot(held, held), along = dot(held, wind);
+    if (!(squared > 0.0f)) return dot(wind, wind) == 0.0f;
+    if (along < 0.0f || along > 1.1f * squared) return false;
+    const Vector across = wind - along / squared * held;
+    return dot(across, across) <= 0.02f * squared;
+}
 
 Resting* Resting::create(Allocator& allocator, uint32_t capacity, double reach, uint32_t phase) {
     void* const memory = allocator.allocate(sizeof(Resting));
@@ -68,6 +80,7 @@ void Resting::begin() {
 
 void Resting::enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth) {
     birth_[index] = birth;
+    tried_ = 0;
     earliest_ = std::min(earliest_, birth);
     grid.insert(slot, position, scale);
 }
@@ -118,6 +131,17 @@ bool Resting::pass(double seconds, uint32_t steps) {
     return true;
 }
 
+bool Resting::withstood(const float (&wind)[3]) {
+    const Vector held{withstood_[0], withstood_[1], withstood_[2]}, now{wind[0], wind[1], wind[2]};
+    if (!withstands(held, now)) {
+        tried_ = 0;
+        std::copy(wind, wind + 3, withstood_);
+    }
+    if (tried_ == rule_steps) return true;
+    ++tried_;
+    return false;
+}
+
 // The eldest decides, rounded as its age will be: whether this says yes too often must not matter.
 bool Resting::in_question(float max_age) const {
     return unjudged_ || (max_age > 0.0f && static_cast<float>(clock_ - earliest_) >= max_age);
@@ -155,8 +179,9 @@ bool Resting::take_note(uint32_t index) {
 }
 
 bool Resting::consistent(const Record& r, uint32_t count) {
-    return r.awake < count && r.steps < rule_steps && r.unjudged <= 1 && r.reserved == 0 && r.clock >= 0.0 &&
-           r.clock <= longest;
+    return r.awake < count && r.steps < rule_steps && r.unjudged <= 1 && r.tried <= rule_steps && r.reserved == 0 &&
+           r.clock >= 0.0 && r.clock <= longest && std::abs(r.wind[0]) <= most_wind &&
+           std::abs(r.wind[1]) <= most_wind && std::abs(r.wind[2]) <= most_wind;
 }
 
 bool Resting::consistent(const Record& r, double birth) {
@@ -167,6 +192,8 @@ void Resting::restore(const Record& r) {
     clock_ = r.clock;
     steps_ = r.steps;
     unjudged_ = r.unjudged != 0;
+    tried_ = r.tried;
+    std::copy(r.wind, r.wind + 3, withstood_);
     earliest_ = never;
     grid.clear();
     if (!contact.rest_time) return;

@@ -1,6 +1,7 @@
 // The bodies of a batch that are at rest: since when and where. And what contact notes of each body until it is. docs/rest.md
 #pragma once
 
+#include "contact/pose.h"
 #include "contact/rest_grid.h"
 #include "world/allocator.h"
 
@@ -15,6 +16,9 @@ struct ContactArrays {
     float* rest_time;                 // s, that a body has been slow; 0 when it wakes
     uint32_t* touching[most_touched]; // slots of the colliders that it touches, + 1; 0: none
 };
+
+// A wind (m/s) that a body has withstood says the same of every weaker one from about the same direction.
+bool withstands(Vector held, Vector wind);
 
 // Knows bodies by dense index and slot; which of them rest, the batch knows.
 class Resting {
@@ -49,6 +53,9 @@ public:
     bool pass(double seconds, uint32_t steps);
     // Whether the rules may have a new answer for one of them.
     bool in_question(float max_age) const;
+    // The uniform wind over all of them. True when each has had its turn in one like it since the last came to rest; else it is
+    // the turn of the next.
+    bool withstood(const float (&wind)[3]);
     // They have answered. Bodies of [begin, end) rest.
     void answered(uint32_t begin, uint32_t end, float max_age);
     void ask_again() { unjudged_ = true; }
@@ -56,6 +63,7 @@ public:
     // From any thread for bodies of its own cuts (world/step_chunks.h).
     void note(uint32_t index);
     // Bodies noted in a cut, and forgets that there are any.
+    bool cut_noted(uint32_t cut) const { return cut_noted_[cut] != 0; }
     bool take_cut(uint32_t cut);
     bool take_note(uint32_t index);
 
@@ -71,9 +79,13 @@ public:
         uint32_t awake; // bodies
         uint32_t steps;
         uint32_t unjudged;
+        uint32_t tried; // turns in which all bodies withstood `wind`, up to rule_steps
+        float wind[3];  // m/s
         uint32_t reserved;
     };
-    Record record(uint32_t awake) const { return {clock_, awake, steps_, unjudged_ ? 1u : 0u, 0}; }
+    Record record(uint32_t awake) const {
+        return {clock_, awake, steps_, unjudged_ ? 1u : 0u, tried_, {withstood_[0], withstood_[1], withstood_[2]}, 0};
+    }
     static bool consistent(const Record& record, uint32_t count);
     static bool consistent(const Record& record, double birth);
     void restore(const Record& record);
@@ -84,6 +96,8 @@ private:
     uint32_t phase_ = 0;
     uint32_t steps_ = 0;    // since the rules' last turn
     bool unjudged_ = false; // one of them has not been judged by the present rules
+    uint32_t tried_ = 0;
+    float withstood_[3] = {};
     double clock_ = 0.0;    // s, of the batch since the first came to rest
     double earliest_ = 0.0; // s: no birth is before it
     Buffer<double> birth_;  // s, by dense index, of bodies at rest

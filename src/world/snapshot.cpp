@@ -361,6 +361,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         w.next_key = header.next_key;
         std::memcpy(w.gravity, header.gravity, sizeof header.gravity);
         std::memcpy(w.wind.uniform.wind, header.wind, sizeof header.wind);
+        w.resume_contact_events();
     }
     for (uint32_t i = 0; i < w.batch_slots; ++i) tables[i].~Buffer<float>();
     return status;

@@ -15,8 +15,8 @@ constexpr uint64_t record_words = sizeof(Lifecycle::Record) / 4;
 // How a batch meets colliders.
 struct SettingsRecord {
     uint32_t layers;
-    float friction, restitution, rolling;
-    uint32_t may_rest, reserved;
+    float friction, restitution, rolling, ground_effect;
+    uint32_t may_rest;
 };
 constexpr uint64_t settings_words = sizeof(SettingsRecord) / 4;
 static_assert(sizeof(SettingsRecord) % 8 == 0);
@@ -24,7 +24,7 @@ constexpr uint64_t rest_words = sizeof(Resting::Record) / 4;
 static_assert(sizeof(Lifecycle::Record) % 8 == 0 && force_components % 2 == 0);
 
 ContactSettings settings_of(const SettingsRecord& r) {
-    return {r.layers, r.friction, r.restitution, r.rolling, r.may_rest != 0};
+    return {r.layers, r.friction, r.restitution, r.rolling, r.ground_effect, r.may_rest != 0};
 }
 
 bool finite(const unsigned char* from, uint64_t words) {
@@ -88,7 +88,8 @@ void save_parts(Batch& batch, unsigned char* to) {
     }
     if (parts & part_settings) {
         const ContactSettings& s = batch.contact;
-        const SettingsRecord record{s.layers, s.friction, s.restitution, s.rolling, s.may_rest ? 1u : 0u, 0};
+        const SettingsRecord record{s.layers,  s.friction,      s.restitution,
+                                    s.rolling, s.ground_effect, s.may_rest ? 1u : 0u};
         put(&record, settings_words);
     }
 }

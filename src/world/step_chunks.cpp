@@ -73,14 +73,21 @@ void StepChunks::run(void* context, uint32_t chunk) {
     }
 }
 
-ContactRun StepChunks::contact_run(Batch& batch, const SurfaceStep* water) const {
-    const float* const g = world_->gravity;
+ContactRun contact_run(const lr_world& world, Batch& batch, const SurfaceStep* water, const StepTime& time,
+                       float seconds) {
+    const float* const g = world.gravity;
     const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    const auto seconds = static_cast<float>(batch.pace.behind());
-    const ContactStep step{contact,        colliders, &batch.shape, &batch.ground,
-                           &batch.contact, gravity,   seconds,      world_->contact_gain(batch, seconds)};
+    const ContactStep step{world.contact,
+                           &world.colliders,
+                           &batch.shape,
+                           &batch.ground,
+                           &batch.contact,
+                           gravity,
+                           static_cast<float>(batch.settings().fluid_density),
+                           seconds,
+                           world.contact_gain(batch, seconds)};
     // The speed of a fall by 1e-5 of the reach.
-    return {step, world_->target, water, batch.pace.time(), batch.contact_book(), std::sqrt(2e-5f * gravity)};
+    return {step, world.target, water, time, {}, std::sqrt(2e-5f * gravity)};
 }
 
 void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const {
@@ -102,11 +109,16 @@ void StepChunks::move_bodies(const StepItem& item, uint32_t begin, uint32_t end)
     Batch& batch = *item.batch;
     const BatchArrays& arrays = batch.arrays();
     const bool touching = colliders && batch.contact.layers != 0;
+    const auto contact_here = [&](const SurfaceStep* water) {
+        ContactRun run = contact_run(*world_, batch, water, batch.pace.time(), static_cast<float>(batch.pace.behind()));
+        run.book = batch.contact_book();
+        return run;
+    };
     if (slice) {
-        const ContactRun run = touching ? contact_run(batch, slice->surface) : ContactRun{};
+        const ContactRun run = touching ? contact_here(slice->surface) : ContactRun{};
         step_in_field(*slice, batch.step, touching ? &run : nullptr, arrays, item.handle, batch.awake(), begin, end);
     } else if (touching) {
-        step_near_colliders(contact_run(batch, surface), batch.step, arrays, item.handle, batch.awake(), begin, end);
+        step_near_colliders(contact_here(surface), batch.step, arrays, item.handle, batch.awake(), begin, end);
     } else if (surface && batch.step.water) {
         SurfaceStep here = *surface;
         here.time = batch.pace.time();

@@ -14,8 +14,6 @@ class Batch;
 struct FieldSlice;
 struct SurfaceStep;
 struct ContactRun;
-class Colliders;
-struct ContactTarget;
 
 // Tests build it with other lengths (-DLR_CHUNK_BODIES): motion must not depend on it.
 #if !defined(LR_CHUNK_BODIES)
@@ -34,6 +32,11 @@ inline constexpr uint64_t helper_work = 4096;
 
 // The most bodies, at the end of a batch, for which the narrow target steps fewer lanes.
 inline constexpr uint32_t narrow_lanes = 4;
+
+struct StepTime;
+// Of a batch in a stretch of `seconds`; nothing is noted of its bodies.
+ContactRun contact_run(const lr_world& world, Batch& batch, const SurfaceStep* water, const StepTime& time,
+                       float seconds);
 
 inline uint32_t cut_count(uint32_t lanes) {
     return (lanes + cut_bodies - 1) / cut_bodies;
@@ -56,9 +59,8 @@ public:
 
     const FieldSlice* slice = nullptr;    // null where there is no wind but a uniform one
     const SurfaceStep* surface = nullptr; // null without one; each batch has its own time
-    const Colliders* colliders = nullptr; // null without one
-    const ContactTarget* contact = nullptr;
-    bool timed = false; // Batch::spent is kept
+    bool colliders = false;               // has the world any?
+    bool timed = false;                   // Batch::spent is kept
 
     uint32_t count() const { return static_cast<uint32_t>((blocks_ + chunk_ - 1) / chunk_); }
     uint32_t helpers() const { return helpers_; } // threads besides the caller that are worth their waking
@@ -66,7 +68,6 @@ public:
 
 private:
     void step(const StepItem& item, uint32_t begin, uint32_t end) const;
-    ContactRun contact_run(Batch& batch, const SurfaceStep* water) const;
     void move_bodies(const StepItem& item, uint32_t begin, uint32_t end) const;
 
     const lr_world* world_;

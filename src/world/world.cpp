@@ -2,6 +2,7 @@
 
 #include "field/field_step.h"
 #include "world/lifecycle.h"
+#include "world/lift_off.h"
 
 #include <algorithm>
 #include <bit>
@@ -96,6 +97,10 @@ lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const
         Batch::destroy(slot.batch);
         return LR_ERROR_OUT_OF_MEMORY;
     }
+    if (contact_events.on() && !slot.batch->reserve_events()) {
+        Batch::destroy(slot.batch);
+        return LR_ERROR_OUT_OF_MEMORY;
+    }
     batches[at] = slot;
     batch_slots = std::max(batch_slots, at + 1);
     out = lr::pack(lr::BatchHandle{at, slot.generation});
@@ -139,7 +144,8 @@ lr_status lr_world::set_rest(const lr_body* bodies, uint32_t count, bool rest) {
             batch.wake(index);
             continue;
         }
-        batch.rest(index);
+        index = batch.rest(index);
+        if (batch.events()) batch.events()->take_back_woke(lr::unpack(batch.ids()[index]).slot);
         batch.resting()->ask_again(); // it has perhaps never been in a step
     }
     return LR_OK;
@@ -224,10 +230,13 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     const Clock::time_point since = pacing.timed() ? Clock::now() : Clock::time_point();
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
+    contact_events.begin_step();
     pace_batches(dt, substeps);
     if (colliders.any()) {
         const bool resting = any_resting();
-        if (resting) colliders.for_fresh([&](uint32_t slot) { wake_at(slot); });
+        colliders.for_fresh([&](uint32_t slot) {
+            if (resting) wake_at(slot);
+        });
         colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
         if (resting) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
     }
@@ -238,6 +247,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
         if (!batch || batch->awake() == 0 || batch->pace.granted() == 0) continue;
         items[item_count++] = {batch, lr::pack(lr::BatchHandle{i, batches[i].generation}), 0};
         fill_input(*batch, dt, unfit);
+        if (batch->events()) batch->events()->begin_step(colliders.any() && batch->contact.layers != 0);
     }
     const lr::SurfaceStep at_surface{target, &surface, {}, gravity};
     const lr::SurfaceStep* const water = surface.present() ? &at_surface : nullptr;
@@ -257,6 +267,8 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
         if (wind.take_blame())
             log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
     }
+    const bool lift_off = colliders.any() && any_resting();
+    if (lift_off) lr::LiftOff(*this, items.data(), {time, static_cast<double>(dt) / substeps, 1}).run(mode);
     wind.end_step(dt);
     if (colliders.any()) colliders.end_step();
     if (unfit)
@@ -266,6 +278,8 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     ++step_count;
     substep_count += substeps;
     time += static_cast<double>(dt);
+    for (uint32_t i = 0; i < batch_slots && lift_off; ++i)
+        if (batches[i].batch) batches[i].batch->wake_noted();
     finish_batches(static_cast<double>(dt));
     if (pacing.timed()) pacing.learn(std::chrono::duration<double>(Clock::now() - since).count());
 }
@@ -284,10 +298,7 @@ void lr_world::run(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at
     }
     lr::StepChunks chunks(*this, some, count, blocks, work, crew.helpers());
     chunks.surface = at_surface;
-    if (colliders.any()) {
-        chunks.colliders = &colliders;
-        chunks.contact = contact;
-    }
+    chunks.colliders = colliders.any();
     chunks.timed = pacing.timed();
     if (!field || count == 0) {
         crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
@@ -352,8 +363,10 @@ void lr_world::finish_batches(double dt) {
         if (!batch) continue;
         const bool still = batch->awake() == 0, waits = !still && batch->pace.granted() == 0;
         lr::Lifecycle* const lifecycle = batch->lifecycle();
+        const lr_batch handle = lr::pack(lr::BatchHandle{i, batches[i].generation});
         if (waits) {
             if (lifecycle) lifecycle->pass();
+            if (batch->events()) batch->events()->tell(*batch, handle, colliders, false, contact_events);
             continue;
         }
         const double seconds = still ? dt : batch->pace.behind();
@@ -366,6 +379,7 @@ void lr_world::finish_batches(double dt) {
             lifecycle->finish(*batch, *this, seconds);
         }
         batch->settle_noted();
+        if (batch->events()) batch->events()->tell(*batch, handle, colliders, !still, contact_events);
     }
 }
 
@@ -421,8 +435,9 @@ uint64_t lr_world::hash() const {
         }
         result = mix(result ^ mix(b)) + sum;
         if (const lr::ContactSettings& c = batch.contact; !(c == lr::ContactSettings{}))
-            for (uint32_t word : {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
-                                  std::bit_cast<uint32_t>(c.rolling), c.may_rest ? 1u : 0u})
+            for (uint32_t word :
+                 {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
+                  std::bit_cast<uint32_t>(c.rolling), std::bit_cast<uint32_t>(c.ground_effect), c.may_rest ? 1u : 0u})
                 result = mix(result ^ word);
         if (batch.awake() < batch.count()) {
             const lr::Resting::Record rest = batch.resting()->record(batch.awake());
@@ -436,7 +451,8 @@ uint64_t lr_world::hash() const {
                                   std::bit_cast<uint64_t>(batch.lifecycle()->burst_clock())})
                 result = mix(result ^ word);
     }
-    if (paced || pacing.limited()) result = mix(result ^ step_count);
+    // Whose turn it is to be tried by the wind.
+    if (paced || pacing.limited() || (colliders.any() && any_resting())) result = mix(result ^ step_count);
     pacing.hash([&](uint64_t word) { result = mix(result ^ word); });
     if (const uint64_t sources = wind.hash(time)) result = mix(result ^ sources);
     if (const uint64_t water = surface.hash()) result = mix(result ^ water);

@@ -42,6 +42,10 @@ struct lr_world {
     // Bodies at rest at a collider, over its way in the step.
     void wake_at(uint32_t collider);
     bool any_resting() const;
+    // capacity 0 ends them.
+    lr_status set_contact_events(uint32_t capacity, uint32_t kinds);
+    void recheck_contacts();             // colliders have been destroyed
+    void resume_contact_events();        // what there is has been restored: no events
     bool reserve_contact();              // of all batches; false when out of memory
     float contact_reach(float dt) const; // m, for the broad phase
     float contact_gain(const lr::Batch& batch, float dt) const;
@@ -57,6 +61,7 @@ struct lr_world {
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
     lr::Surface surface;
     lr::Colliders colliders{allocator};
+    lr::EventList contact_events;
     uint64_t step_count = 0, substep_count = 0;
     double time = 0.0; // s
     lr::Pacing pacing;

@@ -91,6 +91,9 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_batch_pace>(lr_batch_pace_init);
     check_init<lr_budget>(lr_budget_init);
     check_init<lr_step_report>(lr_step_report_init);
+    check_init<lr_contact_event_list>(lr_contact_event_list_init);
+    check_init<lr_ray>(lr_ray_init);
+    check_init<lr_overlap_desc>(lr_overlap_desc_init);
     check_init<lr_collider_desc>(lr_collider_desc_init);
     check_init<lr_collider_motion>(lr_collider_motion_init);
     check_init<lr_collider_state>(lr_collider_state_init);
@@ -109,6 +112,11 @@ TEST_CASE("initial values are those of the header") {
     const lr_body_desc o = body_desc();
     CHECK((o.orientation[0] == 0.0f && o.orientation[3] == 1.0f && o.scale == 1.0f && o.age == 0.0f && o.key == 0));
     CHECK(wind_desc().kind == LR_WIND_UNIFORM);
+    const lr_ray ray = initialised(lr_ray_init);
+    CHECK((ray.flags == (LR_RAY_BODIES | LR_RAY_COLLIDERS) && ray.direction[1] == -1.0f && ray.max_distance == 1e9f));
+    CHECK((ray.collider_layers == 0xffffffffu && ray.batch == 0 && ray.origin[0] == 0.0f));
+    const lr_overlap_desc overlap = initialised(lr_overlap_desc_init);
+    CHECK((overlap.shape == LR_OVERLAP_SPHERE && overlap.orientation[3] == 1.0f && overlap.size[2] == 1.0f));
     CHECK(table_desc().c0 == 6.5f);
     const lr_aerodynamics a = initialised(lr_aerodynamics_init);
     for (size_t i = 0; i < 9; ++i) CHECK(a.axes[i] == (i % 4 == 0 ? 1.0 : 0.0));
@@ -246,6 +254,17 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
                                  [&](lr_collider_state* s) { return lr_collider_get_state(w, motion.collider, s); });
     check_use<lr_collider_surface>(initialised(lr_collider_surface_init), [&](lr_collider_surface* s) {
         return lr_collider_set_surface(w, &motion.collider, 1, s);
+    });
+    check_use<lr_contact_event_list>(initialised(lr_contact_event_list_init),
+                                     [&](lr_contact_event_list* l) { return lr_world_get_contact_events(w, l); });
+    check_use<lr_ray>(initialised(lr_ray_init), [&](lr_ray* r) {
+        lr_ray_hit hit;
+        return lr_world_ray_cast(w, r, 1, &hit);
+    });
+    check_use<lr_overlap_desc>(initialised(lr_overlap_desc_init), [&](lr_overlap_desc* d) {
+        lr_body ids[64];
+        uint32_t count = 0;
+        return lr_world_overlap(w, d, ids, 64, &count);
     });
     check_use<lr_batch_view>(initialised(lr_batch_view_init),
                              [&](lr_batch_view* v) { return lr_batch_get_view(w, batch, v); });

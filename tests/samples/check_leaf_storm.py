@@ -8,12 +8,82 @@ import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 
 def run(*arguments, code=0):
     done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300)
     assert done.returncode == code, f"{arguments}: exit code {done.returncode}, not {code}\n{done.stdout}{done.stderr}"
     return done
+
+
+def pixels(path):
+    """Rows of a PNG of 8-bit RGB, as bytes."""
+    with open(path, "rb") as file:
+        data = file.read()
+    place, packed = 8, b""
+    while place < len(data):
+        size, kind = struct.unpack(">I4s", data[place:place + 8])
+        body = data[place + 8:place + 8 + size]
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
+            assert (depth, colour) == (8, 2)
+        elif kind == b"IDAT":
+            packed += body
+        place += 12 + size
+    raw, rows, before = zlib.decompress(packed), [], bytearray(3 * width)
+    for y in range(height):
+        line = bytearray(raw[y * (3 * width + 1) + 1:(y + 1) * (3 * width + 1)])
+        how = raw[y * (3 * width + 1)]
+        for i in range(len(line) if how else 0):
+            left, up, corner = line[i - 3] if i > 2 else 0, before[i], before[i - 3] if i > 2 else 0
+            guess = left + up - corner
+            paeth = min((left, up, corner), key=lambda c: abs(guess - c))
+            line[i] = (line[i] + (0, left, up, (left + up) // 2, paeth)[how]) & 255
+        rows.append(bytes(line))
+        before = line
+    return rows
+
+
+def check_ground(asset, mesh, path):
+    """Leaves that land, lie, are walked through, and blow away."""
+    scene = ["--asset", asset, "--count", 400, "--seconds", 14, "--ground", "--fall", 2, "--walk", 9, "--gusts", 11,
+             "--at", "1,8.5,11,14", "--check", "--quiet", "--width", 320, "--height", 180]
+
+    def report(*more):
+        run(*scene, "--json", path("g.json"), "--csv", path("g.csv"), *more)
+        with open(path("g.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    done = report(*(["--png", path("g.png"), "--mesh", mesh] if mesh else []))
+    ground, checks = done["ground"], done["ground"]["checks"]
+    assert [round(at["time_s"], 3) for at in checks] == [1, 8.5, 11, 14]
+    assert ground["fell_through"] == 0
+    assert checks[0]["bodies"] < 210 and checks[0]["at_rest"] == 0
+    assert checks[1]["bodies"] == 400 and checks[1]["at_rest"] >= 0.97 * 400, checks[1]
+    for at in checks:
+        assert at["below_2_mm"] == 0 and at["above_2_mm"] == 0 and at["deepest_m"] < 2e-3, at
+        assert at["on_edge"] <= 0.02 * 400, at
+    assert 0 < checks[1]["median_tilt_degrees"] < 20, checks[1]
+    with open(path("g.csv"), newline="", encoding="ascii") as file:
+        rows = {round(float(row["time_s"]), 1): row for row in csv.DictReader(file)}
+    assert int(rows[8.5]["at_rest"]) == checks[1]["at_rest"]
+    # Some are woken by the walker's feet, who comes by from 9 s on.
+    assert max(int(row["bodies"]) for time, row in rows.items() if 10.5 < time < 11) > int(rows[8.9]["bodies"])
+
+    assert report("--threads", 3)["state_hash"] == done["state_hash"]
+    assert report("--simd", "emulated")["state_hash"] == done["state_hash"]
+    for more in (["--seed", 2], ["--rate", 2], ["--gust-speed", 3]):
+        assert report(*more)["state_hash"] != done["state_hash"], more
+    if mesh:
+        rows = pixels(path("g.png"))
+        assert len(rows) == 2 * 180 + 12 and len(rows[0]) == 3 * (2 * 320 + 12)
+        tiles = [(x, y) for y in (0, 192) for x in (0, 332)]
+        content = [[row[3 * x:3 * (x + 320)] for row in rows[y:y + 150]] for x, y in tiles]
+        for i in range(4):
+            for k in range(i):
+                same = sum(content[i][y][3 * x:3 * x + 3] == content[k][y][3 * x:3 * x + 3] for y in range(150) for x in range(320))
+                assert same < 0.995 * 320 * 150, f"frames {k} and {i} are alike: {same} pixels"
 
 
 def main(asset, mesh):
@@ -27,6 +97,7 @@ def main(asset, mesh):
             with open(path("r.json"), encoding="utf-8") as file:
                 return json.load(file)
 
+        check_ground(asset, mesh, path)
         first = report("--csv", path("r.csv"))
         assert first["bodies"] == 600 and first["steps"] == 60 and first["body_steps"] == 600 * 60 * 4
         assert 0.05 < first["descent_m_s"]["mean"] < 5.0, first["descent_m_s"]
@@ -57,6 +128,8 @@ def main(asset, mesh):
         for bad in ([], ["--asset", path("none.lrb")], [*storm, "--dt", "nan"], [*storm, "--dt", "0"], [*storm, "--substeps", "0"],
                     [*storm, "--wind", "1,2"], [*storm, "--wind", "1,inf,2"], [*storm, "--count", "0"],
                     [*storm, "--simd", "mmx"], [*storm, "--threads", "99"], [*storm, "--what"],
+                    [*storm, "--walk", 1], [*storm, "--gusts", 1], [*storm, "--check"], [*storm, "--at", "0.5,0.2"],
+                    [*storm, "--at", "0.5,2"], [*storm, "--rate", 0], [*storm, "--ground", "--gust-speed", "nan"],
                     [*storm, "--csv", path("x"), "--json", path("x")], [*storm, "--csv", asset]):
             assert run(*bad, code=1).stderr, bad
         with open(path("bad.lrb"), "wb") as file:

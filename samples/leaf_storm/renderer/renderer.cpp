@@ -25,7 +25,7 @@ struct Picked {
 
 struct Renderer::Camera {
     float eye[3], right[3], up[3], back[3]; // m; unit vectors
-    float aspect, near, far, haze, pixels;  // pixels: height of the frame
+    float aspect, near, far, pixels;        // pixels: height of the frame
 
     // Distance ahead; negative when the sphere cannot be in the picture.
     float ahead(float x, float y, float z, float radius) const {
@@ -210,25 +210,41 @@ void Renderer::draw_kind(const lr_world* world, const Bodies& bodies, const Came
     }
 }
 
-std::vector<std::uint8_t> Renderer::draw(const lr_world* world, const std::vector<Bodies>& all, const storm::Box& box,
-                                         int width, int height) {
+View view_of(const storm::Box& box) {
+    const float h = box.size(1);
+    return {{0.5f * (box.low[0] + box.high[0]), box.low[1] + 0.16f * h, box.low[2] + 0.88f * box.size(2)},
+            0.13f,
+            0.014f * h,
+            10.0f * h,
+            2.4f * h,
+            {0.38f, 0.27f, -0.8847f}};
+}
+
+void Frame::use(unsigned program) const {
+    glUseProgram(program);
+    glUniform3fv(glGetUniformLocation(program, "eye"), 1, view.eye);
+    glUniform3fv(glGetUniformLocation(program, "sun"), 1, view.sun);
+    glUniform1f(glGetUniformLocation(program, "haze"), view.haze);
+    glUniformMatrix4fv(glGetUniformLocation(program, "to_clip"), 1, GL_FALSE, to_clip);
+}
+
+std::vector<std::uint8_t> Renderer::draw(const lr_world* world, const std::vector<Bodies>& all, const View& view,
+                                         int width, int height, const std::function<void(const Frame&)>& first) {
     if (width > width_ || height > height_)
         throw Failure("a frame is larger than the renderer was made for", "report it");
-    const float h = box.size(1);
     Camera camera{};
-    camera.eye[0] = 0.5f * (box.low[0] + box.high[0]);
-    camera.eye[1] = box.low[1] + 0.16f * h;
-    camera.eye[2] = box.low[2] + 0.88f * box.size(2);
-    const float pitch = 0.13f, s = std::sin(pitch), c = std::cos(pitch); // rad, upwards
+    const float s = std::sin(view.pitch), c = std::cos(view.pitch);
     const float right[3] = {1.0f, 0.0f, 0.0f}, up[3] = {0.0f, c, s}, back[3] = {0.0f, -s, c};
+    std::copy(view.eye, view.eye + 3, camera.eye);
     std::copy(right, right + 3, camera.right);
     std::copy(up, up + 3, camera.up);
     std::copy(back, back + 3, camera.back);
     camera.aspect = static_cast<float>(width) / static_cast<float>(height);
-    camera.near = 0.014f * h;
-    camera.far = 10.0f * h;
-    camera.haze = 2.4f * h;
+    camera.near = view.near;
+    camera.far = view.far;
     camera.pixels = static_cast<float>(height);
+    const Matrix to_clip = camera.to_clip(true);
+    const Frame frame{view, to_clip.data()};
 
     glBindFramebuffer(GL_FRAMEBUFFER, target_[0]);
     glViewport(0, 0, width, height);
@@ -237,19 +253,12 @@ std::vector<std::uint8_t> Renderer::draw(const lr_world* world, const std::vecto
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    for (const GLuint program : {body_program_, sky_program_}) {
-        glUseProgram(program);
-        glUniform3fv(glGetUniformLocation(program, "eye"), 1, camera.eye);
-        const float sun[3] = {0.38f, 0.27f, -0.8847f};
-        glUniform3fv(glGetUniformLocation(program, "sun"), 1, sun);
-        glUniform1f(glGetUniformLocation(program, "haze"), camera.haze);
-    }
-    glUseProgram(body_program_);
-    glUniformMatrix4fv(glGetUniformLocation(body_program_, "to_clip"), 1, GL_FALSE, camera.to_clip(true).data());
+    if (first) first(frame);
+    frame.use(body_program_);
     glUniform1i(glGetUniformLocation(body_program_, "transforms"), 0);
     for (const Bodies& bodies : all) draw_kind(world, bodies, camera);
     // The sky comes last, where nothing is in front of it.
-    glUseProgram(sky_program_);
+    frame.use(sky_program_);
     glUniformMatrix4fv(glGetUniformLocation(sky_program_, "from_clip"), 1, GL_FALSE, camera.from_clip().data());
     glBindVertexArray(sky_array_);
     glDrawArrays(GL_TRIANGLES, 0, 3);

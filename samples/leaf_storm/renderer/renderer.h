@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "langevin_rigid.h"
@@ -11,6 +12,27 @@
 #include "storm_scene.h"
 
 enum class Look { leaf, petal, paper };
+
+// Where the camera stands, looking along -z, and the air that it sees.
+struct View {
+    float eye[3];    // m
+    float pitch;     // rad, upwards
+    float near, far; // m
+    float haze;      // m: where the air hides 63 % of what is there
+    float sun[3];    // unit, towards it
+};
+
+// In the box.
+View view_of(const storm::Box& box);
+
+// A picture that is being drawn.
+struct Frame {
+    const View& view;
+    const float* to_clip; // 16, by columns
+
+    // Makes a program current that has shader_air, and tells it of view and to_clip.
+    void use(unsigned program) const;
+};
 
 class Renderer {
 public:
@@ -27,9 +49,9 @@ public:
         lr_batch batch;
         std::size_t kind;
     };
-    // 4 bytes a pixel, sRGB, rows from the top. The camera stands in the box and looks along -z.
-    std::vector<std::uint8_t> draw(const lr_world* world, const std::vector<Bodies>& all, const storm::Box& box,
-                                   int width, int height);
+    // 4 bytes a pixel, sRGB, rows from the top. first: draws what is not bodies; may be empty.
+    std::vector<std::uint8_t> draw(const lr_world* world, const std::vector<Bodies>& all, const View& view, int width,
+                                   int height, const std::function<void(const Frame&)>& first = {});
 
     std::string name() const { return context_.renderer(); }
 

@@ -32,6 +32,20 @@ vec3 through_air(vec3 colour, vec3 d, float metres) {
     return mix(air, colour, left);
 }
 
+// Grass and fallen leaves, from afar. glow: how much of the low sun there is in their direction.
+vec3 soil(vec2 place, float metres, float glow) {
+    vec2 p = place * (60.0 / haze);
+    float near = exp(-metres / haze * 3.0);
+    float grain = mix(0.5, noise2(p * vec2(3.1, 1.9)), near) * 0.5 + mix(0.5, noise2(p * 1.1), sqrt(near)) * 0.5;
+    vec3 ground = mix(vec3(0.012, 0.020, 0.005), vec3(0.060, 0.052, 0.010), smoothstep(0.2, 0.8, grain));
+    ground = mix(ground, vec3(0.17, 0.062, 0.010), 0.9 * smoothstep(0.50, 0.85, mix(0.45, noise2(p * 1.9 + 7.0), near) * 0.6 + 0.4 * noise2(p * 0.3)));
+    return ground * (0.7 + 3.2 * glow);
+}
+
+float glow_towards(vec3 d) {
+    return pow(max(dot(normalize(vec3(d.x, 0.0, d.z)), normalize(vec3(sun.x, 0.0, sun.z))), 0.0), 9.0);
+}
+
 vec3 developed(vec3 c) { // filmic curve (Narkowicz's fit of ACES); the frame buffer encodes to sRGB
     c *= 0.95;
     return clamp(c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14), 0.0, 1.0);
@@ -87,7 +101,7 @@ void main() {
     float cloud = 0.55 * noise2(drift * vec2(1.1, 1.9)) + 0.3 * noise2(drift * vec2(2.6, 4.3)) + 0.15 * noise2(drift * vec2(5.1, 8.7));
     c = mix(c, c * 1.1 + vec3(0.07, 0.052, 0.038), smoothstep(0.40, 0.85, cloud) * smoothstep(0.06, 0.4, d.y));
     float a = atan(d.x, -d.z);
-    float glow = pow(max(dot(normalize(vec3(d.x, 0.0, d.z)), normalize(vec3(sun.x, 0.0, sun.z))), 0.0), 9.0);
+    float glow = glow_towards(d);
     // From the hills at the back to the trees at the sides: nearer is taller, darker, less hazy and more out of focus.
     for (int k = 0; k < 4; ++k) {
         float depth = float(k) / 3.0, soft = mix(0.006, 0.022, depth);
@@ -103,12 +117,7 @@ void main() {
         c = mix(c, seen, under);
     }
     float metres = eye.y / max(-d.y, 1e-3);
-    vec2 p = (eye + d * metres).xz * (60.0 / haze);
-    float near = exp(-metres / haze * 3.0);
-    float grain = mix(0.5, noise2(p * vec2(3.1, 1.9)), near) * 0.5 + mix(0.5, noise2(p * 1.1), sqrt(near)) * 0.5;
-    vec3 ground = mix(vec3(0.012, 0.020, 0.005), vec3(0.060, 0.052, 0.010), smoothstep(0.2, 0.8, grain));
-    ground = mix(ground, vec3(0.17, 0.062, 0.010), 0.9 * smoothstep(0.50, 0.85, mix(0.45, noise2(p * 1.9 + 7.0), near) * 0.6 + 0.4 * noise2(p * 0.3)));
-    ground *= 0.7 + 3.2 * glow;
+    vec3 ground = soil((eye + d * metres).xz, metres, glow);
     c = mix(c, through_air(ground, d, metres * 0.45), smoothstep(0.012, -0.012, d.y));
     colour = vec4(developed(c), 1.0);
 }

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "ground/park.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "failure.h"
+#include "ground/solids.h"
+#include "storm_scene.h"
+
+namespace {
+
+constexpr double walker_speed = 1.4, walker_from = -4.6, walker_to = 4.6, walker_z = 0.1; // m/s, m
+constexpr double gust_rise = 0.8, gust_hold = 2.2, gust_fall = 1.5;                       // s
+
+lr_collider_desc collider(std::int32_t kind, const Vector& position, double turn = 0.0) {
+    lr_collider_desc desc;
+    check(lr_collider_desc_init(&desc, sizeof desc), "lr_collider_desc_init");
+    desc.kind = kind;
+    const Quaternion q = rotation({0.0, 1.0, 0.0}, turn);
+    for (std::size_t k = 0; k < 3; ++k) desc.position[k] = static_cast<float>(position[k]);
+    for (std::size_t k = 0; k < 4; ++k) desc.orientation[k] = static_cast<float>(q[k]);
+    return desc;
+}
+
+double smooth(double t) {
+    t = std::clamp(t, 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+} // namespace
+
+Park::Park(const Options& options, lr_world* world) : options_(options), world_(world), terrain_(options.seed) {
+    add_ground();
+    add_furniture();
+    add_boundary_layer();
+    set_wind(0.0);
+}
+
+void Park::add(const lr_collider_desc& desc, Mesh mesh, Surface surface, double radius) {
+    check(lr_collider_create(world_, &desc, 1, &last_), "cannot create a collider");
+    Piece piece{std::move(mesh), surface, desc.kind == LR_COLLIDER_HULL, {}, {}};
+    std::copy(desc.position, desc.position + 3, piece.position);
+    std::copy(desc.orientation, desc.orientation + 4, piece.orientation);
+    pieces_.push_back(std::move(piece));
+    if (surface != Surface::soil)
+        footprints_.push_back({static_cast<double>(desc.position[0]), static_cast<double>(desc.position[2]), radius});
+}
+
+void Park::add_ground() {
+    const auto corner = static_cast<double>(-Terrain::half_width);
+    lr_collider_desc desc = collider(LR_COLLIDER_HEIGHTFIELD, {corner, 0.0, corner});
+    desc.counts[0] = desc.counts[1] = Terrain::side;
+    desc.spacing[0] = desc.spacing[1] = Terrain::cell;
+    desc.heights = terrain_.heights().data();
+    desc.friction = 0.7f;
+    Mesh mesh = terrain_.mesh();
+    for (Vertex& vertex : mesh.vertices) {
+        vertex.position[0] += Terrain::half_width;
+        vertex.position[2] += Terrain::half_width;
+    }
+    add(desc, std::move(mesh), Surface::soil, 0.0);
+}
+
+void Park::add_furniture() {
+    const auto box = [&](double x, double y, double z, const Vector& half, double turn, Surface surface) {
+        lr_collider_desc desc = collider(LR_COLLIDER_BOX, {x, y, z}, turn);
+        for (std::size_t k = 0; k < 3; ++k) desc.size[k] = static_cast<float>(half[k]);
+        add(desc, box_mesh(half), surface, std::hypot(half[0], half[2]));
+    };
+    const double bench_x = 1.5, bench_z = -1.9, turn = -0.25, floor = terrain_.at(bench_x, bench_z).height;
+    const Quaternion turned_by = rotation({0.0, 1.0, 0.0}, turn);
+    for (const double along : {-0.6, 0.6}) {
+        const Vector leg = turned(turned_by, {along, 0.0, 0.0});
+        box(bench_x + leg[0], floor + 0.17, bench_z + leg[2], {0.06, 0.25, 0.18}, turn, Surface::stone);
+    }
+    box(bench_x, floor + 0.45, bench_z, {0.85, 0.03, 0.22}, turn, Surface::wood);
+    box(-2.6, terrain_.at(-2.6, -3.4).height + 0.15, -3.4, {1.5, 0.35, 0.14}, 0.18, Surface::stone);
+
+    struct Stone {
+        double x, z, size;
+    };
+    std::uint64_t index = 0;
+    for (const Stone& stone : {Stone{-1.25, 1.15, 0.17}, Stone{-0.85, 0.95, 0.09}, Stone{1.15, 1.35, 0.12},
+                               Stone{-3.3, -0.9, 0.32}, Stone{3.2, -0.6, 0.24}}) {
+        // A lump: points at random on a flattened sphere.
+        std::vector<Vector> points;
+        std::vector<float> vertices;
+        for (int k = 0; k < 22; ++k) {
+            float q[4];
+            storm::random_orientation(77, index++, q);
+            const Vector direction = turned({static_cast<double>(q[0]), static_cast<double>(q[1]),
+                                             static_cast<double>(q[2]), static_cast<double>(q[3])},
+                                            {stone.size, 0.0, 0.0});
+            const Vector point{direction[0], 0.65 * direction[1], 0.85 * direction[2]};
+            for (const double x : point) vertices.push_back(static_cast<float>(x));
+            points.push_back(point);
+        }
+        lr_collider_desc desc =
+            collider(LR_COLLIDER_HULL, {stone.x, terrain_.at(stone.x, stone.z).height + 0.25 * stone.size, stone.z});
+        desc.vertex_count = static_cast<std::uint32_t>(points.size());
+        desc.vertices = vertices.data();
+        add(desc, hull_mesh(points), Surface::stone, stone.size);
+    }
+    if (options_.walk < 0.0) return;
+    lr_collider_desc desc = collider(LR_COLLIDER_CAPSULE, {0.0, -50.0, 0.0}); // out of the way until it comes
+    desc.size[0] = walker_radius;
+    desc.size[1] = walker_half_length;
+    add(desc, capsule_mesh(static_cast<double>(walker_radius), static_cast<double>(walker_half_length)), Surface::cloth,
+        0.0);
+    footprints_.pop_back();
+}
+
+// Air is slow near the ground: under the lowest hollow the wind is nought, at 10 m all of it is there.
+void Park::add_boundary_layer() {
+    lr_wind_source_desc ground;
+    check(lr_wind_source_desc_init(&ground, sizeof ground), "lr_wind_source_desc_init");
+    ground.kind = LR_WIND_SOURCE_GROUND;
+    ground.position[1] = static_cast<float>(terrain_.lowest()) - 0.05f;
+    ground.direction[0] = 0.0f;
+    ground.direction[1] = 1.0f;
+    ground.size = 0.01f; // short grass
+    lr_wind_source source = 0;
+    check(lr_world_add_wind(world_, &ground, &source), "the wind over the ground");
+    if (options_.gusts < 0.0) return;
+    lr_wind_source_desc gusts;
+    check(lr_wind_source_desc_init(&gusts, sizeof gusts), "lr_wind_source_desc_init");
+    gusts.kind = LR_WIND_SOURCE_GUSTS;
+    gusts.speed = 0.15f;
+    gusts.spread = 0.3f;
+    gusts.period = 5.0f;
+    std::copy(options_.wind, options_.wind + 3, gusts.direction);
+    if (options_.wind[0] == 0.0f && options_.wind[1] == 0.0f && options_.wind[2] == 0.0f) gusts.direction[0] = 1.0f;
+    check(lr_world_add_wind(world_, &gusts, &source), "the gusts");
+}
+
+void Park::set_wind(double time) {
+    double gust = 0.0;
+    if (options_.gusts >= 0.0) {
+        const double since = time - options_.gusts;
+        gust = smooth(since / gust_rise) * smooth((gust_rise + gust_hold + gust_fall - since) / gust_fall);
+    }
+    lr_wind_desc air;
+    check(lr_wind_desc_init(&air, sizeof air), "lr_wind_desc_init");
+    double length = 0.0;
+    for (const float x : options_.wind) length += static_cast<double>(x) * static_cast<double>(x);
+    length = std::sqrt(length);
+    const Vector along =
+        length > 0.0
+            ? times(1.0 / length, {static_cast<double>(options_.wind[0]), static_cast<double>(options_.wind[1]),
+                                   static_cast<double>(options_.wind[2])})
+            : Vector{1.0, 0.0, 0.0};
+    const double speed = length + gust * options_.gust_speed;
+    for (std::size_t k = 0; k < 3; ++k) air.velocity[k] = static_cast<float>(speed * along[k]);
+    if (std::equal(wind_, wind_ + 3, air.velocity)) return;
+    std::copy(air.velocity, air.velocity + 3, wind_);
+    check(lr_world_set_wind(world_, &air), "wind");
+}
+
+void Park::move(double to) {
+    set_wind(to);
+    if (options_.walk < 0.0) return;
+    const double x = walker_from + walker_speed * (to - options_.walk);
+    const bool walks = to >= options_.walk && x <= walker_to;
+    if (!walks && !walks_) return;
+    Piece& piece = pieces_.back();
+    piece.position[0] = static_cast<float>(x);
+    piece.position[1] = static_cast<float>(terrain_.at(x, walker_z).height) + walker_radius + walker_half_length;
+    piece.position[2] = static_cast<float>(walker_z);
+    if (!walks) piece.position[1] = -50.0f;
+    lr_collider_motion motion;
+    check(lr_collider_motion_init(&motion, sizeof motion), "lr_collider_motion_init");
+    motion.mode = walks && walks_ ? LR_MOVE_TO : LR_MOVE_PLACE; // it comes and goes in no time
+    motion.collider = last_;
+    std::copy(piece.position, piece.position + 3, motion.position);
+    check(lr_collider_move(world_, &motion, 1), "the walker");
+    walks_ = walks;
+}
+
+bool Park::furnished(double x, double z, double reach) const {
+    return std::any_of(footprints_.begin(), footprints_.end(),
+                       [&](const Footprint& at) { return std::hypot(x - at.x, z - at.z) < at.radius + reach; });
+}

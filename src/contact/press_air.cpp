@@ -1,0 +1,95 @@
+// The cushion of air between a sheet and the ground (docs/contact.md, "Ground effect").
+#include "contact/contact_group.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+// A flat shape's normal in the body frame and its area at scale 1; 0 for bodies that are no sheets.
+float sheet(const BodyShape& s, Vector& normal) {
+    if (s.count == 0 || s.face_count != 2) return 0.0f;
+    const ShapeFace& f = s.faces[0];
+    const auto point = [&](uint32_t k) {
+        const uint32_t i = s.corners[f.first + k];
+        return Vector{s.x[i], s.y[i], s.z[i]};
+    };
+    Vector twice{0.0f, 0.0f, 0.0f};
+    const uint32_t count = f.count;
+    for (uint32_t k = 1; k + 1 < count; ++k) twice = twice + cross(point(k) - point(0), point(k + 1) - point(0));
+    normal = f.normal;
+    return 0.5f * length(twice);
+}
+
+// Body and fluid that go along the normal, kg at scale 1.
+float inertia_along(const BodyConstants& c, Vector n) {
+    const float* const m = c.full_mass;
+    const float in_units = c.diagonal ? c.mass[0] * n.x * n.x + c.mass[1] * n.y * n.y + c.mass[2] * n.z * n.z
+                                      : m[0] * n.x * n.x + m[6] * n.y * n.y + m[11] * n.z * n.z +
+                                            2.0f * (m[1] * n.x * n.y + m[2] * n.x * n.z + m[7] * n.y * n.z);
+    return c.unit_mass * in_units;
+}
+
+// Height over a plane or heightfield in its own frame; negative without ground below.
+float height_over(const Geometry& g, Vector at) {
+    const HeightfieldGeometry* const f = g.heightfield;
+    if (!f) return at.y;
+    const float u = at.x / f->spacing[0], w = at.z / f->spacing[1];
+    const auto last = [&](int k) { return static_cast<float>(f->counts[k] - 1); };
+    if (!(u >= 0.0f && u < last(0) && w >= 0.0f && w < last(1))) return -1.0f;
+    const auto i = static_cast<uint32_t>(u), k = static_cast<uint32_t>(w);
+    const float a = u - static_cast<float>(i), b = w - static_cast<float>(k);
+    const float* const h = f->heights + uint64_t{k} * f->counts[0] + i;
+    const float* const next = h + f->counts[0];
+    return at.y - ((1.0f - b) * ((1.0f - a) * h[0] + a * h[1]) + b * ((1.0f - a) * next[0] + a * next[1]));
+}
+
+} // namespace
+
+// A disc of radius a that comes down flat on a wall at the height z sets the air under it in motion: its kinetic energy is
+// 1/2 K/z v^2, K = pi rho a^4/8, of a flow between two plates. What the sheet has along the normal is shared with it: with
+// l = K/m, (1 + l/z) v^2 stays. What leaves at the edge does not come back, so that a sheet that rises is not pulled.
+void ContactGroup::press_air(const LaneRow (&before)[pose_fields], float begin, float end) {
+    Vector face;
+    const float area = sheet(*step_->shape, face);
+    if (!(area > 0.0f)) return;
+    constexpr float pi = 3.14159265f;
+    const float radius_squared = area / pi, radius = std::sqrt(radius_squared);
+    const float inertia = inertia_along(*body_, face);
+    const float share =
+        step_->settings->ground_effect * 0.125f * pi * step_->fluid_density * radius_squared * radius_squared / inertia;
+    for (uint32_t i = 0; i < count_; ++i) {
+        const float scale = arrays_.field[field_scale][i];
+        Pose pose = pose_of(i);
+        const Pose was{{before[0][i], before[1][i], before[2][i]},
+                       {before[3][i], before[4][i], before[5][i], before[6][i]}};
+        for (uint32_t k = 0; k < near_[i].count; ++k) {
+            const Collider& c = step_->colliders->at(near_[i].candidate[k].slot);
+            const bool plane = c.geometry.kind == ColliderKind::plane;
+            if (!plane && c.geometry.kind != ColliderKind::heightfield) continue;
+            const Pose from = pose_at(c, begin), to = pose_at(c, end);
+            const Vector up = rotate(to.rotation, {0.0f, 1.0f, 0.0f});
+            const float flat = dot(up, rotate(pose.rotation, face)), squared = flat * flat;
+            const float least = 0.02f * radius * scale, most = radius * scale;
+            const float first = std::max(height_over(c.geometry, to_inner(from, was.position)), least);
+            const float last = std::max(height_over(c.geometry, to_inner(to, pose.position)), least);
+            if (!(last < first) || first > most) continue;
+            const float l = share * scale * squared * squared;
+            const float kept = std::sqrt((1.0f + l / first) / (1.0f + l / last));
+            // Along the ground's normal, and the way of the substep with the mean of both ends.
+            const Vector n = rotate(inverse(pose.rotation), up);
+            const Vector v{arrays_.field[field_vx][i], arrays_.field[field_vy][i], arrays_.field[field_vz][i]};
+            const float speed = dot(n, v);
+            if (!(speed < 0.0f)) continue;
+            const Vector slower = v - ((1.0f - kept) * speed) * n;
+            arrays_.field[field_vx][i] = slower.x;
+            arrays_.field[field_vy][i] = slower.y;
+            arrays_.field[field_vz][i] = slower.z;
+            pose.position = pose.position + (0.5f * (1.0f - kept) * (first - last)) * up;
+            set_pose(i, pose);
+        }
+    }
+}
+
+} // namespace lr
