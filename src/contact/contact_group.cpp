@@ -297,17 +297,24 @@ Touch ContactGroup::meeting(uint32_t i, uint32_t collider, const LaneRow (&befor
 
 NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin,
                            uint32_t end, float dt)
-    : begin_(begin), live_(live) {
-    step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, begin, end, near_);
-    // What the grids hold depends on when they were built, and must not matter: a body that nothing reaches goes the way of
-    // the others, to the bit.
-    for (uint32_t i = begin; i < std::min(end, live); ++i) {
-        if (near_[i - begin] == 0) continue;
-        const Vicinity around = vicinity(step, arrays, i, dt);
-        if (around.finite() && step.colliders->any_candidate(around.low, around.high, step.settings->layers))
-            index_[count_++] = i;
-        else
-            near_[i - begin] = 0;
+    : begin_(begin), end_(begin), live_(live) {
+    constexpr uint32_t at_a_time = field_block / 2;
+    const uint32_t last = std::min(end, begin + near_range);
+    while (end_ < last && count_ + at_a_time <= field_block) {
+        const uint32_t from = end_, to = std::min(from + at_a_time, last);
+        step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, from, to,
+                          near_ + (from - begin));
+        // What the grids hold depends on when they were built, and must not matter: a body that nothing reaches goes the way
+        // of the others, to the bit.
+        for (uint32_t i = from; i < std::min(to, live); ++i) {
+            if (near_[i - begin] == 0) continue;
+            const Vicinity around = vicinity(step, arrays, i, dt);
+            if (around.finite() && step.colliders->any_candidate(around.low, around.high, step.settings->layers))
+                index_[count_++] = i;
+            else
+                near_[i - begin] = 0;
+        }
+        end_ = to;
     }
 }
 

@@ -110,19 +110,22 @@ private:
     ContactSlots slots_;
 };
 
-// Of [begin, end), field_block at most: the bodies that may touch something within `dt`.
+// Of [begin, end), up to near_range and as far as there is room for field_block of them, which field_block bodies always have:
+// the bodies that may touch something within `dt`. Over a longer range few of them fill more of a group's lanes.
 class NearContacts {
 public:
+    static constexpr uint32_t near_range = 4 * field_block;
     NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin, uint32_t end,
                  float dt);
+    uint32_t end() const { return end_; } // of the bodies that were looked at
     uint32_t count() const { return count_; }
     uint32_t index(uint32_t i) const { return index_[i]; }
     // Is there a body in this lane block that is not among them?
     bool others(uint32_t begin) const;
 
 private:
-    uint32_t begin_, live_, count_ = 0;
-    alignas(64) uint32_t near_[field_block];
+    uint32_t begin_, end_, live_, count_ = 0;
+    alignas(64) uint32_t near_[near_range];
     uint32_t index_[field_block];
 };
 

@@ -156,6 +156,23 @@ void ProxyGrid::build(float dilation, uint32_t levels) {
     for (uint32_t i = count_; i-- > 0;) entries_[--buckets_[bucket_of(i)]] = i;
 }
 
+// A box that reaches into this one has its middle within `dilation`: levels whose bit is clear there have none.
+uint32_t ProxyGrid::levels_about(const Box& box) const {
+    const Vector middle = middle_of(box), below = middle - box.low, above = box.high - middle;
+    const float half =
+        std::max({below.x, below.y, below.z, above.x, above.y, above.z}) * 1.000001f; // rounded differences
+    uint32_t levels = 0;
+    for (uint32_t l = 0; l < level_count_; ++l) {
+        const OccupancyLevel& level = levels_[l].near;
+        const uint32_t h =
+            cell_hash(cell_number(middle.x, level.inverse_cell), cell_number(middle.y, level.inverse_cell),
+                      cell_number(middle.z, level.inverse_cell));
+        const uint32_t bit = level.bits[(h >> 5) & level.mask] >> (h & 31) & 1u;
+        levels |= (half <= level.dilation ? bit : 1u) << l;
+    }
+    return levels;
+}
+
 bool maybe_near(const NearColliders& near, Vector position, float reach) {
     if (near.everywhere) return true;
     for (uint32_t l = 0; l < near.level_count; ++l) {

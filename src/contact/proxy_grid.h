@@ -63,6 +63,7 @@ private:
         int32_t low[3], high[3];
     };
 
+    uint32_t levels_about(const Box& box) const; // a bit for each that may have a box there
     static Cells cells_of(const Box& box, float grow_x, float grow_y, float grow_z, float inverse_cell);
     uint32_t bucket(int32_t x, int32_t y, int32_t z, uint32_t level) const {
         return (cell_hash(x, y, z) ^ level * 0x9e3779b9u) & (bucket_count_ - 1);
@@ -86,9 +87,12 @@ inline Vector middle_of(const Box& box) {
 }
 
 template <class Found> void ProxyGrid::query(const Box& box, Found&& found) const {
+    const uint32_t levels = levels_about(box);
+    if (levels == 0) return;
     Cells cells[most_occupancy_levels];
     uint64_t visits = 0;
     for (uint32_t l = 0; l < level_count_; ++l) {
+        if ((levels >> l & 1u) == 0) continue;
         const Level& level = levels_[l];
         cells[l] = cells_of(box, level.spread[0], level.spread[1], level.spread[2], level.inverse_bucket);
         double all = 1.0;
@@ -103,6 +107,7 @@ template <class Found> void ProxyGrid::query(const Box& box, Found&& found) cons
         return;
     }
     for (uint32_t l = 0; l < level_count_; ++l) {
+        if ((levels >> l & 1u) == 0) continue;
         const float inverse = levels_[l].inverse_bucket;
         const Cells& c = cells[l];
         for (int32_t z = c.low[2]; z <= c.high[2]; ++z)

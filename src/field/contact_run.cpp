@@ -7,7 +7,7 @@
 namespace lr {
 namespace {
 
-constexpr auto lanes = static_cast<uint32_t>(contact_lanes), most = static_cast<uint32_t>(field_block);
+constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 
 // Near bodies of a block in arrays of their own; the last one fills up the lanes.
 struct States {
@@ -165,9 +165,9 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
             run.target->step(in, arrays, from, to);
         }
     };
-    for (uint32_t at = begin; at < end; at += most) {
-        const uint32_t last = std::min(at + most, end);
-        const NearContacts near(run.step, arrays, live, at, last, run.step.dt);
+    for (uint32_t at = begin, last = begin; at < end; at = last) {
+        const NearContacts near(run.step, arrays, live, at, end, run.step.dt);
+        last = near.end();
         leave(run.book, near, at, std::min(last, live));
         if (near.count() == 0) {
             step_lanes(at, last);
