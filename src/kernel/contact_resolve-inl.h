@@ -327,9 +327,8 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             float* const to = b.arrays.field[field] + at;
             hn::Store(hn::IfThenElse(any_contact, value, hn::Load(d, to)), d, to);
         };
-        const auto put3 = [&](Vec3 v, size_t field) LR_LAMBDA {
-            put(v.x, field), put(v.y, field + 1), put(v.z, field + 2);
-        };
+        const auto put3 = [&](Vec3 v, size_t field)
+                              LR_LAMBDA { put(v.x, field), put(v.y, field + 1), put(v.z, field + 2); };
         const auto dustless = [&](Vec3 v) LR_LAMBDA {
             return Vec3{without_dust(v.x), without_dust(v.y), without_dust(v.z)};
         };
