@@ -46,6 +46,13 @@ HWY_INLINE GroundSample sample_ground(const GroundSurface& g, Vec3 p) {
     return {hn::IfThenElse(hn::Or(outside(u, 0), outside(w, 1)), constant(no_contact), gap), scale(inverse, slope)};
 }
 
+// Thick ones roll over their only point.
+inline uint32_t ellipsoid_points(const ShapeConstants& s) {
+    const float(&a)[3] = s.semi_axes;
+    const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
+    return least < 0.2f * most ? 8 : 1;
+}
+
 // A point of the shape, and what is below it.
 struct GroundPoint {
     Vec3 arm; // m, body frame, of the point on the body's surface
@@ -65,10 +72,10 @@ public:
           scale_(hn::Load(DF(), b.arrays.field[field_scale] + at)),
           local_(rows(g.axes, sub(x_, broadcast(g.position)))) {}
 
-    // Of point k; the one of an ellipsoid is that below which the surface is nearest.
+    // Of point k; of an ellipsoid the one nearest to the surface and others.
     HWY_INLINE GroundPoint get(uint32_t k) const {
         const ShapeConstants& s = bodies_.shape;
-        if (s.count == 0) return of_ellipsoid();
+        if (s.count == 0) return of_ellipsoid(k);
         const bool high = ground_.heights != nullptr;
         const float x = high ? s.sample_x[k] : s.x[k], y = high ? s.sample_y[k] : s.y[k],
                     z = high ? s.sample_z[k] : s.z[k];
@@ -85,7 +92,10 @@ public:
     }
 
 private:
-    HWY_INLINE GroundPoint of_ellipsoid() const {
+    // The first is that below which the surface is nearest. A flat one that lies touches at a point that goes from rim to rim
+    // with the least tilt: four more are where it would touch if it were tilted a little more, and
+    // three at the mirrored normals, at the other rims.
+    HWY_INLINE GroundPoint of_ellipsoid(uint32_t k) const {
         const ShapeConstants& s = bodies_.shape;
         const Vec3 axes = scale(scale_, broadcast(s.semi_axes)), center = scale(scale_, broadcast(s.center));
         GroundSample below = sample_ground(ground_, add(local_, rows(ground_.axes, to_world(q_, center))));
@@ -95,6 +105,27 @@ private:
         for (int look = 0; look < 2; ++look) {
             p.normal = columns(ground_.axes, below.normal);
             const Vec3 stretched = times(axes, to_body(q_, p.normal));
+            const VF inverse = inverse_length(hn::Sqrt(dot(stretched, stretched)));
+            p.arm = sub(center, scale(inverse, times(axes, stretched)));
+            p.at = to_world(q_, p.arm);
+            below = sample_ground(ground_, add(local_, rows(ground_.axes, p.at)));
+        }
+        if (k != 0) {
+            const float(&a)[3] = s.semi_axes;
+            const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
+            const float tilt = 0.02f * (1.0f - least / most) * (1.0f - least / most);
+            const int shortest = a[0] == least ? 0 : a[1] == least ? 1 : 2;
+            Vec3 n = to_body(q_, p.normal);
+            VF* const along[3] = {&n.x, &n.y, &n.z};
+            VF &first = *along[(shortest + 1) % 3], &second = *along[(shortest + 2) % 3];
+            if (k <= 4) {
+                VF& tilted = k <= 2 ? first : second;
+                tilted = hn::Add(tilted, constant((k & 1) != 0 ? tilt : -tilt));
+            } else {
+                if (k != 6) first = hn::Neg(first);
+                if (k != 5) second = hn::Neg(second);
+            }
+            const Vec3 stretched = times(axes, n);
             const VF inverse = inverse_length(hn::Sqrt(dot(stretched, stretched)));
             p.arm = sub(center, scale(inverse, times(axes, stretched)));
             p.at = to_world(q_, p.arm);
@@ -136,7 +167,7 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
     const DF d;
     const DU du;
     const uint32_t points_there = g.heights ? b.shape.sample_count : b.shape.count;
-    const uint32_t count = b.shape.count == 0 ? 1 : points_there;
+    const uint32_t count = b.shape.count == 0 ? ellipsoid_points(b.shape) : points_there;
     bool any = false;
     const VF empty = constant(no_contact), zero = hn::Zero(d);
     GroundPoint points[most_ground_points];
@@ -168,11 +199,14 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         if (!hn::AllFalse(d, touching)) {
             any = true;
             found = count < manifold_slots ? count : manifold_slots;
-            // A point that touches holds the body; one at the margin is only about to.
-            const VF per_margin = hn::Div(constant(1.0f), margin);
+            // What touches holds the body; of the rest, what pushing the deepest point out may press in.
+            const VF deep = hn::Max(hn::Neg(best[0].gap), zero);
+            const VF wide_margin = hn::Add(mul_add(constant(0.1f), reach, margin), hn::Add(deep, deep));
+            const VF per_margin = hn::Div(constant(1.0f), margin), per_wide = hn::Div(constant(0.05f), wide_margin);
             const auto nearness = [&](const GroundPoint& p) LR_LAMBDA {
                 const VF part = neg_mul_add(p.gap, per_margin, constant(1.0f));
-                return hn::Min(hn::Max(part, zero), constant(2.0f));
+                const VF least = hn::Max(neg_mul_add(p.gap, per_wide, constant(0.05f)), zero);
+                return hn::Min(hn::Max(part, least), constant(2.0f));
             };
             const auto farthest = [&](GroundPoint& to, VF least, const auto& measure) LR_LAMBDA {
                 VF most = least;
@@ -180,7 +214,7 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
                 to.arm = to.at = to.normal = {zero, zero, zero};
                 for (uint32_t k = 0; k < count; ++k) {
                     const VF value = hn::Mul(nearness(points[k]), measure(points[k]));
-                    const auto more = hn::And(hn::Lt(points[k].gap, margin), hn::Gt(value, most));
+                    const auto more = hn::And(hn::Lt(points[k].gap, wide_margin), hn::Gt(value, most));
                     to = select(more, points[k], to);
                     most = hn::IfThenElse(more, value, most);
                 }

@@ -265,17 +265,21 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         const auto rests = hn::Lt(depth, mul_add(constant(2.0f), slop, constant(b.gravity * (b.h * b.h))));
         const VF guess = hn::IfThenElseZero(rests, constant(2.0f / b.h));
         for (uint32_t k = 0; k < count; ++k) {
+            const auto there = hn::Lt(hn::Load(d, slots.slot[used[k]].gap + at), empty);
+            any_touch = hn::Or(any_touch, hn::And(hn::Gt(touching[k], zero), there));
+        }
+        for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 surface = to_body(q, load3(s.surface, at));
             Row& r = rows[k];
             set_row<kFull>(c, to_body(q, load3(s.normal, at)), over[k], r);
             const auto touches = hn::And(hn::Gt(touching[k], zero), hn::Lt(hn::Load(d, s.gap + at), empty));
             const auto present = hn::Lt(hn::Load(d, s.gap + at), empty);
-            r.inverse = hn::IfThenElseZero(present, r.inverse);
+            r.inverse = hn::IfThenElseZero(hn::And(present, any_touch), r.inverse);
             const VF back_off = hn::IfThenElseZero(hn::Lt(bounce[k], hn::Neg(slow)),
                                                    hn::Neg(hn::Mul(hn::Load(d, s.restitution + at), bounce[k])));
-            // What does not touch yet may come as fast as it takes to touch in a substep: a body does not rock from one
-            // side to the other with what it falls in each.
+            // Of a body that touches with another point, what does not yet may come as fast as it takes to touch in a substep: a
+            // body does not rock from one side to the other with what it falls in each.
             const VF closing = hn::Neg(hn::Mul(hn::Max(gap[k], zero), inverse_h));
             r.target = hn::Add(dot(r.along[0].v, surface), hn::IfThenElse(touches, back_off, closing));
             set_surface(r, surface);
@@ -285,7 +289,6 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             t = add_scaled(add_scaled(add_scaled(t, r.pressed, r.response[0]), r.dragged[0], r.response[1]),
                            r.dragged[1], r.response[2]);
             carried = hn::Max(carried, hn::IfThenElseZero(touches, greatest(surface)));
-            any_touch = hn::Or(any_touch, touches);
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
         project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-5f), slow), t);
