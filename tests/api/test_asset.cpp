@@ -43,12 +43,6 @@ struct Fault {
     std::string where, what, remedy;
 };
 
-Asset make(const lr_rigid_desc& d) {
-    lr_asset* raw = nullptr;
-    REQUIRE(lr_asset_create_rigid(&d, &raw) == LR_OK);
-    return Asset(raw);
-}
-
 lr_aerodynamics aerodynamics_of(const Asset& asset) {
     lr_aerodynamics a = initialised(lr_aerodynamics_init);
     REQUIRE(lr_asset_get_aerodynamics(asset.get(), &a) == LR_OK);
