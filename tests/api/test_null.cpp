@@ -246,6 +246,12 @@ TEST_CASE("every pointer that must be given is asked for") {
     CHECK(lr_collider_set_surface(w, nullptr, 1, &rough) == null);
     CHECK(lr_collider_set_surface(w, &collider, 1, nullptr) == null);
     CHECK(lr_collider_set_surface(w, nullptr, 0, &rough) == LR_OK);
+    lr_batch_contact contact = initialised(lr_batch_contact_init);
+    CHECK(lr_batch_contact_init(nullptr, sizeof contact) == null);
+    CHECK(lr_batch_set_contact(nullptr, batch, &contact) == null);
+    CHECK(lr_batch_set_contact(w, batch, nullptr) == LR_OK);
+    CHECK(lr_batch_get_contact(nullptr, batch, &contact) == null);
+    CHECK(lr_batch_get_contact(w, batch, nullptr) == null);
 
     CHECK(hash_of(world) == before);
     steps(world, 1, 0.01f);

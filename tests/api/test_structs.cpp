@@ -98,6 +98,7 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_collider_motion>(lr_collider_motion_init);
     check_init<lr_collider_state>(lr_collider_state_init);
     check_init<lr_collider_surface>(lr_collider_surface_init);
+    check_init<lr_batch_contact>(lr_batch_contact_init);
 }
 
 TEST_CASE("initial values are those of the header") {
@@ -266,6 +267,10 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
         uint32_t count = 0;
         return lr_world_overlap(w, d, ids, 64, &count);
     });
+    check_use<lr_batch_contact>(initialised(lr_batch_contact_init),
+                                [&](lr_batch_contact* c) { return lr_batch_set_contact(w, batch, c); });
+    check_use<lr_batch_contact>(initialised(lr_batch_contact_init),
+                                [&](lr_batch_contact* c) { return lr_batch_get_contact(w, batch, c); });
     check_use<lr_batch_view>(initialised(lr_batch_view_init),
                              [&](lr_batch_view* v) { return lr_batch_get_view(w, batch, v); });
 }

@@ -20,7 +20,8 @@ public:
     explicit PlayedColliders(Solids which) : which_(which) {
         if (which == Solids::none) return;
         Random random(7);
-        for (float& h : heights_) h = random.real(-0.05, 0.25);
+        // Of one slope: several at a time are asked of libccd.
+        for (float& h : heights_) h = which == Solids::terrain ? 0.05f : random.real(-0.05, 0.25);
         sheet_ = bumpy_sheet(6, 3);
         corners_.resize(3 * size_t{12});
         for (float& x : corners_) x = random.real(-0.4, 0.4);

@@ -1,0 +1,257 @@
+// Friction, restitution and rolling on colliders against closed forms. A body moves with the fluid around it: along a slope its
+// inertia is m + A, what pulls is its weight less its buoyancy.
+#include "support/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace test;
+
+namespace {
+
+constexpr double gravity = 9.81, degree = std::numbers::pi / 180.0;
+
+// A surface that slopes down along +x by an angle, through the origin.
+struct Slope {
+    std::vector<float> heights, corners;
+    Triangles sheet;
+    lr_collider_desc desc{};
+    Slope(int32_t kind, double angle, double size, float friction) {
+        const auto s = narrow(size);
+        Vec shift{0.0, 0.0, 0.0};
+        if (kind == LR_COLLIDER_BOX) {
+            desc = box_collider(s, 0.1f * s, s);
+            shift = {0.0, -0.1 * size, 0.0};
+        } else if (kind == LR_COLLIDER_HULL) {
+            for (float x : {-s, s})
+                for (float y : {-0.2f * s, 0.0f})
+                    for (float z : {-s, s}) corners.insert(corners.end(), {x, y, z});
+            desc = hull_collider(corners);
+        } else if (kind == LR_COLLIDER_HEIGHTFIELD) {
+            heights.assign(25, 0.0f);
+            desc = heightfield_collider(heights, 5, 0.5f * s);
+            shift = {-size, 0.0, -size};
+        } else if (kind == LR_COLLIDER_MESH) {
+            sheet.vertices = {-s, 0.0f, -s, s, 0.0f, -s, s, 0.0f, s, -s, 0.0f, s};
+            sheet.indices = {0, 1, 2, 0, 2, 3};
+            desc = mesh_collider(sheet);
+        } else {
+            desc = collider_desc(kind);
+        }
+        const Quat turn = about({0, 0, 1}, -angle);
+        put(desc.orientation, turn);
+        put(desc.position, to_world(turn, shift));
+        desc.friction = friction, desc.restitution = 0.0f;
+    }
+};
+
+struct Slid {
+    double crept, speed; // m after the first half second; m/s
+};
+// A box of a size on a slope, from rest.
+Slid slide(int32_t kind, double angle, double size, double mu, uint32_t substeps, float seconds) {
+    const World world = make(world_desc());
+    const Asset asset = make(rigid_box(size, 0.3 * size, 0.6 * size, 300.0));
+    const lr_batch batch = add_batch(world, unloaded(), asset, 1);
+    set_contact(world, batch, contact_desc(narrow(mu), 0.0f));
+    const Slope slope(kind, angle, 200.0 * size, narrow(mu));
+    add_collider(world, slope.desc);
+    const Quat turn = about({0, 0, 1}, -angle);
+    lr_body_desc d = body_desc();
+    put(d.orientation, turn);
+    put(d.position, to_world(turn, {0.1 * size, 0.15 * size, 0.13 * size}));
+    const lr_body body = add_body(world, batch, d);
+    const Vec down = to_world(turn, {1, 0, 0});
+    const int frames = static_cast<int>(seconds * 60.0f), settled = std::min(frames, 30);
+    steps(world, settled, 1.0f / 60.0f, substeps);
+    const double from = dot(vec(state_of(world, body).position), down);
+    steps(world, frames - settled, 1.0f / 60.0f, substeps);
+    const lr_body_state s = state_of(world, body);
+    return {dot(vec(s.position), down) - from, dot(vec(s.linear_velocity), down)};
+}
+
+} // namespace
+
+TEST_CASE("boxes stick below the angle of friction and slide as they should above") {
+    const lr_rigid_desc box = rigid_box(1.0, 0.3, 0.6, 300.0);
+    const double inertia = box.mass + box.added_mass[0], weight = (box.mass - 1.2 * box.volume) * gravity;
+    for (int32_t kind :
+         {LR_COLLIDER_PLANE, LR_COLLIDER_BOX, LR_COLLIDER_HEIGHTFIELD, LR_COLLIDER_HULL, LR_COLLIDER_MESH})
+        for (double mu : {0.2, 0.5, 0.9})
+            for (double size : {0.005, 0.05, 1.0})
+                for (uint32_t substeps : {1u, 2u, 4u}) {
+                    // It falls by more than its thickness in a substep.
+                    if (size < 0.01 && substeps == 1) continue;
+                    CAPTURE(kind);
+                    CAPTURE(mu);
+                    CAPTURE(size);
+                    CAPTURE(substeps);
+                    const double cone = std::atan(mu);
+                    const Slid held = slide(kind, cone - (size < 1.0 ? 5.0 : 1.0) * degree, size, mu, substeps, 2.0f);
+                    CHECK(std::abs(held.crept) < 0.01 * size);
+                    CHECK(std::abs(held.speed) < 1e-3 * std::sqrt(gravity * size));
+                    // The field is 200 sizes long on each side.
+                    const auto slides = [&](double angle) {
+                        const double a = weight / inertia * (std::sin(angle) - mu * std::cos(angle));
+                        const auto seconds = std::min(1.0, std::sqrt(100.0 * size / a));
+                        const double whole = std::floor(seconds * 60.0) / 60.0;
+                        const Slid s = slide(kind, angle, size, mu, substeps, narrow(whole + 0.001));
+                        CHECK(s.speed == doctest::Approx(a * whole).epsilon(0.03));
+                    };
+                    slides(cone + degree);
+                    slides(cone + 10.0 * degree);
+                }
+}
+
+TEST_CASE("spheres bounce with their coefficient of restitution, and one of 1 gains no energy in 100 bounces") {
+    const Asset asset = make(ellipsoid(0.02, 0.02, 0.02, 500.0));
+    for (float e : {0.0f, 0.3f, 0.8f, 1.0f})
+        for (double height : {0.05, 0.3, 2.0}) {
+            CAPTURE(e);
+            CAPTURE(height);
+            const World world = make(world_desc());
+            const lr_batch batch = add_batch(world, unloaded(), asset, 1);
+            set_contact(world, batch, contact_desc(0.5f, e));
+            add_collider(world, surface(collider_desc(LR_COLLIDER_PLANE), 0.5f));
+            lr_body_desc d = body_desc();
+            d.position[1] = narrow(0.02 + height);
+            const lr_body body = add_body(world, batch, d);
+            double before = 0.0, after = 0.0, highest = 0.0;
+            int bounces = 0;
+            const int frames = e == 1.0f ? 6000 : 120;
+            for (int frame = 0; frame < frames; ++frame) {
+                steps(world, 1, 1.0f / 60.0f, 4);
+                const lr_body_state s = state_of(world, body);
+                const double v = wide(s.linear_velocity[1]);
+                if (v >= 0.0 && before < 0.0 && ++bounces == 1) after = v;
+                if (bounces == 0 || v < 0.0)
+                    before = v;
+                else
+                    before = 0.0;
+                if (bounces > 0) highest = std::max(highest, wide(s.position[1]) - 0.02);
+            }
+            const lr_asset_info info = info_of(asset);
+            const double pull = gravity * (info.mass - 1.2 * info.volume) / (info.mass + info.added_mass[0]);
+            // From the height that it reaches again; frames cut the first rise short.
+            CHECK(bounces > 0);
+            const double expected = wide(e) * std::sqrt(2.0 * pull * height);
+            if (e < 1.0f && e > 0.0f)
+                CHECK(std::sqrt(2.0 * pull * std::max(highest, 0.0)) == doctest::Approx(expected).epsilon(0.03));
+            if (e == 0.0f) CHECK(highest < 1e-3);
+            if (e == 1.0f) {
+                CHECK(highest < height * 1.0001);
+                CHECK(highest > height * 0.9);
+            }
+            CHECK(after < std::sqrt(2.0 * pull * height) * (wide(e) + 0.03));
+        }
+}
+
+TEST_CASE("a sphere rolls down without slipping, and slower by rolling resistance") {
+    for (double radius : {0.005, 0.05, 0.5}) {
+        CAPTURE(radius);
+        const Asset asset = make(ellipsoid(radius, radius, radius, 500.0));
+        const lr_asset_info info = info_of(asset);
+        const auto rolls = [&](double angle, float rolling, float seconds) {
+            const World world = make(world_desc());
+            const lr_batch batch = add_batch(world, unloaded(), asset, 1);
+            set_contact(world, batch, contact_desc(0.9f, 0.0f, rolling));
+            const Slope slope(LR_COLLIDER_PLANE, angle, 1.0, 0.9f);
+            add_collider(world, slope.desc);
+            lr_body_desc d = body_desc();
+            put(d.position, to_world(about({0, 0, 1}, -angle), {0.0, radius, 0.0}));
+            const lr_body body = add_body(world, batch, d);
+            steps(world, static_cast<int>(seconds * 60.0f), 1.0f / 60.0f, 2);
+            const lr_body_state s = state_of(world, body);
+            const double v = length(vec(s.linear_velocity)), w = length(vec(s.angular_velocity));
+            CHECK(std::abs(v - radius * w) <= 0.01 * v);
+            return v;
+        };
+        const double angle = 10.0 * degree;
+        const double inertia = info.mass + info.added_mass[0] + info.inertia[0] / (radius * radius);
+        const double a = gravity * (info.mass - 1.2 * info.volume) / inertia * std::sin(angle);
+        CHECK(rolls(angle, 0.0f, 1.001f) == doctest::Approx(a).epsilon(0.02));
+        // The couple r N against the pull's m g sin R.
+        CHECK(rolls(angle, narrow(0.8 * std::tan(angle)), 1.001f) == doctest::Approx(0.2 * a).epsilon(0.1));
+    }
+}
+
+TEST_CASE("a lid that lies on the ground or on a box stays where it is for ten minutes") {
+    const Asset asset = make(rigid_box(0.2, 0.01, 0.15, 300.0));
+    for (int32_t kind : {LR_COLLIDER_PLANE, LR_COLLIDER_BOX})
+        for (uint32_t flags : {0u, LR_CONTACT_NEVER_REST}) {
+            CAPTURE(kind);
+            CAPTURE(flags);
+            const World world = make(world_desc());
+            lr_batch_desc bd = batch_desc();
+            bd.load_model = LR_LOADS_AERODYNAMIC;
+            const lr_batch batch = add_batch(world, bd, asset, 1);
+            lr_batch_contact c = initialised(lr_batch_contact_init);
+            c.flags = flags;
+            set_contact(world, batch, c);
+            lr_collider_desc ground = kind == LR_COLLIDER_BOX ? box_collider(0.09f, 0.1f, 0.07f) : collider_desc(kind);
+            ground.position[1] = kind == LR_COLLIDER_BOX ? -0.1f : 0.0f;
+            add_collider(world, ground);
+            lr_body_desc d = body_desc();
+            d.position[1] = 0.005f;
+            const lr_body body = add_body(world, batch, d);
+            steps(world, 36000, 1.0f / 60.0f, 1);
+            const lr_body_state s = state_of(world, body);
+            CHECK(length(vec(s.position) - vec(d.position)) < 1e-4);
+            CHECK(s.resting == (flags == 0 ? LR_REST_RESTING : LR_REST_AWAKE));
+        }
+}
+
+// One step through everything that a shot crosses.
+TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second") {
+    const Asset assets[] = {make(rigid_box(0.03, 0.02, 0.001, 400.0)), make(ellipsoid(0.02, 0.01, 0.0005, 400.0)),
+                            make(ellipsoid(0.005, 0.005, 0.005, 400.0))};
+    Triangles quad;
+    quad.vertices = {-50.0f, 0.0f, -50.0f, 50.0f, 0.0f, -50.0f, 50.0f, 0.0f, 50.0f, -50.0f, 0.0f, 50.0f};
+    quad.indices = {0, 1, 2, 0, 2, 3};
+    Random random(1);
+    for (int wall = 0; wall < 2; ++wall) {
+        lr_world_desc wd = world_desc();
+        wd.gravity[1] = 0.0f;
+        const World world = make(wd);
+        lr_batch batches[3];
+#ifdef LR_TEST_QUICK
+        constexpr uint32_t shots = 500;
+#else
+        constexpr uint32_t shots = 17000; // of each shape
+#endif
+        add_collider(world, wall == 0 ? box_collider(50.0f, 1e-4f, 50.0f) : mesh_collider(quad));
+        for (size_t b = 0; b < 3; ++b) {
+            batches[b] = add_batch(world, unloaded(), assets[b], shots);
+            set_contact(world, batches[b], contact_desc(0.3f, 0.0f));
+            std::vector<lr_body_desc> descs(shots, body_desc());
+            for (lr_body_desc& d : descs) {
+                const float tilt = random.real(-0.8, 0.8), side = random.below(2) == 0 ? 1.0f : -1.0f;
+                d.position[0] = random.real(-40.0, 40.0), d.position[2] = random.real(-40.0, 40.0);
+                d.position[1] = side * random.real(0.05, 1.0);
+                for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+                for (float& w : d.angular_velocity) w = random.real(-30.0, 30.0);
+                d.linear_velocity[0] = 20.0f * std::sin(tilt);
+                d.linear_velocity[1] = -side * 20.0f * std::cos(tilt);
+            }
+            REQUIRE(lr_body_create(world.get(), batches[b], descs.data(), shots, nullptr) == LR_OK);
+        }
+        std::vector<float> sides;
+        for (lr_batch batch : batches) {
+            const lr_batch_view v = view_of(world, batch);
+            for (uint32_t i = 0; i < v.count; ++i) sides.push_back(v.position[1][i] < 0.0f ? -1.0f : 1.0f);
+        }
+        steps(world, 12, 1.0f / 60.0f, 1);
+        size_t at = 0, through = 0, arrived = 0;
+        for (lr_batch batch : batches) {
+            const lr_batch_view v = view_of(world, batch);
+            for (uint32_t i = 0; i < v.count; ++i, ++at) {
+                if (v.position[1][i] * sides[at] < 0.0f) ++through;
+                if (std::abs(v.position[1][i]) < 0.04f) ++arrived;
+            }
+        }
+        CAPTURE(wall);
+        CHECK(through == 0);
+        CHECK(arrived > sides.size() / 2);
+    }
+}
