@@ -15,8 +15,9 @@ Vicinity vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i
     const auto at = [&](size_t f) {
         return Vector{arrays.field[f][i], arrays.field[f + 1][i], arrays.field[f + 2][i]};
     };
-    const float far =
-        1.5f * step.shape->reach * arrays.field[field_scale][i] + dt * (1.5f * length(at(field_vx)) + step.gain);
+    const float size = 1.5f * step.shape->reach * arrays.field[field_scale][i];
+    const float speed = length(at(field_vx)) + 0.25f * size * length(at(field_wx));
+    const float far = size + dt * (1.5f * speed + step.gain);
     const Vector x = at(field_x), half{far, far, far};
     return {x - half, x + half};
 }

@@ -214,7 +214,8 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
                 to.arm = to.at = to.normal = {zero, zero, zero};
                 for (uint32_t k = 0; k < count; ++k) {
                     const VF value = hn::Mul(nearness(points[k]), measure(points[k]));
-                    const auto more = hn::And(hn::Lt(points[k].gap, wide_margin), hn::Gt(value, most));
+                    const auto near = hn::And(touching, hn::Lt(points[k].gap, wide_margin));
+                    const auto more = hn::And(near, hn::Gt(value, most));
                     to = select(more, points[k], to);
                     most = hn::IfThenElse(more, value, most);
                 }

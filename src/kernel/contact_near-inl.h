@@ -54,10 +54,12 @@ void near_colliders(const NearColliders& c, float reach, float dt, float speed, 
     const DU du;
     const VF travel = constant(1.5f * dt), gain = constant(speed * dt);
     for (size_t at = begin; at < end; at += hn::Lanes(d)) {
-        const Vec3 x = load3(a, field_x, at), v = load3(a, field_vx, at);
+        const Vec3 x = load3(a, field_x, at), v = load3(a, field_vx, at), w = load3(a, field_wx, at);
         // Half of the reach again: contact begins before touching.
         const VF size = hn::Mul(constant(1.5f * reach), hn::Load(d, a.field[field_scale] + at));
-        const VF far = hn::Add(mul_add(travel, hn::Sqrt(dot(v, v)), size), gain);
+        // What spins fast may go fast a moment later: added mass turns the energy of one into that of the other.
+        const VF speed_now = mul_add(hn::Mul(constant(0.25f), size), hn::Sqrt(dot(w, w)), hn::Sqrt(dot(v, v)));
+        const VF far = hn::Add(mul_add(travel, speed_now, size), gain);
         auto is_near = hn::Lt(far, hn::Zero(d)); // nobody
         if (c.everywhere) is_near = hn::Not(is_near);
         for (uint32_t k = 0; k < c.plane_count; ++k) {

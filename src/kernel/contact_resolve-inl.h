@@ -51,6 +51,16 @@ template <bool kFull, class C> HWY_INLINE Twist turned_by(const C& c, Vec3 coupl
     return {{row(3, 4, 5), row(8, 9, 10), row(12, 13, 14)}, {row(15, 16, 17), row(16, 18, 19), row(17, 19, 20)}};
 }
 
+// No unit couple gives more spin.
+template <bool kFull, class C> HWY_INLINE float most_turned(const C& c) {
+    const auto size = [](float x) { return x < 0.0f ? -x : x; };
+    if constexpr (!kFull)
+        return HWY_MAX(c.inverse_spin_mass[0], HWY_MAX(c.inverse_spin_mass[1], c.inverse_spin_mass[2]));
+    const float* const m = c.full_inverse; // rows of its block of spins
+    return HWY_MAX(m[15] + size(m[16]) + size(m[17]),
+                   HWY_MAX(size(m[16]) + m[18] + size(m[19]), size(m[17]) + size(m[19]) + m[20]));
+}
+
 // Of a slot's normal impulse: what the contact must be held with at once, and the new one.
 HWY_INLINE VF press(Row& r, VF normal, VF dust) {
     const VF wanted = hn::Mul(hn::Sub(r.target, normal), hn::Mul(constant(1.3f), r.inverse)); // over-relaxed
@@ -235,17 +245,14 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             bounce[k] = mul_add(part, hn::Sub(last, first), first);
         }
         const VF rolling = hn::Mul(constant(b.rolling), hn::Mul(reach, inverse));
-        const float* const m = c.full_inverse;
-        const VF spin_hold =
-            constant(1.0f / (kFull ? m[15] + m[18] + m[20]
-                                   : c.inverse_spin_mass[0] + c.inverse_spin_mass[1] + c.inverse_spin_mass[2]));
+        const VF spin_hold = constant(1.0f / most_turned<kFull>(c));
         Twist moved = way;
         project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-4f), slop), moved);
         Twist correction{sub(moved.v, way.v), sub(moved.u, way.u)};
-        // A twist is a small rotation.
+        // A twist is a small rotation. The whole of it is made smaller: what no contact is against, no part of it is against.
         const VF large = hn::Mul(greatest(correction.u), inverse);
         const VF less = hn::Min(hn::Div(half, hn::Max(large, half)), one);
-        correction.u = scale(less, correction.u);
+        correction = {scale(less, correction.v), scale(less, correction.u)};
         VF touching[contact_slots];
         for (uint32_t k = 0; k < count; ++k) {
             gap[k] = hn::Add(gap[k], product(rows[k].along[0], correction));
@@ -303,12 +310,12 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         t = {scale(factor, t.v), scale(factor, t.u)};
 
         // What is left of the sweeps would make bodies at rest creep. One that neither moved before nor does now stays where it
-        // was, to the bit: less than 1/500 of gravity does not get it going.
+        // was, to the bit: less than 1/100 of gravity, half a degree of slope, does not get it going.
         const auto size = [&](const Twist& of) LR_LAMBDA {
             const VF spin = hn::Mul(hn::Mul(reach, inverse), hn::Sqrt(dot(of.u, of.u)));
             return hn::Add(hn::Sqrt(dot(of.v, of.v)), spin);
         };
-        const VF creep = constant(0.002f * b.gravity * b.h);
+        const VF creep = constant(0.01f * b.gravity * b.h);
         auto stays = hn::And(hn::Lt(size(began), creep), hn::Lt(size(t), creep));
         stays = hn::And(hn::And(stays, any_touch),
                         hn::And(hn::Eq(carried, zero), hn::Gt(shallow, hn::Neg(hn::Add(slop, slop)))));

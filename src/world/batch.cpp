@@ -181,13 +181,13 @@ uint32_t Batch::rest(uint32_t index) {
     if (awake_ == count_) resting_->begin();
     const uint32_t to = --awake_;
     swap(index, to);
+    for (size_t f = field_gust_x; f < fields(); ++f) arrays_.field[f][to] = 0.0f;
     lie_down(to, resting_->birth_of(arrays_.field[field_age][to], arrays_.field[field_age_rest][to]));
     return to;
 }
 
 void Batch::lie_down(uint32_t index, double birth) {
     for (size_t f : {field_vx, field_vy, field_vz, field_wx, field_wy, field_wz}) arrays_.field[f][index] = 0.0f;
-    for (size_t f = field_gust_x; f < fields(); ++f) arrays_.field[f][index] = 0.0f;
     external.clear(index);
     const float position[3] = {arrays_.field[field_x][index], arrays_.field[field_y][index],
                                arrays_.field[field_z][index]};
@@ -236,6 +236,7 @@ void Batch::restore_rest(const unsigned char* from) {
         std::memcpy(&birth, from + sizeof record + 8 * uint64_t{i}, sizeof birth);
         lie_down(i, birth);
     }
+    resting_->restore_turns(record);
 }
 
 bool Batch::reserve_contact() {

@@ -147,6 +147,10 @@ void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t c
     }
     if (tried_count == 0) return;
     padded = copies.take(batch.arrays(), tried, tried_count);
+    // In the arrays they are some earlier ones.
+    for (uint32_t i = 0; i < padded; ++i)
+        batch.resting()->age_of(tried[std::min(i, tried_count - 1)], copies.field[field_age][i],
+                                copies.field[field_age_rest][i]);
     for (size_t f = field_gust_x; f <= field_gust_z; ++f) std::fill_n(copies.field[f], padded, 0.0f);
     if (!remembers) arrays.field[field_gust_x] = arrays.field[field_gust_y] = arrays.field[field_gust_z] = nullptr;
     const StepInput one = [&] {

@@ -76,6 +76,8 @@ void Resting::begin() {
     earliest_ = never;
     steps_ = phase_;
     unjudged_ = false;
+    tried_ = 0;
+    std::fill_n(withstood_, 3, 0.0f);
 }
 
 void Resting::enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth) {
@@ -188,12 +190,15 @@ bool Resting::consistent(const Record& r, double birth) {
     return r.clock - birth >= -slack && r.clock - birth <= longest;
 }
 
+void Resting::restore_turns(const Record& r) {
+    tried_ = r.tried;
+    std::copy(r.wind, r.wind + 3, withstood_);
+}
+
 void Resting::restore(const Record& r) {
     clock_ = r.clock;
     steps_ = r.steps;
     unjudged_ = r.unjudged != 0;
-    tried_ = r.tried;
-    std::copy(r.wind, r.wind + 3, withstood_);
     earliest_ = never;
     grid.clear();
     if (!contact.rest_time) return;

@@ -89,6 +89,7 @@ public:
     static bool consistent(const Record& record, uint32_t count);
     static bool consistent(const Record& record, double birth);
     void restore(const Record& record);
+    void restore_turns(const Record& record); // after all have entered
 
 private:
     Resting() = default;
