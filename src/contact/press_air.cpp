@@ -77,16 +77,20 @@ void ContactGroup::press_air(const LaneRow (&before)[pose_fields], float begin, 
             if (!(last < first) || first > most) continue;
             const float l = share * scale * squared * squared;
             const float kept = std::sqrt((1.0f + l / first) / (1.0f + l / last));
-            // Along the ground's normal, and the way of the substep with the mean of both ends.
             const Vector n = rotate(inverse(pose.rotation), up);
             const Vector v{arrays_.field[field_vx][i], arrays_.field[field_vy][i], arrays_.field[field_vz][i]};
             const float speed = dot(n, v);
-            if (!(speed < 0.0f)) continue;
-            const Vector slower = v - ((1.0f - kept) * speed) * n;
+            const Vector v0 = rotate(was.rotation, {before[7][i], before[8][i], before[9][i]});
+            const float began = dot(up, v0);
+            if (!(speed < 0.0f && began <= 0.0f)) continue;
+            // What the substep's forces gave moves the air as well.
+            const float slow = kept * (began + (speed - began) / (1.0f + 2.0f * l / (first + last)));
+            const Vector slower = v - (speed - slow) * n;
             arrays_.field[field_vx][i] = slower.x;
             arrays_.field[field_vy][i] = slower.y;
             arrays_.field[field_vz][i] = slower.z;
-            pose.position = pose.position + (0.5f * (1.0f - kept) * (first - last)) * up;
+            // The way goes with the mean of both ends.
+            pose.position = pose.position + ((first - last) * (speed - slow) / (began + speed)) * up;
             set_pose(i, pose);
         }
     }
