@@ -88,7 +88,9 @@ TEST_CASE("boxes stick below the angle of friction and slide as they should abov
                     CAPTURE(size);
                     CAPTURE(substeps);
                     const double cone = std::atan(mu);
-                    const Slid held = slide(kind, cone - (size < 1.0 ? 5.0 : 1.0) * degree, size, mu, substeps, 2.0f);
+                    // Small boxes on steep slopes creep by half a millimetre a second nearer to it (docs/contact.md).
+                    const double below = size < 0.01 && mu > 0.8 ? 5.0 : 1.0;
+                    const Slid held = slide(kind, cone - below * degree, size, mu, substeps, 2.0f);
                     CHECK(std::abs(held.crept) < 0.01 * size);
                     CHECK(std::abs(held.speed) < 1e-3 * std::sqrt(gravity * size));
                     // The field is 200 sizes long on each side.
@@ -173,6 +175,7 @@ TEST_CASE("a sphere rolls down without slipping, and slower by rolling resistanc
         CHECK(rolls(angle, 0.0f, 1.001f) == doctest::Approx(a).epsilon(0.02));
         // The couple r N against the pull's m g sin R.
         CHECK(rolls(angle, narrow(0.8 * std::tan(angle)), 1.001f) == doctest::Approx(0.2 * a).epsilon(0.1));
+        CHECK(rolls(angle, narrow(1.2 * std::tan(angle)), 1.001f) < 1e-3 * std::sqrt(gravity * radius));
     }
 }
 
