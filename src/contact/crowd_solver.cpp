@@ -1,0 +1,213 @@
+#include "contact/crowd_solver.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace lr {
+namespace {
+
+constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
+constexpr uint32_t usual_colours = 64; // by bits; what finds none goes into blocks of its own
+constexpr uint32_t crowd_sweeps = 16;
+// Blocks and groups of bodies for which another thread is called: some microseconds of work.
+constexpr uint32_t block_grain = 16, group_grain = 64;
+
+template <class T> bool grow(Allocator& allocator, Buffer<T>& buffer, size_t count) {
+    if (buffer.size() >= count) return true;
+    Buffer<T> larger;
+    if (!larger.allocate(allocator, count + count / 2)) return false;
+    buffer.swap(larger);
+    return true;
+}
+
+void put(LaneRow* rows, uint32_t lane, Vector v) {
+    rows[0][lane] = v.x;
+    rows[1][lane] = v.y;
+    rows[2][lane] = v.z;
+}
+
+} // namespace
+
+bool CrowdSolver::reserve_bodies(uint32_t count) {
+    if (!grow(*allocator_, bodies_, size_t{count} + 1) || !grow(*allocator_, twists_, size_t{count} + 1) ||
+        !grow(*allocator_, used_colours_, count) || !grow(*allocator_, kind_of_, count / lanes + 1))
+        return false;
+    body_count_ = count;
+    return true;
+}
+
+// Each unit takes the lowest colour that neither of its bodies has yet.
+void CrowdSolver::colour(CrowdUnit* units, uint32_t unit_count) {
+    std::fill_n(used_colours_.data(), body_count_, uint64_t{0});
+    colour_count_ = 0;
+    uint32_t late = usual_colours;
+    for (uint32_t i = 0; i < unit_count; ++i) {
+        CrowdUnit& unit = units[i];
+        uint64_t used = used_colours_[unit.a];
+        if (unit.b != CrowdUnit::nobody) used |= used_colours_[unit.b];
+        unit.colour = used == ~uint64_t{0} ? late++ : static_cast<uint32_t>(std::countr_one(used));
+        colour_count_ = std::max(colour_count_, unit.colour + 1);
+        if (unit.colour >= usual_colours) continue;
+        used_colours_[unit.a] |= uint64_t{1} << unit.colour;
+        if (unit.b != CrowdUnit::nobody) used_colours_[unit.b] |= uint64_t{1} << unit.colour;
+    }
+}
+
+// Blocks hold units of one colour and of the same kinds, those with about as many contacts together.
+bool CrowdSolver::lay_out(const CrowdKind* kinds, const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units,
+                          uint32_t unit_count) {
+    if (!grow(*allocator_, order_, unit_count) || !grow(*allocator_, spare_, unit_count)) return false;
+    group_count_ = 0;
+    uint32_t kind_count = 1;
+    for (uint32_t r = 0; r < range_count; ++r) {
+        const uint32_t groups = (ranges[r].count + lanes - 1) / lanes;
+        for (uint32_t g = 0; g < groups; ++g) kind_of_[ranges[r].begin / lanes + g] = ranges[r].kind;
+        group_count_ = std::max(group_count_, ranges[r].begin / lanes + groups);
+        kind_count = std::max(kind_count, ranges[r].kind + 1);
+    }
+    colour(units, unit_count);
+    const auto kind_a = [&](const CrowdUnit& u) { return kind_of_[u.a / lanes]; };
+    const auto kind_b = [&](const CrowdUnit& u) { return u.b == CrowdUnit::nobody ? kind_a(u) : kind_of_[u.b / lanes]; };
+    for (uint32_t i = 0; i < unit_count; ++i) order_[i] = units + i;
+    // By the last criterion first: each pass keeps the order of the one before.
+    const auto sort_by = [&](uint32_t values, auto&& value) {
+        if (values == 1) return true;
+        if (!grow(*allocator_, first_unit_, values + 1)) return false;
+        std::fill_n(first_unit_.data(), values + 1, 0u);
+        for (uint32_t i = 0; i < unit_count; ++i) ++first_unit_[value(*order_[i]) + 1];
+        for (uint32_t v = 0; v < values; ++v) first_unit_[v + 1] += first_unit_[v];
+        for (uint32_t i = 0; i < unit_count; ++i) spare_[first_unit_[value(*order_[i])]++] = order_[i];
+        order_.swap(spare_);
+        return true;
+    };
+    if (!sort_by(block_contacts, [](const CrowdUnit& u) { return block_contacts - u.count; }) ||
+        !sort_by(kind_count, kind_b) || !sort_by(kind_count, kind_a) ||
+        !sort_by(colour_count_, [](const CrowdUnit& u) { return u.colour; }))
+        return false;
+    if (!grow(*allocator_, first_unit_, unit_count + 1) || !grow(*allocator_, first_block_, colour_count_ + 1))
+        return false;
+    block_count_ = 0;
+    uint32_t colours = 0;
+    for (uint32_t i = 0; i < unit_count;) {
+        const CrowdUnit& first = *order_[i];
+        while (colours <= first.colour) first_block_[colours++] = block_count_;
+        first_unit_[block_count_] = i;
+        for (uint32_t n = 0; n < lanes && i < unit_count; ++n, ++i) {
+            const CrowdUnit& u = *order_[i];
+            if (u.colour != first.colour || kind_a(u) != kind_a(first) || kind_b(u) != kind_b(first)) break;
+        }
+        ++block_count_;
+    }
+    while (colours <= colour_count_) first_block_[colours++] = block_count_;
+    first_unit_[block_count_] = unit_count;
+    if (!grow(*allocator_, blocks_, block_count_)) return false;
+    unit_count_ = unit_count;
+    for (uint32_t b = 0; b < block_count_; ++b)
+        for (uint32_t i = first_unit_[b]; i < first_unit_[b + 1]; ++i) {
+            CrowdUnit& unit = units[order_[i] - units];
+            unit.block = b;
+            unit.lane = i - first_unit_[b];
+        }
+    static_cast<void>(kinds);
+    return true;
+}
+
+void CrowdSolver::fill(const CrowdKind* kinds, const CrowdUnit* const* units, PairBlock& block) const {
+    const auto index = static_cast<size_t>(&block - blocks_.data());
+    const uint32_t count = first_unit_[index + 1] - first_unit_[index];
+    const CrowdUnit& first = *units[0];
+    block.kind_a = kind_of_[first.a / lanes];
+    block.kind_b = first.b == CrowdUnit::nobody ? block.kind_a : kind_of_[first.b / lanes];
+    block.lanes = count;
+    block.used = 0;
+    for (uint32_t lane = 0; lane < lanes; ++lane) {
+        const CrowdUnit* const unit = lane < count ? units[lane] : nullptr;
+        const bool pair = unit && unit->b != CrowdUnit::nobody;
+        block.a[lane] = unit ? unit->a : body_count_;
+        block.b[lane] = pair ? unit->b : body_count_;
+        if (unit) block.used = std::max(block.used, unit->count);
+        const auto mass = [&](uint32_t kind, uint32_t body) {
+            const float s = bodies_[body].scale;
+            return kinds[kind].body->unit_mass * s * s * s;
+        };
+        block.ratio[lane] = pair ? mass(block.kind_a, block.a[lane]) / mass(block.kind_b, block.b[lane]) : 0.0f;
+    }
+    for (uint32_t k = 0; k < block.used; ++k) {
+        PairContacts& to = block.contact[k];
+        for (uint32_t lane = 0; lane < lanes; ++lane) {
+            const bool there = lane < count && k < units[lane]->count;
+            const CrowdContact none{{}, {}, {0.0f, 1.0f, 0.0f}, no_contact, {}, 0.0f, 0.0f, false};
+            const CrowdContact& c = there ? units[lane]->contact[k] : none;
+            put(to.arm_a, lane, c.arm_a);
+            put(to.arm_b, lane, c.arm_b);
+            put(to.normal, lane, c.normal);
+            put(to.surface, lane, c.surface);
+            to.gap[lane] = c.gap;
+            to.friction[lane] = c.friction;
+            to.restitution[lane] = c.restitution;
+            to.solid[lane] = c.solid ? 1.0f : 0.0f;
+        }
+    }
+}
+
+// Blocks of a colour side by side, colours one after the other.
+template <class Function> void CrowdSolver::each_block(const Workers& workers, Function&& function) {
+    for (uint32_t colour = 0; colour < colour_count_; ++colour) {
+        const uint32_t first = first_block_[colour], count = first_block_[colour + 1] - first;
+        workers.run(count, block_grain, [&](uint32_t begin, uint32_t end) {
+            for (uint32_t i = begin; i < end; ++i) function(blocks_[first + i]);
+        });
+    }
+}
+
+template <class Function> void CrowdSolver::each_group(const Workers& workers, Function&& function) {
+    workers.run(group_count_, group_grain, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t g = begin; g < end; ++g) function(kind_of_[g], g * lanes);
+    });
+}
+
+// To and fro, as the contacts of a body alone.
+void CrowdSolver::sweep(const CrowdTarget& target, const CrowdInput& in, const Workers& workers, bool rolls) {
+    for (uint32_t n = 0; n < crowd_sweeps; ++n) {
+        std::atomic<bool> changed{false};
+        const auto note = [&](bool change) {
+            if (change) changed.store(true, std::memory_order_relaxed);
+        };
+        for (uint32_t i = 0; i < colour_count_; ++i) {
+            const uint32_t colour = (n & 1) == 0 ? i : colour_count_ - 1 - i;
+            const uint32_t first = first_block_[colour], count = first_block_[colour + 1] - first;
+            workers.run(count, block_grain, [&](uint32_t begin, uint32_t end) {
+                for (uint32_t k = begin; k < end; ++k) note(target.sweep(in, blocks_[first + k]));
+            });
+        }
+        if (rolls) each_group(workers, [&](uint32_t kind, uint32_t begin) { note(target.roll(in, kind, begin)); });
+        if (!changed) break;
+    }
+}
+
+bool CrowdSolver::solve(const CrowdTarget& target, float h, float gravity, const CrowdKind* kinds,
+                        const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units, uint32_t unit_count,
+                        const Workers& workers) {
+    if (!lay_out(kinds, ranges, range_count, units, unit_count)) return false;
+    CrowdBody& nobody = bodies_[body_count_];
+    nobody = CrowdBody{};
+    nobody.q[3] = nobody.q0[3] = nobody.scale = 1.0f;
+    twists_[body_count_] = CrowdTwist{};
+    bool rolls = false;
+    for (uint32_t r = 0; r < range_count; ++r) rolls = rolls || kinds[ranges[r].kind].rolling != 0.0f;
+    const CrowdInput in{h, gravity, kinds, bodies_.data(), twists_.data()};
+    workers.run(block_count_, block_grain, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t b = begin; b < end; ++b) fill(kinds, order_.data() + first_unit_[b], blocks_[b]);
+    });
+    each_group(workers, [&](uint32_t kind, uint32_t begin) { target.begin(in, kind, begin); });
+    each_block(workers, [&](PairBlock& block) { target.way(in, block); });
+    sweep(target, in, workers, rolls);
+    each_group(workers, [&](uint32_t kind, uint32_t begin) { target.move(in, kind, begin); });
+    each_block(workers, [&](PairBlock& block) { target.touch(in, block); });
+    each_block(workers, [&](PairBlock& block) { target.velocity(in, block); });
+    sweep(target, in, workers, rolls);
+    each_group(workers, [&](uint32_t kind, uint32_t begin) { target.finish(in, kind, begin); });
+    return true;
+}
+
+} // namespace lr

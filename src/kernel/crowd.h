@@ -1,0 +1,88 @@
+// Bodies that touch each other as the kernel sees them: bodies of a crowd by index, and blocks of pairs, a lane each, no two of
+// which in a colour share a body. Method: docs/body_contact.md.
+#pragma once
+
+#include "kernel/contact.h"
+
+namespace lr {
+
+// A body through a substep.
+struct alignas(64) CrowdBody {
+    float x[3], q[4];   // m; world: at its end
+    float x0[3], q0[4]; // and as it began
+    float v[3], w[3];   // m/s, rad/s, body frame: at its end
+    float v0[3], w0[3];
+    float scale;
+    // What contact makes of it.
+    float way[6], correction[6]; // twists (v, d s w) times s
+    float depth;                 // m, of the deepest overlap
+    float shallow;               // m, of the gaps with colliders that the substep began with the least, or 0
+    float carried;               // m/s, the fastest surface that it touches
+    float touches;               // 1: it touches something
+    float rolled[3];             // impulse couple against rolling
+    float dust;                  // m or m/s: spins that do not count
+};
+// What sweeps change of it.
+struct alignas(32) CrowdTwist {
+    float v[3], u[3];
+    float load; // impulses along normals, over its mass unit
+    float spare;
+};
+
+inline constexpr uint32_t block_contacts = 4;
+
+// Of contact_lanes pairs (a, b). Where b is the crowd's nobody, a touches what is not moved by it.
+struct PairContacts {
+    alignas(64) LaneRow arm_a[3]; // m, body frames, from the centres of mass; in the solver over d s
+    LaneRow arm_b[3];
+    LaneRow normal[3];  // world, unit, from b to a
+    LaneRow gap;        // m: of pairs as the substep began, with colliders at its end; no_contact: none
+    LaneRow surface[3]; // m/s, of what is not moved
+    LaneRow friction, restitution;
+    LaneRow solid;   // 1: a collider, that nothing may overlap
+    LaneRow pressed; // out: impulse along the normal over a's mass unit, m/s; negative: do not touch
+    // The solver's own; kernel/crowd-inl.h.
+    LaneRow tangent[3], inverse, to_first, to_second, hold[3], least, target, drift[2], dragged[2];
+    LaneRow before, bounce, touching;
+};
+struct PairBlock {
+    uint32_t kind_a, kind_b; // of all lanes
+    uint32_t used;           // contacts that any lane has
+    uint32_t lanes;          // that are pairs; the others are pairs of nobody with itself
+    alignas(64) uint32_t a[contact_lanes];
+    uint32_t b[contact_lanes];
+    LaneRow ratio;                      // of a's mass unit to b's; 0: b is not moved
+    LaneRow turn_a[9], turn_b[9], dust; // rotations as matrices
+    PairContacts contact[block_contacts];
+};
+
+// Bodies of one kind are of one batch.
+struct CrowdKind {
+    const BodyConstants* body;
+    float reach;   // m, at scale 1
+    float rolling; // ContactBodies::rolling
+};
+struct CrowdInput {
+    float h, gravity;
+    const CrowdKind* kinds;
+    CrowdBody* bodies;
+    CrowdTwist* twists;
+};
+
+// Of bodies: [begin, begin + contact_lanes) of one kind. Of blocks: one block; those of a colour may go side by side.
+struct CrowdTarget {
+    int32_t simd;
+    void (*begin)(const CrowdInput&, uint32_t kind, uint32_t begin); // before all else
+    void (*way)(const CrowdInput&, PairBlock&);                      // rows of the first projection
+    bool (*sweep)(const CrowdInput&, PairBlock&);                    // false: nothing has changed
+    bool (*roll)(const CrowdInput&, uint32_t kind, uint32_t begin);
+    void (*move)(const CrowdInput&, uint32_t kind,
+                 uint32_t begin); // the way's correction is made, and velocities are next
+    void (*touch)(const CrowdInput&, PairBlock&);
+    void (*velocity)(const CrowdInput&, PairBlock&); // rows of the second projection
+    void (*finish)(const CrowdInput&, uint32_t kind, uint32_t begin);
+};
+// Of the same instruction set as a KernelTarget's.
+const CrowdTarget& crowd_target(int32_t simd);
+
+} // namespace lr
