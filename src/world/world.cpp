@@ -108,7 +108,9 @@ lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const
 }
 
 void lr_world::destroy_batch(lr_batch batch) {
-    BatchSlot& slot = batches[lr::unpack_batch(batch).index];
+    const uint32_t at = lr::unpack_batch(batch).index;
+    pairs.remove(at);
+    BatchSlot& slot = batches[at];
     slot.body_generation = lr::next_generation(std::max(slot.body_generation, slot.batch->last_generation()));
     slot.generation = slot.generation == lr::max_batch_generation ? 1 : slot.generation + 1;
     Batch::destroy(slot.batch);

@@ -7,6 +7,7 @@
 #include "langevin_rigid.h"
 #include "world/allocator.h"
 #include "world/batch.h"
+#include "world/batch_pairs.h"
 #include "world/crew.h"
 #include "world/pacing.h"
 #include "world/step_chunks.h"
@@ -61,6 +62,7 @@ struct lr_world {
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
     lr::Surface surface;
     lr::Colliders colliders{allocator};
+    lr::BatchPairs pairs; // whose bodies meet each other
     lr::EventList contact_events;
     uint64_t step_count = 0, substep_count = 0;
     double time = 0.0; // s
