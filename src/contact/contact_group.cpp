@@ -230,26 +230,63 @@ void ContactGroup::touch_others(uint32_t i, const Near& near, float begin, float
     }
 }
 
-void ContactGroup::resolve(const LaneRow (&before)[pose_fields], float begin, float end, float h) {
+void ContactGroup::touch_resting(uint32_t i, const LaneRow (&before)[pose_fields], float h) {
+    const float margin = margin_of(i, h);
+    const Pose from{{before[0][i], before[1][i], before[2][i]}, {before[3][i], before[4][i], before[5][i], before[6][i]}};
+    RestingTouch touches[most_resting];
+    const uint32_t count = step_->resting->touched_by(arrays_.key[i], arrays_.field[field_scale][i], from, pose_of(i),
+                                                      margin, touches);
+    for (uint32_t n = 0; n < count; ++n)
+        for (uint32_t k = 0; k < touches[n].count; ++k) {
+            const PairContact& c = touches[n].contact[k];
+            const uint32_t at = place(i, c.gap);
+            if (at == contact_slots) continue;
+            ContactSlots::Slot& s = slots_.slot[at];
+            const auto put = [i](LaneRow(&rows)[3], Vector v) { rows[0][i] = v.x, rows[1][i] = v.y, rows[2][i] = v.z; };
+            put(s.arm, c.arm_a);
+            put(s.normal, c.normal);
+            put(s.surface, {});
+            s.gap[i] = c.gap;
+            s.friction[i] = touches[n].friction;
+            s.restitution[i] = touches[n].restitution;
+            s.collider[i] = a_body;
+            at_rest_[at][i] = {touches[n].batch, touches[n].index};
+        }
+}
+
+void ContactGroup::collect(const LaneRow (&before)[pose_fields], float begin, float end, float h) {
     if (step_->settings->ground_effect > 0.0f) press_air(before, begin, end);
     clip(before, begin, end);
     slots_.used = 0;
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
-    const ContactBodies bodies{body_,
-                               constants_of(*step_->shape, *step_->samples),
-                               h,
-                               step_->gravity,
-                               step_->settings->rolling,
-                               arrays_,
-                               before,
-                               contact_lanes};
-    touch_grounds(bodies, begin, end, h);
-    for (uint32_t i = 0; i < count_; ++i) touch_others(i, near_[i], begin, end, h);
     std::fill(touches_, touches_ + contact_lanes, false);
+    touch_grounds(bodies(before, h), begin, end, h);
+    for (uint32_t i = 0; i < count_; ++i) touch_others(i, near_[i], begin, end, h);
+    for (uint32_t i = 0; i < count_ && step_->resting; ++i) touch_resting(i, before, h);
+}
+
+void ContactGroup::take_out(uint32_t i) {
+    for (uint32_t k = 0; k < filled_[i]; ++k) slots_.slot[k].gap[i] = no_contact;
+    filled_[i] = 0;
+}
+
+void ContactGroup::solve(const LaneRow (&before)[pose_fields], float h) {
     if (slots_.used == 0) return;
-    step_->target->resolve(bodies, slots_);
+    step_->target->resolve(bodies(before, h), slots_);
     for (uint32_t i = 0; i < count_; ++i)
         for (uint32_t k = 0; k < filled_[i]; ++k) touches_[i] = touches_[i] || slots_.slot[k].impulse[i] >= 0.0f;
+}
+
+void ContactGroup::resolve(const LaneRow (&before)[pose_fields], float begin, float end, float h) {
+    collect(before, begin, end, h);
+    solve(before, h);
+}
+
+ContactBodies ContactGroup::bodies(const LaneRow (&before)[pose_fields], float h) const {
+    return {body_,   constants_of(*step_->shape, *step_->samples),
+            h,       step_->gravity,
+            step_->settings->rolling, arrays_,
+            before,  contact_lanes};
 }
 
 void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {

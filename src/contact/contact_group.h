@@ -4,6 +4,7 @@
 #include "contact/body_shape.h"
 #include "contact/colliders.h"
 #include "contact/ground_samples.h"
+#include "contact/resting_bodies.h"
 #include "kernel/contact.h"
 #include "kernel/wind.h"
 
@@ -34,6 +35,7 @@ struct ContactStep {
     float fluid_density; // kg/m^3
     float dt;            // s, of the step
     float gain;          // m/s that bodies may gain in it beside what they have
+    const RestingBodies* resting = nullptr; // that they meet; null: none
 };
 
 static_assert(most_ground_samples == most_ground_points);
@@ -72,6 +74,26 @@ public:
     // field_x on, as they were before it.
     void resolve(const LaneRow (&before)[pose_fields], float begin, float end, float h);
 
+    // The same in two parts. Between them contacts of single bodies can be taken out, to be solved with others'.
+    void collect(const LaneRow (&before)[pose_fields], float begin, float end, float h);
+    void solve(const LaneRow (&before)[pose_fields], float h);
+    uint32_t contacts(uint32_t lane) const { return filled_[lane]; }
+    const ContactSlots::Slot& contact(uint32_t k) const { return slots_.slot[k]; }
+    void take_out(uint32_t lane);
+
+    // The body at rest that a contact is with, whose collider is then `a_body`.
+    struct AtRest {
+        uint32_t batch, index;
+    };
+    static constexpr uint32_t a_body = UINT32_MAX - 1;
+    AtRest at_rest(uint32_t lane, uint32_t k) const { return at_rest_[k][lane]; }
+    // Of those that the body touched in the last substep.
+    template <class Function> void visit_at_rest(uint32_t lane, Function&& function) const {
+        for (uint32_t k = 0; k < filled_[lane] && touches_[lane]; ++k)
+            if (slots_.slot[k].collider[lane] == a_body && slots_.slot[k].impulse[lane] >= 0.0f)
+                function(at_rest_[k][lane]);
+    }
+
     // Of the last substep: the strongest contacts' colliders of a body, slot + 1 each, 0 behind the last; strongest first.
     void touched(uint32_t lane, uint32_t (&out)[4]) const;
     // With one of them, in the last substep: at its strongest contact, and the impulse of all. before: as for resolve().
@@ -84,10 +106,12 @@ private:
         uint32_t count;
         Candidate candidate[most_candidates];
     };
+    ContactBodies bodies(const LaneRow (&before)[pose_fields], float h) const;
     void press_air(const LaneRow (&before)[pose_fields], float begin, float end);
     void clip(const LaneRow (&before)[pose_fields], float begin, float end);
     void touch_grounds(const ContactBodies& bodies, float begin, float end, float h);
     void touch_others(uint32_t lane, const Near& near, float begin, float end, float h);
+    void touch_resting(uint32_t lane, const LaneRow (&before)[pose_fields], float h);
     void add(uint32_t lane, const ContactSlots::Slot& from);
     void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, Vector velocity, Vector spin,
              Vector middle);
@@ -107,6 +131,7 @@ private:
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
     Near near_[contact_lanes];
+    AtRest at_rest_[contact_slots][contact_lanes];
     ContactSlots slots_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace lr {
 namespace {
@@ -48,56 +47,15 @@ struct States {
     uint32_t bodies(uint32_t first) const { return std::min(lanes, near->count() - first); }
 };
 
-template <class Row> bool holds(const Row& row, uint32_t collider) {
-    return std::any_of(std::begin(row), std::end(row), [&](uint32_t c) { return c == collider; });
-}
-
-// What a body has begun to touch in a substep, and that it no longer touches what it did.
-void note(const ContactRun& run, const ContactGroup& group, const LaneRow (&before)[pose_fields], uint32_t lane,
-          uint32_t at, const uint32_t (&now)[most_touches]) {
-    const ContactBook& book = run.book;
-    const uint32_t slot = book.notes.slot(at);
-    uint32_t was[most_touches];
-    for (size_t k = 0; k < most_touches; ++k) was[k] = book.touching[k][at];
-    bool changed = book.notes.all;
-    for (const uint32_t collider : was) changed = changed || (collider != 0 && !holds(now, collider));
-    for (const uint32_t collider : now) {
-        if (collider == 0 || (!book.notes.all && holds(was, collider))) continue;
-        changed = true;
-        for (Touch& touch : book.notes.met[slot].touch) {
-            if (touch.collider == collider) break;
-            if (touch.collider != 0) continue;
-            touch = group.meeting(lane, collider - 1, before);
-            break;
-        }
-    }
-    if (changed) book.notes.noted[slot] |= noted_touch;
-}
-
 // After a substep: what the bodies of a group touch, and how long they have lain still.
 void enter(const ContactRun& run, const ContactGroup& group, const States& states, const LaneRow (&before)[pose_fields],
            uint32_t first, float seconds, bool last) {
-    const ContactBook& book = run.book;
-    if (!book.rest_time) return;
+    if (!run.book.rest_time) return;
     for (uint32_t i = 0; i < states.bodies(first); ++i) {
-        const uint32_t at = states.near->index(first + i);
         const auto value = [&](size_t f) { return states.field[f][first + i]; };
-        const auto square = [&](size_t f) {
-            return value(f) * value(f) + value(f + 1) * value(f + 1) + value(f + 2) * value(f + 2);
-        };
-        const float reach = run.step.shape->reach * value(field_scale);
-        const float limit = run.still * std::sqrt(reach);
-        const float speed = std::sqrt(square(field_vx)) + reach * std::sqrt(square(field_wx));
-        // What trembles by ten times as much takes four times as long.
-        const float share = !group.touches(i) || speed > 10.0f * limit ? 0.0f : speed > limit ? 0.25f : 1.0f;
-        book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
-        if (last && run.step.settings->may_rest && book.rest_time[at] >= time_to_rest)
-            book.comes_to_rest(book.batch, at);
-        uint32_t now[most_touches];
-        group.touched(i, now);
-        if (!last && now[0] == 0) continue; // it may come back within the step
-        if (book.notes.noted) note(run, group, before, i, at, now);
-        for (size_t k = 0; k < most_touches; ++k) book.touching[k][at] = now[k];
+        const BodyAfter body = body_after(run, group, i, states.near->index(first + i), value);
+        enter_body(run.book, body, run.step.settings->may_rest, seconds, last,
+                   [&](uint32_t collider) { return group.meeting(i, collider, before); });
     }
 }
 

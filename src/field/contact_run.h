@@ -2,23 +2,13 @@
 #pragma once
 
 #include "contact/contact_group.h"
+#include "field/contact_book.h"
 #include "field/surface_step.h"
-#include "field/touch_notes.h"
 #include "kernel/step.h"
 
+#include <cmath>
+
 namespace lr {
-
-// Per body of a batch, by dense index; each written by the thread that steps the body.
-struct ContactBook {
-    float* rest_time = nullptr;            // s, for which it has lain still; null: nothing is noted
-    uint32_t* touching[most_touches] = {}; // slots + 1 of the colliders that it touches, 0: none
-    void (*comes_to_rest)(void* batch, uint32_t index) = nullptr;
-    void* batch = nullptr;
-    TouchNotes notes;
-};
-
-// A body comes to rest when it has touched something and hardly moved for so long.
-inline constexpr float time_to_rest = 0.5f; // s
 
 // Of a batch in a step.
 struct ContactRun {
@@ -29,6 +19,19 @@ struct ContactRun {
     ContactBook book;
     float still; // m/s times sqrt(reach in m): slower bodies that touch something lie still
 };
+
+// value(field): of the body after the substep.
+template <class Value>
+BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t lane, uint32_t index,
+                     const Value& value) {
+    const auto size = [&](size_t f) {
+        return std::sqrt(value(f) * value(f) + value(f + 1) * value(f + 1) + value(f + 2) * value(f + 2));
+    };
+    const float reach = run.step.shape->reach * value(field_scale);
+    BodyAfter body{index, size(field_vx) + reach * size(field_wx), run.still * std::sqrt(reach), group.touches(lane), {}};
+    group.touched(lane, body.now);
+    return body;
+}
 
 // [begin, end) through all substeps of a step in a uniform wind.
 void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
