@@ -60,9 +60,9 @@ void note(const ContactRun& run, const ContactGroup& group, const LaneRow (&befo
     uint32_t was[most_touches];
     for (size_t k = 0; k < most_touches; ++k) was[k] = book.touching[k][at];
     bool changed = book.notes.all;
-    for (const uint32_t collider : was) changed = changed || (collider != 0 && !holds(now, collider));
+    for (const uint32_t collider : was) changed = changed || (is_collider(collider) && !holds(now, collider));
     for (const uint32_t collider : now) {
-        if (collider == 0 || (!book.notes.all && holds(was, collider))) continue;
+        if (!is_collider(collider) || (!book.notes.all && holds(was, collider))) continue;
         changed = true;
         for (Touch& touch : book.notes.met[slot].touch) {
             if (touch.collider == collider) break;

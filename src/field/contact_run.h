@@ -11,7 +11,7 @@ namespace lr {
 // Per body of a batch, by dense index; each written by the thread that steps the body.
 struct ContactBook {
     float* rest_time = nullptr;            // s, for which it has lain still; null: nothing is noted
-    uint32_t* touching[most_touches] = {}; // slots + 1 of the colliders that it touches, 0: none
+    uint32_t* touching[most_touches] = {}; // slots + 1 of colliders, touching_body; 0: none
     void (*comes_to_rest)(void* batch, uint32_t index) = nullptr;
     void* batch = nullptr;
     TouchNotes notes;
