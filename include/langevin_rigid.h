@@ -678,7 +678,7 @@ LR_API lr_status lr_batch_desc_init(lr_batch_desc* desc, uint32_t struct_size);
  * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* out);
 
-/* Ends a batch with all its bodies. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH. */
+/* Ends a batch with all its bodies. Those of batches that it met (lr_batch_set_pair_contact) wake. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH. */
 LR_API lr_status lr_batch_destroy(lr_world* world, lr_batch batch);
 
 /* k-epsilon samples in the units of the bake. Arrays are copied. */
@@ -1139,6 +1139,21 @@ LR_API lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact);
 
+/* Whether bodies of `a` and of `b` meet each other, from the next step on; their order does not matter, and a == b are the
+ * bodies of one batch among themselves. Initially none do. Friction, restitution and rolling resistance are those of
+ * lr_batch_contact: of a pair, friction is the geometric mean of both and restitution the larger. Layers are for colliders alone.
+ * Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
+ * at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
+ * docs/body_contact.md
+ * enabled: 0 or 1.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH (either), LR_ERROR_INVALID_ARGUMENT (enabled),
+ * LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_batch_set_pair_contact(lr_world* world, lr_batch a, lr_batch b, int32_t enabled);
+
+/* enabled: receives 0 or 1; unchanged after an error.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH (either). */
+LR_API lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled);
+
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Contact events: what touched, left, landed, woke and ended in a step. docs/contact_events.md                       */
 
@@ -1194,7 +1209,8 @@ LR_API lr_status lr_contact_event_list_init(lr_contact_event_list* list, uint32_
  * Contact is looked at after each substep, and ends only at the end of a step: what bounces within one begins once. What touches
  * and leaves within a step begins and ends in it. A body at rest still touches what it lies on. Of a body that ends there is one
  * LR_BODY_KILLED and nothing else; of those destroyed by lr_body_destroy there is nothing. At most four colliders of a body count,
- * those that press it most.
+ * those that press it most; other bodies that it touches count as one of the four, and neither begin nor end. A body that comes to
+ * rest on other bodies has landed.
  * list: initialised, or with struct_size set.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_world_get_contact_events(const lr_world* world, lr_contact_event_list* list);

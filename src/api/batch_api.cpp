@@ -105,6 +105,7 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
 }
 
 lr_status lr_batch_destroy(lr_world* world, lr_batch batch) {
+    const lr::FloatMode mode;
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (!world->find(batch)) return refuse(world, "lr_batch_destroy", LR_ERROR_STALE_BATCH);
     world->destroy_batch(batch);

@@ -1,4 +1,4 @@
-// How batches meet colliders.
+// How batches meet colliders, and which meet each other.
 #include "api/refuse.h"
 #include "world/world.h"
 
@@ -71,6 +71,27 @@ lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_c
     c.ground_effect = s.ground_effect;
     c.flags = s.may_rest ? 0 : LR_CONTACT_NEVER_REST;
     write_struct(c, contact);
+    return LR_OK;
+}
+
+lr_status lr_batch_set_pair_contact(lr_world* world, lr_batch a, lr_batch b, int32_t enabled) {
+    const lr::FloatMode mode;
+    constexpr const char* name = "lr_batch_set_pair_contact";
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    if (!world->find(a) || !world->find(b)) return refuse(world, name, LR_ERROR_STALE_BATCH);
+    if (enabled != 0 && enabled != 1)
+        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "enabled is neither 0 nor 1");
+    if (!world->set_pair(lr::unpack_batch(a).index, lr::unpack_batch(b).index, enabled != 0))
+        return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+    return LR_OK;
+}
+
+lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled) {
+    constexpr const char* name = "lr_batch_get_pair_contact";
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    if (!enabled) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
+    if (!world->find(a) || !world->find(b)) return refuse(world, name, LR_ERROR_STALE_BATCH);
+    *enabled = world->pairs.has(lr::unpack_batch(a).index, lr::unpack_batch(b).index) ? 1 : 0;
     return LR_OK;
 }
 

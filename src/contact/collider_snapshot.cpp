@@ -161,6 +161,10 @@ lr_status ColliderSnapshot::read(const unsigned char* from, uint64_t size, uint6
     return LR_OK;
 }
 
+bool ColliderSnapshot::any() const {
+    return at<SavedList>(from_, 0).count != 0;
+}
+
 void ColliderSnapshot::commit() {
     Colliders& c = *to_;
     const auto list = at<SavedList>(from_, 0);

@@ -16,6 +16,8 @@ public:
 
     // used: receives how many of the `size` bytes are the colliders'. `from` is kept for commit().
     lr_status read(const unsigned char* from, uint64_t size, uint64_t& used);
+    // After read(): whether there are any.
+    bool any() const;
     // After read() alone; cannot fail.
     void commit();
 

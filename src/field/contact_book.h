@@ -42,11 +42,10 @@ template <class Meeting> void note_touches(const ContactBook& book, const BodyAf
     uint32_t was[most_touches];
     for (size_t k = 0; k < most_touches; ++k) was[k] = book.touching[k][body.index];
     bool changed = book.notes.all;
-    for (const uint32_t collider : was) changed = changed || (collider != 0 && !holds(body.now, collider));
+    for (const uint32_t collider : was) changed = changed || (is_collider(collider) && !holds(body.now, collider));
     for (const uint32_t collider : body.now) {
-        if (collider == 0 || (!book.notes.all && holds(was, collider))) continue;
+        if (!is_collider(collider) || (!book.notes.all && holds(was, collider))) continue;
         changed = true;
-        if (collider == touching_body) continue;
         for (Touch& touch : book.notes.met[slot].touch) {
             if (touch.collider == collider) break;
             if (touch.collider != 0) continue;

@@ -11,6 +11,13 @@ namespace lr {
 
 inline constexpr uint32_t most_touches = 4; // colliders of a body that count
 
+// What a body touches: the slot of a collider + 1, or this for other bodies, however many; 0: nothing.
+inline constexpr uint32_t touching_body = UINT32_MAX;
+static_assert(LR_MAX_COLLIDERS < touching_body);
+inline bool is_collider(uint32_t touched) {
+    return touched != 0 && touched != touching_body;
+}
+
 struct Meetings {
     Touch touch[most_touches]; // unused ones last
 };

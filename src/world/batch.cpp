@@ -243,6 +243,10 @@ bool Batch::reserve_contact() {
     return reserve_rest() && resting_->reserve_contact(*allocator_, padded(capacity_));
 }
 
+void Batch::forget_touched_bodies() {
+    if (resting_) resting_->forget_touched_bodies(count_);
+}
+
 void Batch::make_ages_exact() {
     for (uint32_t i = awake_; i < count_; ++i)
         resting_->age_of(i, arrays_.field[field_age][i], arrays_.field[field_age_rest][i]);

@@ -105,6 +105,7 @@ public:
     bool reserve_contact();
     // After all bodies are back. from: a Resting::Record and a birth for each body, of any alignment; null: none rests.
     void restore_rest(const unsigned char* from);
+    void forget_touched_bodies(); // it meets none any more
     ContactArrays contact_arrays() const { return resting_ ? resting_->contact : ContactArrays{}; }
     // A body of a chunk that is stepped is to rest from the end of the step on; from any thread.
     void note_rest(uint32_t index) { resting_->note(index); }

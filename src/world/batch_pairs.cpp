@@ -22,9 +22,8 @@ bool BatchPairs::has(uint32_t a, uint32_t b) const {
     return std::binary_search(begin(), end(), link_of(a, b));
 }
 
-bool BatchPairs::meets(uint32_t slot) const {
-    const uint32_t* const at = first(slot);
-    return at != end() && *at >> batch_bits == slot;
+uint32_t BatchPairs::partners(uint32_t slot) const {
+    return static_cast<uint32_t>(first(slot + 1) - first(slot));
 }
 
 bool BatchPairs::set(Allocator& allocator, uint32_t a, uint32_t b, bool on) {
@@ -58,7 +57,7 @@ void BatchPairs::erase(uint32_t link) {
 }
 
 void BatchPairs::remove(uint32_t slot) {
-    visit_partners(slot, [&](uint32_t) { --pairs_; });
+    pairs_ -= partners(slot);
     uint32_t* const data = links_.data();
     const auto gone = [slot](uint32_t link) { return link >> batch_bits == slot || (link & partner_mask) == slot; };
     used_ = static_cast<uint32_t>(std::remove_if(data, data + used_, gone) - data);

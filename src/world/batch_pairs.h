@@ -13,7 +13,8 @@ class BatchPairs {
 public:
     bool any() const { return used_ != 0; }
     bool has(uint32_t a, uint32_t b) const; // their order does not matter
-    bool meets(uint32_t slot) const;        // others or its own
+    uint32_t partners(uint32_t slot) const; // how many it meets, itself among them
+    bool meets(uint32_t slot) const { return partners(slot) != 0; }
     uint32_t count() const { return pairs_; }
 
     // False when out of memory, and then nothing has changed.

@@ -102,7 +102,7 @@ ContactEvents::Held ContactEvents::now_held(const Batch& batch, uint32_t index, 
     uint32_t count = 0;
     for (const uint32_t* touching : contact.touching) {
         const uint32_t at = touching[index];
-        if (at != 0 && colliders.in_use(at - 1)) held.collider[count++] = colliders.id(at - 1);
+        if (is_collider(at) && colliders.in_use(at - 1)) held.collider[count++] = colliders.id(at - 1);
     }
     return held;
 }

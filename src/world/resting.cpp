@@ -1,5 +1,6 @@
 #include "world/resting.h"
 
+#include "field/touch_notes.h"
 #include "world/step_chunks.h"
 
 #include <algorithm>
@@ -123,6 +124,17 @@ void Resting::forget(uint32_t index) {
     rest_time_[index] = 0.0f;
     for (uint32_t* touching : contact.touching) touching[index] = 0;
     noted_[index] = 0;
+}
+
+void Resting::forget_touched_bodies(uint32_t count) {
+    for (uint32_t i = 0; i < count && contact.rest_time; ++i) {
+        size_t kept = 0;
+        for (size_t k = 0; k < most_touched; ++k) {
+            const uint32_t touched = contact.touching[k][i];
+            if (touched != touching_body) contact.touching[kept++][i] = touched;
+        }
+        for (; kept < most_touched; ++kept) contact.touching[kept][i] = 0;
+    }
 }
 
 bool Resting::pass(double seconds, uint32_t steps) {

@@ -13,8 +13,9 @@ inline constexpr uint32_t most_touched = 4;
 
 // By dense index, kept with the bodies as these move about. Null before Batch::reserve_contact().
 struct ContactArrays {
-    float* rest_time;                 // s, that a body has been slow; 0 when it wakes
-    uint32_t* touching[most_touched]; // slots of the colliders that it touches, + 1; 0: none
+    float* rest_time; // s, that a body has been slow; 0 when it wakes
+    // Slots of the colliders that it touches, + 1; touching_body for bodies, once; 0 behind the last.
+    uint32_t* touching[most_touched];
 };
 
 // A wind (m/s) that a body has withstood says the same of every weaker one from about the same direction.
@@ -46,6 +47,8 @@ public:
     void move(uint32_t from, uint32_t to);
     // There is no body at this index.
     void clear(uint32_t index);
+    // Of the first `count` bodies.
+    void forget_touched_bodies(uint32_t count);
     // A body's life begins anew.
     void forget(uint32_t index);
 

@@ -16,7 +16,7 @@ namespace lr {
 namespace {
 
 constexpr uint64_t magic = 0x31304e53444c524cull; // "LRLDSN01", little-endian
-constexpr uint32_t version = 6;
+constexpr uint32_t version = 7;
 
 struct Header {
     uint64_t magic;
@@ -31,7 +31,7 @@ struct Header {
     float gravity[3];
     float wind[3];
     uint32_t next_key;
-    uint32_t reserved;
+    uint32_t pair_count; // of BatchPairs, behind the colliders
 };
 
 struct BatchHeader {
@@ -52,7 +52,7 @@ struct BatchHeader {
     Pace::Record pace;
 };
 static_assert(std::is_trivially_copyable_v<BatchHeader>);
-static_assert(sizeof(Header) % 8 == 0 && sizeof(BatchHeader) % 8 == 0);
+static_assert(sizeof(Header) % 8 == 0 && sizeof(BatchHeader) % 8 == 0 && sizeof(BatchPairs::Pair) % 8 == 0);
 
 // Over all words but the checksum's own. Each step is a bijection of the state: one changed word always changes the
 // sum.
@@ -207,8 +207,8 @@ public:
 };
 
 uint64_t snapshot_size(const lr_world& w) {
-    uint64_t size =
-        sizeof(Header) + WindSnapshot::bytes(w.wind) + sizeof(Surface::Record) + ColliderSnapshot::bytes(w.colliders);
+    uint64_t size = sizeof(Header) + WindSnapshot::bytes(w.wind) + sizeof(Surface::Record) +
+                    ColliderSnapshot::bytes(w.colliders) + sizeof(BatchPairs::Pair) * uint64_t{w.pairs.count()};
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         size += sizeof(BatchHeader);
@@ -234,6 +234,7 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     std::memcpy(header.gravity, w.gravity, sizeof header.gravity);
     std::memcpy(header.wind, w.wind.uniform.wind, sizeof header.wind);
     header.next_key = w.next_key;
+    header.pair_count = w.pairs.count();
     std::memcpy(begin, &header, sizeof header);
     unsigned char* at = begin + sizeof header;
     WindSnapshot::save(w.wind, at);
@@ -243,6 +244,11 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     at += sizeof surface;
     ColliderSnapshot::save(w.colliders, at);
     at += ColliderSnapshot::bytes(w.colliders);
+    w.pairs.visit([&](uint32_t low, uint32_t high) {
+        const BatchPairs::Pair pair{low, high};
+        std::memcpy(at, &pair, sizeof pair);
+        at += sizeof pair;
+    });
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const BatchHeader h = SnapshotAccess::header(w.batches[i]);
         std::memcpy(at, &h, sizeof h);
@@ -289,6 +295,8 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
     Surface::Record surface{};
     ColliderSnapshot colliders(w.colliders);
     uint64_t collider_bytes = 0;
+    BatchPairs pairs;
+    const uint64_t pair_bytes = sizeof(BatchPairs::Pair) * uint64_t{header.pair_count};
     const auto check = [&]() -> lr_status {
         const lr_status windy = wind.read(begin + sizeof header, header.size - sizeof header, header.seed, wind_bytes);
         if (windy != LR_OK) return windy;
@@ -300,6 +308,10 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         const lr_status solid = colliders.read(begin + at, header.size - at, collider_bytes);
         if (solid != LR_OK) return solid;
         at += collider_bytes;
+        if (header.size - at < pair_bytes || !BatchPairs::consistent(begin + at, header.pair_count, header.batch_slots))
+            return LR_ERROR_SNAPSHOT_FORMAT;
+        if (!pairs.fill(w.allocator, begin + at, header.pair_count)) return LR_ERROR_OUT_OF_MEMORY;
+        at += pair_bytes;
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
             BatchHeader h{};
             if (header.size - at < sizeof h) return LR_ERROR_SNAPSHOT_FORMAT;
@@ -308,7 +320,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
             Batch* const batch = w.batches[i].batch;
             if ((h.capacity != 0) != (batch != nullptr)) return LR_ERROR_SNAPSHOT_MISMATCH;
             if (h.generation == 0 || h.generation > max_batch_generation || h.body_generation == 0 ||
-                h.body_generation > max_generation)
+                h.body_generation > max_generation || (!batch && pairs.meets(i)))
                 return LR_ERROR_SNAPSHOT_FORMAT;
             if (!batch) continue;
             if (h.capacity != batch->capacity() || h.content_hash != batch->asset().content_hash)
@@ -323,21 +335,23 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
             const uint64_t bytes = batch_bytes(h);
             const uint64_t parts = parts_bytes(h.parts, h.count);
             if (header.size - at < bytes + parts || !SnapshotAccess::consistent(h, i, begin + at) ||
-                !parts_consistent(h.parts, h.count, begin + at + bytes))
+                !parts_consistent(h.parts, h.count, pairs.meets(i), begin + at + bytes))
                 return LR_ERROR_SNAPSHOT_FORMAT;
             at += bytes + parts;
             if (h.table_count * 2ull != SnapshotAccess::table(*w.batches[i].batch).size() &&
                 !tables[i].allocate(w.allocator, 2ull * h.table_count))
                 return LR_ERROR_OUT_OF_MEMORY;
             if (!reserve_parts(*batch, h.parts)) return LR_ERROR_OUT_OF_MEMORY;
+            if ((colliders.any() || pairs.meets(i)) && !batch->reserve_contact()) return LR_ERROR_OUT_OF_MEMORY;
         }
         return at == header.size ? LR_OK : LR_ERROR_SNAPSHOT_FORMAT;
     };
     const lr_status status = check();
     if (status == LR_OK) {
-        const unsigned char* at = begin + sizeof header + wind_bytes + sizeof surface + collider_bytes;
+        const unsigned char* at = begin + sizeof header + wind_bytes + sizeof surface + collider_bytes + pair_bytes;
         wind.commit();
         colliders.commit();
+        w.pairs.swap(pairs);
         w.surface.restore(surface);
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
             BatchHeader h{};

@@ -36,6 +36,20 @@ bool finite(const unsigned char* from, uint64_t words) {
     return true;
 }
 
+// Slots of colliders may be those of destroyed ones.
+bool touched_consistent(uint32_t count, bool meets_bodies, const unsigned char* from) {
+    for (uint32_t i = 0; i < count; ++i) {
+        uint32_t bodies = 0;
+        for (uint64_t k = 0; k < most_touched; ++k) {
+            uint32_t touched;
+            std::memcpy(&touched, from + 4 * (k * even(count) + i), 4);
+            if (touched == touching_body) ++bodies;
+        }
+        if (bodies > (meets_bodies ? 1u : 0u)) return false;
+    }
+    return true;
+}
+
 } // namespace
 
 uint32_t parts_of(const Batch& batch) {
@@ -94,7 +108,7 @@ void save_parts(Batch& batch, unsigned char* to) {
     }
 }
 
-bool parts_consistent(uint32_t parts, uint32_t count, const unsigned char* from) {
+bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const unsigned char* from) {
     if (parts & part_batch_force) {
         if (!finite(from, force_components)) return false;
         from += 4 * force_components;
@@ -127,6 +141,7 @@ bool parts_consistent(uint32_t parts, uint32_t count, const unsigned char* from)
             std::memcpy(&rest_time, from + 4 * uint64_t{i}, 4);
             if (!(rest_time >= 0.0f) || !std::isfinite(rest_time)) return false;
         }
+        if (!touched_consistent(count, meets_bodies, from + 4 * even(count))) return false;
         from += uint64_t{4} * (1 + most_touched) * even(count);
     }
     if (parts & part_settings) {

@@ -24,8 +24,8 @@ uint32_t parts_of(const Batch& batch);
 uint64_t parts_bytes(uint32_t parts, uint32_t count);
 // Writes parts_bytes() of the batch's parts_of().
 void save_parts(Batch& batch, unsigned char* to);
-// Whether bytes that say to be these parts can be put back.
-bool parts_consistent(uint32_t parts, uint32_t count, const unsigned char* from);
+// Whether bytes that say to be these parts can be put back. meets_bodies: the batch is one of a pair.
+bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const unsigned char* from);
 // Memory for what restore_parts() will need; changes nothing that can be seen. False when there is none.
 bool reserve_parts(Batch& batch, uint32_t parts);
 // After the bodies are back. Ends whatever the snapshot does not have.

@@ -109,12 +109,28 @@ lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const
 
 void lr_world::destroy_batch(lr_batch batch) {
     const uint32_t at = lr::unpack_batch(batch).index;
+    pairs.visit_partners(at, [&](uint32_t other) {
+        if (other == at) return;
+        batches[other].batch->wake_all();
+        if (pairs.partners(other) == 1) batches[other].batch->forget_touched_bodies();
+    });
     pairs.remove(at);
     BatchSlot& slot = batches[at];
     slot.body_generation = lr::next_generation(std::max(slot.body_generation, slot.batch->last_generation()));
     slot.generation = slot.generation == lr::max_batch_generation ? 1 : slot.generation + 1;
     Batch::destroy(slot.batch);
     slot.batch = nullptr;
+}
+
+bool lr_world::set_pair(uint32_t a, uint32_t b, bool on) {
+    if (pairs.has(a, b) == on) return true;
+    if (on && (!batches[a].batch->reserve_contact() || !batches[b].batch->reserve_contact())) return false;
+    if (!pairs.set(allocator, a, b, on)) return false;
+    for (uint32_t slot : {a, b}) {
+        batches[slot].batch->wake_all();
+        if (!pairs.meets(slot)) batches[slot].batch->forget_touched_bodies();
+    }
+    return true;
 }
 
 lr_status lr_world::destroy_bodies(const lr_body* bodies, uint32_t count) {
@@ -459,6 +475,7 @@ uint64_t lr_world::hash() const {
     if (const uint64_t sources = wind.hash(time)) result = mix(result ^ sources);
     if (const uint64_t water = surface.hash()) result = mix(result ^ water);
     if (const uint64_t solid = colliders.hash()) result = mix(result ^ solid);
+    pairs.visit([&](uint32_t low, uint32_t high) { result = mix(result ^ (low | uint64_t{high} << 32)); });
     return result;
 }
 

@@ -25,6 +25,8 @@ struct lr_world {
 
     lr_status create_batch(const lr_asset& asset, uint32_t capacity, const lr::BatchSettings& settings, lr_batch& out);
     void destroy_batch(lr_batch batch);
+    // By slots of batches. A change wakes their bodies. False when out of memory, and then nothing has changed.
+    bool set_pair(uint32_t a, uint32_t b, bool on);
     lr_status destroy_bodies(const lr_body* bodies, uint32_t count);
 
     // All or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.

@@ -252,6 +252,11 @@ TEST_CASE("every pointer that must be given is asked for") {
     CHECK(lr_batch_set_contact(w, batch, nullptr) == LR_OK);
     CHECK(lr_batch_get_contact(nullptr, batch, &contact) == null);
     CHECK(lr_batch_get_contact(w, batch, nullptr) == null);
+    int32_t enabled = 9;
+    CHECK(lr_batch_set_pair_contact(nullptr, batch, batch, 1) == null);
+    CHECK(lr_batch_get_pair_contact(nullptr, batch, batch, &enabled) == null);
+    CHECK(lr_batch_get_pair_contact(w, batch, batch, nullptr) == null);
+    CHECK(enabled == 9);
 
     CHECK(hash_of(world) == before);
     steps(world, 1, 0.01f);

@@ -42,7 +42,8 @@ bool same(const lr::BatchPairs& pairs, const Model& model, const std::vector<uin
             if (there) expected.push_back(b);
         }
         pairs.visit_partners(a, [&](uint32_t b) { partners.push_back(b); });
-        equal = equal && partners == expected && pairs.meets(a) == !expected.empty();
+        equal = equal && partners == expected && pairs.partners(a) == expected.size() &&
+                pairs.meets(a) == !expected.empty();
     }
     return equal;
 }
