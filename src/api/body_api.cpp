@@ -158,7 +158,9 @@ lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* 
     if (!all_finite(s)) return refuse(world, name, LR_ERROR_NOT_FINITE);
     if (const char* why = wrong_in(s)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     if (b->rests(index)) index = b->wake(index);
+    world->leave(*b, index);
     b->write(index, to_storage(s));
+    world->wake_left();
     return LR_OK;
 }
 

@@ -232,10 +232,11 @@ void ContactGroup::touch_others(uint32_t i, const Near& near, float begin, float
 
 void ContactGroup::touch_resting(uint32_t i, const LaneRow (&before)[pose_fields], float h) {
     const float margin = margin_of(i, h);
-    const Pose from{{before[0][i], before[1][i], before[2][i]}, {before[3][i], before[4][i], before[5][i], before[6][i]}};
+    const Pose from{{before[0][i], before[1][i], before[2][i]},
+                    {before[3][i], before[4][i], before[5][i], before[6][i]}};
     RestingTouch touches[most_resting];
-    const uint32_t count = step_->resting->touched_by(arrays_.key[i], arrays_.field[field_scale][i], from, pose_of(i),
-                                                      margin, touches);
+    const uint32_t count =
+        step_->resting->touched_by(arrays_.key[i], arrays_.field[field_scale][i], from, pose_of(i), margin, touches);
     for (uint32_t n = 0; n < count; ++n)
         for (uint32_t k = 0; k < touches[n].count; ++k) {
             const PairContact& c = touches[n].contact[k];
@@ -283,29 +284,31 @@ void ContactGroup::resolve(const LaneRow (&before)[pose_fields], float begin, fl
 }
 
 ContactBodies ContactGroup::bodies(const LaneRow (&before)[pose_fields], float h) const {
-    return {body_,   constants_of(*step_->shape, *step_->samples),
-            h,       step_->gravity,
-            step_->settings->rolling, arrays_,
-            before,  contact_lanes};
+    return {body_,
+            constants_of(*step_->shape, *step_->samples),
+            h,
+            step_->gravity,
+            step_->settings->rolling,
+            arrays_,
+            before,
+            contact_lanes};
+}
+
+void TouchList::take(uint32_t one, float impulse) {
+    // A place for it: its own, or the weakest that is weaker.
+    size_t at = 0;
+    while (at < 4 && id[at] != one && id[at] != 0) ++at;
+    if (at == 4) at = static_cast<size_t>(std::min_element(strength, strength + 4) - strength);
+    if (id[at] != one && id[at] != 0 && !(impulse > strength[at])) return;
+    strength[at] = std::max(id[at] == one ? strength[at] : -1.0f, impulse);
+    id[at] = one;
 }
 
 void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {
-    std::fill(out, out + 4, 0u);
-    if (!touches_[i]) return;
-    float strength[4] = {-1.0f, -1.0f, -1.0f, -1.0f};
-    for (uint32_t k = 0; k < filled_[i]; ++k) {
-        const ContactSlots::Slot& s = slots_.slot[k];
-        if (!(s.impulse[i] >= 0.0f)) continue;
-        const uint32_t id = s.collider[i] + 1;
-        // A place for it: its own, or the weakest that is weaker.
-        size_t at = 0;
-        while (at < 4 && out[at] != id && out[at] != 0) ++at;
-        if (at == 4) at = static_cast<size_t>(std::min_element(strength, strength + 4) - strength);
-        if (out[at] == id || out[at] == 0 || s.impulse[i] > strength[at]) {
-            strength[at] = std::max(out[at] == id ? strength[at] : -1.0f, s.impulse[i]);
-            out[at] = id;
-        }
-    }
+    TouchList list;
+    for (uint32_t k = 0; k < filled_[i] && touches_[i]; ++k)
+        if (slots_.slot[k].impulse[i] >= 0.0f) list.take(slots_.slot[k].collider[i] + 1, slots_.slot[k].impulse[i]);
+    std::copy_n(list.id, 4, out);
 }
 
 Touch ContactGroup::meeting(uint32_t i, uint32_t collider, const LaneRow (&before)[pose_fields]) const {
@@ -345,9 +348,14 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
         // What the grids hold depends on when they were built, and must not matter: a body that nothing reaches goes the way
         // of the others, to the bit.
         for (uint32_t i = from; i < std::min(to, live); ++i) {
+            if (step.resting) near_[i - begin] = 1; // what they rest on is not looked for twice
             if (near_[i - begin] == 0) continue;
             const Vicinity around = vicinity(step, arrays, i, dt);
-            if (around.finite() && step.colliders->any_candidate(around.low, around.high, step.settings->layers))
+            const auto reached = [&] {
+                return around.finite() &&
+                       step.colliders->any_candidate(around.low, around.high, step.settings->layers);
+            };
+            if (step.resting || reached())
                 index_[count_++] = i;
             else
                 near_[i - begin] = 0;

@@ -31,10 +31,10 @@ struct ContactStep {
     const BodyShape* shape;
     const GroundSamples* samples;
     const ContactSettings* settings;
-    float gravity;       // m/s^2, magnitude
-    float fluid_density; // kg/m^3
-    float dt;            // s, of the step
-    float gain;          // m/s that bodies may gain in it beside what they have
+    float gravity;                          // m/s^2, magnitude
+    float fluid_density;                    // kg/m^3
+    float dt;                               // s, of the step
+    float gain;                             // m/s that bodies may gain in it beside what they have
     const RestingBodies* resting = nullptr; // that they meet; null: none
 };
 
@@ -62,6 +62,13 @@ struct Touch {
     uint32_t collider; // slot + 1; 0: none
     float position[3], normal[3];
     float speed, impulse; // m/s, N s
+};
+
+// What a body touches, the strongest first as far as there is room: colliders by slot + 1, bodies at rest by a_body + 1.
+struct TouchList {
+    uint32_t id[4] = {};
+    float strength[4] = {-1.0f, -1.0f, -1.0f, -1.0f};
+    void take(uint32_t one, float impulse);
 };
 
 // Up to contact_lanes bodies that may touch something, through a step.

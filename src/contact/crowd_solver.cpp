@@ -12,14 +12,6 @@ constexpr uint32_t crowd_sweeps = 16;
 // Blocks and groups of bodies for which another thread is called: some microseconds of work.
 constexpr uint32_t block_grain = 16, group_grain = 64;
 
-template <class T> bool grow(Allocator& allocator, Buffer<T>& buffer, size_t count) {
-    if (buffer.size() >= count) return true;
-    Buffer<T> larger;
-    if (!larger.allocate(allocator, count + count / 2)) return false;
-    buffer.swap(larger);
-    return true;
-}
-
 void put(LaneRow* rows, uint32_t lane, Vector v) {
     rows[0][lane] = v.x;
     rows[1][lane] = v.y;
@@ -54,8 +46,7 @@ void CrowdSolver::colour(CrowdUnit* units, uint32_t unit_count) {
 }
 
 // Blocks hold units of one colour and of the same kinds, those with about as many contacts together.
-bool CrowdSolver::lay_out(const CrowdKind* kinds, const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units,
-                          uint32_t unit_count) {
+bool CrowdSolver::lay_out(const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units, uint32_t unit_count) {
     if (!grow(*allocator_, order_, unit_count) || !grow(*allocator_, spare_, unit_count)) return false;
     group_count_ = 0;
     uint32_t kind_count = 1;
@@ -67,7 +58,9 @@ bool CrowdSolver::lay_out(const CrowdKind* kinds, const CrowdRange* ranges, uint
     }
     colour(units, unit_count);
     const auto kind_a = [&](const CrowdUnit& u) { return kind_of_[u.a / lanes]; };
-    const auto kind_b = [&](const CrowdUnit& u) { return u.b == CrowdUnit::nobody ? kind_a(u) : kind_of_[u.b / lanes]; };
+    const auto kind_b = [&](const CrowdUnit& u) {
+        return u.b == CrowdUnit::nobody ? kind_a(u) : kind_of_[u.b / lanes];
+    };
     for (uint32_t i = 0; i < unit_count; ++i) order_[i] = units + i;
     // By the last criterion first: each pass keeps the order of the one before.
     const auto sort_by = [&](uint32_t values, auto&& value) {
@@ -108,7 +101,6 @@ bool CrowdSolver::lay_out(const CrowdKind* kinds, const CrowdRange* ranges, uint
             unit.block = b;
             unit.lane = i - first_unit_[b];
         }
-    static_cast<void>(kinds);
     return true;
 }
 
@@ -188,7 +180,7 @@ void CrowdSolver::sweep(const CrowdTarget& target, const CrowdInput& in, const W
 bool CrowdSolver::solve(const CrowdTarget& target, float h, float gravity, const CrowdKind* kinds,
                         const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units, uint32_t unit_count,
                         const Workers& workers) {
-    if (!lay_out(kinds, ranges, range_count, units, unit_count)) return false;
+    if (!lay_out(ranges, range_count, units, unit_count)) return false;
     CrowdBody& nobody = bodies_[body_count_];
     nobody = CrowdBody{};
     nobody.q[3] = nobody.q0[3] = nobody.scale = 1.0f;

@@ -54,8 +54,7 @@ public:
     }
 
 private:
-    bool lay_out(const CrowdKind* kinds, const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units,
-                 uint32_t unit_count);
+    bool lay_out(const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units, uint32_t unit_count);
     void colour(CrowdUnit* units, uint32_t unit_count);
     void fill(const CrowdKind* kinds, const CrowdUnit* const* units, PairBlock& block) const;
     template <class Function> void each_block(const Workers& workers, Function&& function);

@@ -48,6 +48,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     retain(asset);
     batch->shape = make_body_shape(asset.data, asset.extents);
     batch->ground = make_ground_samples(batch->shape);
+    batch->meeting = make_meeting_shape(batch->shape);
     batch->step = StepInput{};
     batch->step.loads = settings.loads;
     batch->step.integrator = settings.integrator;

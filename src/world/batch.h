@@ -2,6 +2,7 @@
 #pragma once
 
 #include "asset/asset.h"
+#include "contact/body_pair.h"
 #include "contact/contact_group.h"
 #include "field/contact_run.h"
 #include "kernel/batch_arrays.h"
@@ -93,6 +94,16 @@ public:
         // One that wakes changes places with one that has been looked at.
         for (uint32_t i = awake_; i < count_; ++i) look_at(i);
     }
+    // The same, where none wakes. Any thread, while no body comes to rest or wakes.
+    template <class Function>
+    void look_at_resting(const float (&low)[3], const float (&high)[3], Function&& function) const {
+        if (awake_ == count_) return;
+        const auto look_at = [&](uint32_t index) {
+            if (reaches_into(index, low, high)) function(index);
+        };
+        if (resting_->grid.visit(low, high, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
+        for (uint32_t i = awake_; i < count_; ++i) look_at(i);
+    }
     bool reserve_rest();                          // false when out of memory
     Resting* resting() const { return resting_; } // null before reserve_rest()
     // Ages of bodies at rest, in the arrays, up to the present.
@@ -130,6 +141,7 @@ public:
     ContactSettings contact;
     BodyShape shape{}; // what of its bodies can touch
     GroundSamples ground{};
+    MeetingShape meeting{}; // what of them others can touch
     ContactBook contact_book();
 
     ContactEvents* events() const { return events_; } // null where none are kept

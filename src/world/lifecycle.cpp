@@ -100,6 +100,7 @@ void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
     const auto note = [&](uint32_t i) {
         ++by_cause_[cause_[i]];
         ended_ids_[ended_++] = batch.ids()[i];
+        world.leave(batch, i);
         if (!batch.events()) return;
         const BatchArrays& a = batch.arrays();
         batch.events()->note_killed(batch.ids()[i], a.key[i],

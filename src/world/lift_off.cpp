@@ -47,7 +47,8 @@ Vector wind_of(const Copies& c, uint32_t i) {
 LiftOff::LiftOff(lr_world& world, StepItem* items, const StepTime& time) : world_(&world), items_(items), time_(time) {
     for (uint32_t i = 0; i < world.batch_slots; ++i) {
         Batch* const batch = world.batches[i].batch;
-        if (!batch || batch->awake() == batch->count() || batch->contact.layers == 0) continue;
+        if (!batch || batch->awake() == batch->count()) continue;
+        if (batch->contact.layers == 0 && !world.pairs.meets(i)) continue;
         if (!batch->contact_arrays().rest_time) continue;
         if (!world.wind.active() && !world.surface.present() && batch->resting()->withstood(world.wind.uniform.wind))
             continue;
@@ -159,7 +160,9 @@ void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t c
         return s;
     }();
     const SurfaceStep* const surface = world_->surface.present() ? &surface_ : nullptr;
-    const ContactRun run = contact_run(*world_, batch, surface, time_, static_cast<float>(time_.h));
+    ContactRun run = contact_run(*world_, batch, surface, time_, static_cast<float>(time_.h));
+    const RestingNeighbours neighbours(*world_, unpack_batch(item.handle).index);
+    if (neighbours.any()) run.step.resting = &neighbours;
     if (field)
         step_in_field({world_->target, &world_->wind, time_, 0, 1, surface}, one, &run, arrays, item.handle,
                       tried_count, 0, padded);

@@ -4,6 +4,7 @@
 #include "world/step_chunks.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -171,8 +172,9 @@ void Resting::answered(uint32_t begin, uint32_t end, float max_age) {
 }
 
 void Resting::note(uint32_t index) {
-    noted_[index] = 1;
-    cut_noted_[index / cut_bodies] = 1;
+    const auto set = [](uint8_t& one) { std::atomic_ref<uint8_t>(one).store(1, std::memory_order_relaxed); };
+    set(noted_[index]);
+    set(cut_noted_[index / cut_bodies]);
 }
 
 bool Resting::any_contact(uint32_t count) const {

@@ -63,7 +63,7 @@ public:
     void answered(uint32_t begin, uint32_t end, float max_age);
     void ask_again() { unjudged_ = true; }
 
-    // From any thread for bodies of its own cuts (world/step_chunks.h).
+    // From any thread; of bodies that move, for those of its own cuts (world/step_chunks.h).
     void note(uint32_t index);
     // Bodies noted in a cut, and forgets that there are any.
     bool cut_noted(uint32_t cut) const { return cut_noted_[cut] != 0; }

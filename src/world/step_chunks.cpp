@@ -1,6 +1,7 @@
 #include "world/step_chunks.h"
 
 #include "field/field_step.h"
+#include "world/kept_lanes.h"
 #include "world/lifecycle.h"
 #include "world/world.h"
 
@@ -14,21 +15,6 @@ namespace {
 constexpr uint64_t cut_blocks = cut_bodies / lane_block;
 constexpr uint64_t chunks_a_thread = 8; // so that none waits long for the last
 constexpr uint64_t most_chunks = 1u << 24;
-
-// Bodies at rest in the lanes behind the last that moves, which vectors step along with it.
-class KeptLanes {
-public:
-    KeptLanes(const Batch& batch, uint32_t first, uint32_t last) : first_(first), count_(last - first) {
-        for (size_t f = 0; f < batch.fields(); ++f) std::copy_n(batch.arrays().field[f] + first, count_, lanes_[f]);
-    }
-    void put_back(const Batch& batch) const {
-        for (size_t f = 0; f < batch.fields(); ++f) std::copy_n(lanes_[f], count_, batch.arrays().field[f] + first_);
-    }
-
-private:
-    uint32_t first_, count_;
-    float lanes_[field_count][lane_block];
-};
 
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "world/world.h"
 
 #include "field/field_step.h"
+#include "world/crowd_step.h"
 #include "world/lifecycle.h"
 #include "world/lift_off.h"
 
@@ -12,6 +13,17 @@
 #include <new>
 
 using lr::Batch;
+
+namespace {
+
+// Those that go through the same times as the first, before the others. Returns where they end.
+lr::StepItem* same_time(lr::StepItem* begin, lr::StepItem* end) {
+    if (begin == end) return end;
+    const lr::Pace& first = begin->batch->pace;
+    return std::partition(begin, end, [&](const lr::StepItem& item) { return item.batch->pace.at_same_time(first); });
+}
+
+} // namespace
 
 lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
     const lr::KernelTarget* const target = lr::find_target(desc.simd_target);
@@ -145,7 +157,12 @@ lr_status lr_world::destroy_bodies(const lr_body* bodies, uint32_t count) {
         batch->unmark(index);
     }
     if (marked < count) return LR_ERROR_STALE_BODY;
-    for (uint32_t i = 0; i < count; ++i) find(bodies[i], index)->remove(bodies[i]);
+    for (uint32_t i = 0; i < count; ++i) {
+        Batch& batch = *find(bodies[i], index);
+        leave(batch, index);
+        batch.remove(bodies[i]);
+    }
+    wake_left();
     return LR_OK;
 }
 
@@ -179,6 +196,40 @@ uint32_t lr_world::wake_box(const float (&low)[3], const float (&high)[3]) {
         woken += batch->awake();
     }
     return woken;
+}
+
+void lr_world::leave(const Batch& batch, uint32_t index) {
+    const uint32_t slot = lr::unpack(batch.ids()[index]).batch;
+    if (!pairs.meets(slot)) return;
+    if (left_count == left.size()) {
+        lr::Buffer<Left> larger;
+        if (!larger.allocate(allocator, 16 + 2 * left.size())) {
+            left_all = true;
+            return;
+        }
+        std::copy_n(left.data(), left_count, larger.data());
+        left.swap(larger);
+    }
+    const double reach = 1.01 * batch.reach() * static_cast<double>(batch.arrays().field[lr::field_scale][index]);
+    Left& one = left[left_count++];
+    one.slot = slot;
+    for (size_t k = 0; k < 3; ++k) {
+        const auto x = static_cast<double>(batch.arrays().field[lr::field_x + k][index]);
+        one.low[k] = static_cast<float>(x - reach);
+        one.high[k] = static_cast<float>(x + reach);
+    }
+}
+
+void lr_world::wake_left() {
+    for (uint32_t i = 0; i < left_count && !left_all; ++i)
+        pairs.visit_partners(left[i].slot, [&](uint32_t other) {
+            Batch& partner = *batches[other].batch;
+            partner.visit_resting(left[i].low, left[i].high, [&](uint32_t index) { partner.wake(index); });
+        });
+    for (uint32_t i = 0; i < batch_slots && left_all; ++i)
+        if (batches[i].batch && pairs.meets(i)) batches[i].batch->wake_all();
+    left_count = 0;
+    left_all = false;
 }
 
 void lr_world::set_gravity(const float (&to)[3]) {
@@ -269,23 +320,16 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     }
     const lr::SurfaceStep at_surface{target, &surface, {}, gravity};
     const lr::SurfaceStep* const water = surface.present() ? &at_surface : nullptr;
-    if (!wind.active()) {
-        run(items.data(), item_count, water, mode);
-    } else {
-        // The field is prepared for moments in time: those that go through the same ones, together.
-        for (uint32_t from = 0; from < item_count;) {
-            const lr::Pace& first = items[from].batch->pace;
-            lr::StepItem* const to =
-                std::partition(items.data() + from, items.data() + item_count,
-                               [&](const lr::StepItem& item) { return item.batch->pace.at_same_time(first); });
-            const auto count = static_cast<uint32_t>(to - items.data()) - from;
-            run(items.data() + from, count, water, mode);
-            from += count;
-        }
-        if (wind.take_blame())
-            log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
-    }
-    const bool lift_off = colliders.any() && any_resting();
+    // Bodies that meet others go through the step together.
+    lr::StepItem* const crowds = std::partition(items.data(), items.data() + item_count, [&](const lr::StepItem& item) {
+        return !pairs.meets(lr::unpack_batch(item.handle).index);
+    });
+    const auto alone = static_cast<uint32_t>(crowds - items.data());
+    run_alone(items.data(), alone, water, mode);
+    run_crowds(crowds, item_count - alone, water, mode);
+    if (wind.active() && wind.take_blame())
+        log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
+    const bool lift_off = (colliders.any() || pairs.any()) && any_resting();
     if (lift_off) lr::LiftOff(*this, items.data(), {time, static_cast<double>(dt) / substeps, 1}).run(mode);
     wind.end_step(dt);
     if (colliders.any()) colliders.end_step();
@@ -300,6 +344,34 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
         if (batches[i].batch) batches[i].batch->wake_noted();
     finish_batches(static_cast<double>(dt));
     if (pacing.timed()) pacing.learn(std::chrono::duration<double>(Clock::now() - since).count());
+}
+
+void lr_world::run_alone(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at_surface,
+                         const lr::FloatMode& mode) {
+    if (!wind.active()) return run(some, count, at_surface, mode);
+    // The field is prepared for moments in time: those that go through the same ones, together.
+    for (lr::StepItem* const end = some + count; some != end;) {
+        lr::StepItem* const to = same_time(some, end);
+        run(some, static_cast<uint32_t>(to - some), at_surface, mode);
+        some = to;
+    }
+}
+
+void lr_world::run_crowds(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at_surface,
+                          const lr::FloatMode& mode) {
+    for (lr::StepItem* const end = some + count; some != end;) {
+        lr::StepItem* const to = same_time(some, end);
+        const auto here = static_cast<uint32_t>(to - some);
+        lr::CrowdStep step(*this, some, here, at_surface, mode);
+        const bool ready = step.prepare();
+        if (ready)
+            step.run();
+        else
+            run(some, here, at_surface, mode);
+        if (!ready || step.starved())
+            log(LR_LOG_WARNING, "lr_world_step", "out of memory: bodies went through each other in this step");
+        some = to;
+    }
 }
 
 // All of one time, where there is a field.
@@ -399,6 +471,7 @@ void lr_world::finish_batches(double dt) {
         batch->settle_noted();
         if (batch->events()) batch->events()->tell(*batch, handle, colliders, !still, contact_events);
     }
+    wake_left();
 }
 
 void lr_world::sample_wind(const float* positions, uint32_t count, float* velocities) const {

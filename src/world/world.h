@@ -9,6 +9,7 @@
 #include "world/batch.h"
 #include "world/batch_pairs.h"
 #include "world/crew.h"
+#include "world/crowd.h"
 #include "world/pacing.h"
 #include "world/step_chunks.h"
 
@@ -32,7 +33,10 @@ struct lr_world {
     // All or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
     lr_status set_rest(const lr_body* bodies, uint32_t count, bool rest);
     uint32_t wake_box(const float (&low)[3], const float (&high)[3]); // m; how many
-    void set_gravity(const float (&to)[3]);                           // wakes all where it changes
+    // A body goes away or elsewhere: what may lie on it is woken by wake_left().
+    void leave(const lr::Batch& batch, uint32_t index);
+    void wake_left();
+    void set_gravity(const float (&to)[3]); // wakes all where it changes
 
     uint32_t take_key(); // that tells the next body from all others
 
@@ -64,7 +68,8 @@ struct lr_world {
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
     lr::Surface surface;
     lr::Colliders colliders{allocator};
-    lr::BatchPairs pairs; // whose bodies meet each other
+    lr::BatchPairs pairs;
+    lr::Crowd crowd{allocator}; // whose bodies meet each other
     lr::EventList contact_events;
     uint64_t step_count = 0, substep_count = 0;
     double time = 0.0; // s
@@ -77,6 +82,15 @@ struct lr_world {
     };
     lr::Buffer<BatchSlot> batches;
     lr::Buffer<lr::StepItem> items; // room for as many, for the length of a step
+
+    // Where bodies were that others may have lain on; all: for want of memory it is not known.
+    struct Left {
+        uint32_t slot;         // of the batch
+        float low[3], high[3]; // m
+    };
+    lr::Buffer<Left> left;
+    uint32_t left_count = 0;
+    bool left_all = false;
 
     lr_log_fn log_callback = nullptr;
     void* log_user = nullptr;
@@ -98,6 +112,8 @@ private:
     void pace_batches(float dt, uint32_t substeps);
     void fill_input(lr::Batch& batch, float dt, bool& unfit);
     void run(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
+    void run_alone(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
+    void run_crowds(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
     void finish_batches(double dt);
     explicit lr_world(const lr::Allocator& from) : allocator(from) {}
     ~lr_world();

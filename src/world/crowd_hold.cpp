@@ -1,0 +1,243 @@
+// What the bodies of a crowd touch is solved: those that touch no other that moves by themselves, the rest together.
+#include "world/crowd_step.h"
+
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace lr {
+namespace {
+
+constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
+
+void put(float (&to)[3], Vector v) {
+    to[0] = v.x, to[1] = v.y, to[2] = v.z;
+}
+Vector vector_of(const float (&v)[3]) {
+    return {v[0], v[1], v[2]};
+}
+Vector row_of(const LaneRow (&rows)[3], uint32_t lane) {
+    return {rows[0][lane], rows[1][lane], rows[2][lane]};
+}
+
+} // namespace
+
+void CrowdStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const {
+    if (body.speed > trembling * body.limit) world_->batches[at_rest.batch].batch->note_rest(at_rest.index);
+}
+
+void CrowdStep::hold(uint32_t substep) {
+    uint32_t groups = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) groups += (crowd_->members[m].count + lanes - 1) / lanes;
+    workers_.run(groups, 4, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t at = begin; at < end; ++at) {
+            const CrowdMember* member = crowd_->members.data();
+            uint32_t group = at;
+            for (; group >= (member->count + lanes - 1) / lanes; ++member) group -= (member->count + lanes - 1) / lanes;
+            hold_group(*member, group * lanes, substep);
+        }
+    });
+}
+
+void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t substep) {
+    const BatchArrays& from = member.item.batch->arrays();
+    const uint32_t count = std::min(lanes, member.count - first);
+    // Copies: behind the last there are bodies at rest, or none.
+    alignas(64) float field[field_count][contact_lanes];
+    alignas(64) uint32_t key[contact_lanes];
+    alignas(64) LaneRow began_rows[pose_fields];
+    BatchArrays arrays{};
+    for (size_t f = 0; f < field_count; ++f) {
+        if (!from.field[f]) continue;
+        for (uint32_t i = 0; i < lanes; ++i) field[f][i] = from.field[f][first + std::min(i, count - 1)];
+        arrays.field[f] = field[f];
+    }
+    for (uint32_t i = 0; i < lanes; ++i) key[i] = from.key[first + std::min(i, count - 1)];
+    arrays.key = key;
+    for (size_t f = 0; f < pose_fields; ++f)
+        for (uint32_t i = 0; i < lanes; ++i)
+            began_rows[f][i] = *before(member.first + first + std::min(i, count - 1), f);
+
+    const auto n = static_cast<float>(time_.substeps), h = static_cast<float>(time_.h);
+    const float begin = static_cast<float>(substep) / n, end = static_cast<float>(substep + 1) / n;
+    ContactGroup group(member.run.step, member.item.batch->step.body, arrays, count);
+    group.collect(began_rows, begin, end, h);
+    const uint32_t* const place = crowd_->place.data() + member.first + first;
+    for (uint32_t i = 0; i < count && place_count_ != 0; ++i)
+        if (place[i] != none) take_out(member, group, i, place[i]);
+    group.solve(began_rows, h);
+    for (size_t f = 0; f < pose_fields; ++f) std::copy_n(field[f], count, from.field[f] + first);
+    for (uint32_t i = 0; i < count; ++i) {
+        if (place_count_ != 0 && place[i] != none) continue;
+        const BodyAfter body = body_after(member.run, group, i, first + i, [&](size_t f) { return field[f][i]; });
+        enter_body(member.run.book, body, member.run.step.settings->may_rest, h, last(substep),
+                   [&](uint32_t collider) { return group.meeting(i, collider, began_rows); });
+        group.visit_at_rest(i, [&](const ContactGroup::AtRest& other) { wake(body, other); });
+    }
+}
+
+// A body's contacts with what it does not move, to be solved with the others.
+void CrowdStep::take_out(const CrowdMember& member, ContactGroup& group, uint32_t lane, uint32_t place) {
+    Crowd& c = *crowd_;
+    const uint32_t count = group.contacts(lane), first = held_used_.fetch_add(count, std::memory_order_relaxed);
+    c.first_held[place] = first;
+    c.held_count[place] = count;
+    for (uint32_t k = 0; k < count; ++k) {
+        const ContactSlots::Slot& s = group.contact(k);
+        const bool solid = s.collider[lane] != ContactGroup::a_body;
+        c.held[first + k] = {s.collider[lane], solid ? ContactGroup::AtRest{} : group.at_rest(lane, k)};
+        c.held_contacts[first + k] = {
+            row_of(s.arm, lane), {},   row_of(s.normal, lane), s.gap[lane], row_of(s.surface, lane), s.friction[lane],
+            s.restitution[lane], solid};
+    }
+    group.take_out(lane);
+    static_cast<void>(member);
+}
+
+void CrowdStep::fill_body(uint32_t place) {
+    CrowdBody& to = crowd_->solver.bodies()[place];
+    const uint32_t body = crowd_->body_at[place];
+    to = CrowdBody{};
+    to.scale = to.q[3] = to.q0[3] = 1.0f;
+    if (body == none) return;
+    const CrowdMember& member = member_of(body);
+    const BatchArrays& a = member.item.batch->arrays();
+    const uint32_t index = body - member.first;
+    const auto take = [&](size_t field, float* now, float* then, size_t count) {
+        for (size_t k = 0; k < count; ++k) {
+            now[k] = a.field[field + k][index];
+            then[k] = *before(body, field + k);
+        }
+    };
+    take(field_x, to.x, to.x0, 3);
+    take(field_qx, to.q, to.q0, 4);
+    take(field_vx, to.v, to.v0, 3);
+    take(field_wx, to.w, to.w0, 3);
+    to.scale = a.field[field_scale][index];
+}
+
+// In the order of places: each body's contacts with what it does not move, and the pairs that it has found in that of the
+// others' places.
+uint32_t CrowdStep::list_units() {
+    Crowd& c = *crowd_;
+    uint32_t used = 0;
+    for (uint32_t place = 0; place < place_count_; ++place) {
+        const uint32_t body = c.body_at[place];
+        c.first_unit[place] = used;
+        c.touches_body[place] = 0;
+        if (body == none) continue;
+        for (uint32_t k = 0; k < c.held_count[place]; k += block_contacts)
+            c.units[used++] = {place,
+                               CrowdUnit::nobody,
+                               c.held_contacts.data() + c.first_held[place] + k,
+                               std::min(block_contacts, c.held_count[place] - k),
+                               0,
+                               0,
+                               0};
+        const uint32_t first = used;
+        for (uint32_t i = c.first_pair[body]; i < c.first_pair[body + 1]; ++i) {
+            const Crowd::Pair& pair = c.pairs[i];
+            if (pair.count == 0) continue;
+            const uint32_t other = c.place[pair.b];
+            uint32_t at = used++;
+            for (; at > first && c.units[at - 1].b > other; --at) c.units[at] = c.units[at - 1];
+            c.units[at] = {place, other, c.pair_contacts.data() + size_t{block_contacts} * i, pair.count, 0, 0, 0};
+        }
+    }
+    return used;
+}
+
+bool CrowdStep::solve() {
+    Crowd& c = *crowd_;
+    workers_.run(place_count_, 256, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t place = begin; place < end; ++place) fill_body(place);
+    });
+    const uint32_t unit_count = list_units();
+    if (!grow(world_->allocator, c.kinds, member_count_) || !grow(world_->allocator, c.ranges, member_count_))
+        return false;
+    uint32_t ranges = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) {
+        c.kinds[m] = c.members[m].kind;
+        const uint32_t begin = c.members[m].first_place;
+        const uint32_t end = m + 1 < member_count_ ? c.members[m + 1].first_place : place_count_;
+        if (begin < end) c.ranges[ranges++] = {m, begin, end - begin};
+    }
+    const auto h = static_cast<float>(time_.h);
+    if (!c.solver.solve(crowd_target(world_->target->simd), h, c.members[0].run.step.gravity, c.kinds.data(),
+                        c.ranges.data(), ranges, c.units.data(), unit_count, workers_))
+        return false;
+    for (uint32_t i = 0; i < unit_count; ++i) {
+        const CrowdUnit& unit = c.units[i];
+        if (unit.b == CrowdUnit::nobody) continue;
+        for (uint32_t k = 0; k < unit.count; ++k)
+            if (c.solver.pressed(unit, k) >= 0.0f) c.touches_body[unit.a] = c.touches_body[unit.b] = 1;
+    }
+    return true;
+}
+
+float CrowdStep::pressed(uint32_t place, uint32_t k) const {
+    return crowd_->solver.pressed(crowd_->units[crowd_->first_unit[place] + k / block_contacts], k % block_contacts);
+}
+
+// As ContactGroup::meeting.
+Touch CrowdStep::meeting(uint32_t place, uint32_t collider) const {
+    const Crowd& c = *crowd_;
+    const CrowdBody& body = crowd_->solver.bodies()[place];
+    const CrowdMember& member = member_of(c.body_at[place]);
+    Touch touch{};
+    touch.collider = collider + 1;
+    const Pose now{vector_of(body.x), {body.q[0], body.q[1], body.q[2], body.q[3]}};
+    const Rotation then{body.q0[0], body.q0[1], body.q0[2], body.q0[3]};
+    float strongest = -1.0f, sum = 0.0f;
+    for (uint32_t k = 0; k < c.held_count[place]; ++k) {
+        const float impulse = pressed(place, k);
+        if (c.held[c.first_held[place] + k].collider != collider || !(impulse >= 0.0f)) continue;
+        sum += impulse;
+        if (!(impulse > strongest)) continue;
+        strongest = impulse;
+        const CrowdContact& contact = c.held_contacts[c.first_held[place] + k];
+        put(touch.position, to_outer(now, contact.arm_a));
+        put(touch.normal, contact.normal);
+        const Vector speed = vector_of(body.v0) + cross(vector_of(body.w0), contact.arm_a);
+        touch.speed = std::max(dot(contact.normal, contact.surface - rotate(then, speed)), 0.0f);
+    }
+    touch.impulse = member.kind.body->unit_mass * body.scale * body.scale * body.scale * sum;
+    return touch;
+}
+
+void CrowdStep::put_back(uint32_t place, uint32_t substep) {
+    const Crowd& c = *crowd_;
+    const uint32_t index_in_crowd = c.body_at[place];
+    if (index_in_crowd == none) return;
+    const CrowdMember& member = member_of(index_in_crowd);
+    const uint32_t index = index_in_crowd - member.first;
+    const BatchArrays& a = member.item.batch->arrays();
+    const CrowdBody& from = crowd_->solver.bodies()[place];
+    const auto give = [&](size_t field, const float* values, size_t count) {
+        for (size_t k = 0; k < count; ++k) a.field[field + k][index] = values[k];
+    };
+    give(field_x, from.x, 3);
+    give(field_qx, from.q, 4);
+    give(field_vx, from.v, 3);
+    give(field_wx, from.w, 3);
+    BodyAfter body{};
+    body.index = index;
+    const float reach = member.run.step.shape->reach * from.scale;
+    body.speed = length(vector_of(from.v)) + reach * length(vector_of(from.w));
+    body.limit = member.run.still * std::sqrt(reach);
+    TouchList touched;
+    for (uint32_t k = 0; k < c.held_count[place]; ++k) {
+        const float impulse = pressed(place, k);
+        if (!(impulse >= 0.0f)) continue;
+        const Crowd::Held& held = c.held[c.first_held[place] + k];
+        touched.take(held.collider + 1, impulse);
+        if (held.collider == ContactGroup::a_body) wake(body, held.at_rest);
+    }
+    if (c.touches_body[place] != 0) touched.take(touching_body, 0.0f);
+    body.touches = touched.id[0] != 0;
+    std::copy_n(touched.id, most_touches, body.now);
+    enter_body(member.run.book, body, member.run.step.settings->may_rest, static_cast<float>(time_.h), last(substep),
+               [&](uint32_t collider) { return meeting(place, collider); });
+}
+
+} // namespace lr

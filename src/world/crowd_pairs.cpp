@@ -1,0 +1,182 @@
+// Which bodies of a crowd touch each other in a substep.
+#include "world/crowd_step.h"
+
+#include "world/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+constexpr uint32_t grain = 128; // bodies: some ten microseconds
+
+} // namespace
+
+// As of a body near a collider (contact/contact_group.cpp).
+float CrowdStep::margin_of(const CrowdMember& member, uint32_t index) const {
+    const BatchArrays& a = member.item.batch->arrays();
+    const auto size = [&](size_t f) { return std::abs(a.field[f][index]); };
+    const float far = std::max(size(field_x), std::max(size(field_y), size(field_z)));
+    const auto h = static_cast<float>(time_.h);
+    const float reach = member.run.step.shape->reach * a.field[field_scale][index];
+    return 0.005f * reach + 1e-6f * far + member.run.step.gravity * h * h;
+}
+
+void CrowdStep::set_box(const CrowdMember& member, uint32_t index) {
+    const Batch& batch = *member.item.batch;
+    const float scale = batch.arrays().field[field_scale][index], margin = margin_of(member, index);
+    const Bounds from = bounds(batch.meeting, scale, began(member.first + index));
+    const Bounds to = bounds(batch.meeting, scale, pose_of(batch.arrays(), index));
+    MeetingBox& box = crowd_->grid.boxes()[member.first + index];
+    const auto put = [&](size_t k, float low0, float low1, float high0, float high1) {
+        box.low[k] = std::min(low0, low1) - margin;
+        box.high[k] = std::max(high0, high1) + margin;
+    };
+    put(0, from.low.x, to.low.x, from.high.x, to.high.x);
+    put(1, from.low.y, to.low.y, from.high.y, to.high.y);
+    put(2, from.low.z, to.low.z, from.high.z, to.high.z);
+    box.body = member.first + index;
+}
+
+// Of a pair the one with the smaller box finds the other, or the first by batch and key.
+bool CrowdStep::finds(const MeetingBox& one, const MeetingBox& other) const {
+    if (one.body == other.body) return false;
+    const CrowdMember &a = member_of(one.body), &b = member_of(other.body);
+    if (&a == &b ? !a.own : !world_->pairs.has(a.slot, b.slot)) return false;
+    if (one.level != other.level) return one.level < other.level;
+    if (&a != &b) return a.slot < b.slot;
+    const uint32_t* const key = a.item.batch->arrays().key;
+    return key[one.body - a.first] < key[other.body - b.first];
+}
+
+// The contacts of a body's pairs. Gaps are those that the substep begins with, so that what goes through each other within it
+// is known by the side on which it began; those that stay open need not be held.
+void CrowdStep::meet(const MeetingBox& one, uint32_t& at) {
+    const CrowdMember& a = member_of(one.body);
+    const Batch& batch_a = *a.item.batch;
+    const uint32_t index_a = one.body - a.first;
+    const float scale_a = batch_a.arrays().field[field_scale][index_a], margin_a = margin_of(a, index_a);
+    const Pose from_a = began(one.body), to_a = pose_of(batch_a.arrays(), index_a);
+    const float way_a = way_of(from_a, to_a, batch_a.shape.reach * scale_a);
+    crowd_->grid.visit(one, [&](const MeetingBox& other) {
+        if (!finds(one, other)) return;
+        const CrowdMember& b = member_of(other.body);
+        const Batch& batch_b = *b.item.batch;
+        const uint32_t index_b = other.body - b.first;
+        const float scale_b = batch_b.arrays().field[field_scale][index_b];
+        const Pose from_b = began(other.body), to_b = pose_of(batch_b.arrays(), index_b);
+        const float margin = std::min(margin_a, margin_of(b, index_b));
+        const float within = margin + way_a + way_of(from_b, to_b, batch_b.shape.reach * scale_b);
+        PairContact found[most_pair_contacts];
+        const uint32_t count =
+            find_pair_contacts(batch_a.meeting, scale_a, from_a, batch_b.meeting, scale_b, from_b, within, found);
+        Crowd::Pair& pair = crowd_->pairs[at];
+        CrowdContact* const contacts = crowd_->pair_contacts.data() + size_t{block_contacts} * at++;
+        pair = {one.body, other.body, 0};
+        const float friction = pair_friction(batch_a.contact, batch_b.contact);
+        const float restitution = pair_restitution(batch_a.contact, batch_b.contact);
+        for (uint32_t k = 0; k < count; ++k) {
+            const PairContact& c = found[k];
+            const Vector moved_a = to_outer(to_a, c.arm_a) - to_outer(from_a, c.arm_a);
+            const Vector moved_b = to_outer(to_b, c.arm_b) - to_outer(from_b, c.arm_b);
+            if (!(c.gap + dot(c.normal, moved_a - moved_b) < margin)) continue;
+            contacts[pair.count++] = {c.arm_a, c.arm_b, c.normal, c.gap, {}, friction, restitution, false};
+        }
+    });
+}
+
+bool CrowdStep::find_pairs() {
+    Crowd& c = *crowd_;
+    Allocator& allocator = world_->allocator;
+    if (!c.grid.reserve(allocator, body_count_) || !grow(allocator, c.first_pair, size_t{body_count_} + 1))
+        return false;
+    workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t body = begin; body < end; ++body) {
+            const CrowdMember& member = member_of(body);
+            if (body - member.first < member.count) {
+                set_box(member, body - member.first);
+            } else {
+                MeetingBox& box = c.grid.boxes()[body]; // padding meets nothing
+                std::fill_n(box.low, 3, 1.0f);
+                std::fill_n(box.high, 3, -1.0f);
+                box.body = body;
+            }
+        }
+    });
+    c.grid.build(body_count_);
+    workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t body = begin; body < end; ++body) {
+            const MeetingBox& one = c.grid.box(body);
+            uint32_t count = 0;
+            c.grid.visit(one, [&](const MeetingBox& other) { count += finds(one, other) ? 1u : 0u; });
+            c.first_pair[body] = count;
+        }
+    });
+    uint32_t sum = 0;
+    for (uint32_t body = 0; body < body_count_; ++body) {
+        const uint32_t count = c.first_pair[body];
+        c.first_pair[body] = sum;
+        sum += count;
+    }
+    c.first_pair[body_count_] = sum;
+    if (!grow(allocator, c.pairs, sum) || !grow(allocator, c.pair_contacts, size_t{block_contacts} * sum)) return false;
+    workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t body = begin; body < end; ++body) {
+            uint32_t at = c.first_pair[body];
+            if (c.first_pair[body + 1] != at) meet(c.grid.box(body), at);
+        }
+    });
+    return true;
+}
+
+// Those that touch another get places: batches one after the other, each in the order of keys and from a whole group of
+// lanes on.
+bool CrowdStep::number_touching() {
+    constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
+    Crowd& c = *crowd_;
+    Allocator& allocator = world_->allocator;
+    if (!grow(allocator, c.place, body_count_) || !grow(allocator, c.order, body_count_)) return false;
+    std::fill_n(c.place.data(), body_count_, none);
+    const uint32_t pair_count = c.first_pair[body_count_];
+    for (uint32_t i = 0; i < pair_count; ++i)
+        if (c.pairs[i].count != 0) c.place[c.pairs[i].a] = c.place[c.pairs[i].b] = 0;
+    uint32_t count = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) {
+        CrowdMember& member = c.members[m];
+        count = (count + lanes - 1) / lanes * lanes;
+        member.first_place = count;
+        for (uint32_t i = 0; i < member.count; ++i)
+            if (c.place[member.first + i] == 0) ++count;
+    }
+    const uint32_t padded = (count + lanes - 1) / lanes * lanes;
+    if (padded == 0) return true;
+    if (!grow(allocator, c.body_at, padded) || !grow(allocator, c.first_held, padded) ||
+        !grow(allocator, c.held_count, padded) || !grow(allocator, c.first_unit, padded) ||
+        !grow(allocator, c.touches_body, padded) || !grow(allocator, c.held, size_t{contact_slots} * padded) ||
+        !grow(allocator, c.held_contacts, size_t{contact_slots} * padded) ||
+        !grow(allocator, c.units, size_t{contact_slots / block_contacts} * padded + pair_count) ||
+        !c.solver.reserve_bodies(padded)) {
+        std::fill_n(c.place.data(), body_count_, none);
+        return false;
+    }
+    std::fill_n(c.body_at.data(), padded, none);
+    for (uint32_t m = 0; m < member_count_; ++m) {
+        const CrowdMember& member = c.members[m];
+        const uint32_t* const key = member.item.batch->arrays().key;
+        uint32_t found = 0;
+        for (uint32_t i = 0; i < member.count; ++i)
+            if (c.place[member.first + i] == 0) c.order[found++] = uint64_t{key[i]} << 32 | (member.first + i);
+        std::sort(c.order.data(), c.order.data() + found);
+        for (uint32_t i = 0; i < found; ++i) {
+            const auto body = static_cast<uint32_t>(c.order[i]);
+            c.place[body] = member.first_place + i;
+            c.body_at[member.first_place + i] = body;
+        }
+    }
+    place_count_ = padded;
+    held_used_ = 0;
+    return true;
+}
+
+} // namespace lr

@@ -1,0 +1,157 @@
+#include "world/crowd_step.h"
+
+#include "field/field_step.h"
+#include "world/kept_lanes.h"
+#include "world/lifecycle.h"
+#include "world/world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+
+namespace lr {
+
+CrowdStep::CrowdStep(lr_world& world, const StepItem* items, uint32_t count, const SurfaceStep* surface,
+                     const FloatMode& mode)
+    : world_(&world), crowd_(&world.crowd), items_(items), workers_(world.crew, mode), member_count_(count),
+      wet_(surface != nullptr) {
+    time_ = items[0].batch->pace.time();
+    if (surface) {
+        surface_ = *surface;
+        surface_.time = time_;
+    }
+}
+
+bool CrowdStep::prepare() {
+    Crowd& c = *crowd_;
+    body_count_ = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) body_count_ += items_[m].batch->padded_awake();
+    if (!grow(world_->allocator, c.members, member_count_) ||
+        !grow(world_->allocator, c.before, pose_fields * size_t{body_count_}))
+        return false;
+    // In the order of batches, whatever that of the items is.
+    uint32_t first = 0;
+    for (uint32_t m = 0, slot = 0; m < member_count_; ++slot) {
+        const StepItem* const end = items_ + member_count_;
+        const StepItem* const item =
+            std::find_if(items_, end, [&](const StepItem& i) { return unpack_batch(i.handle).index == slot; });
+        if (item == end) continue;
+        Batch& batch = *item->batch;
+        const auto h = static_cast<float>(time_.h);
+        auto* const member = new (&c.members[m++]) CrowdMember{
+            *item, slot, first, batch.awake(), 0, world_->pairs.has(slot, slot), {}, RestingNeighbours(*world_, slot),
+            {}};
+        member->run = contact_run(*world_, batch, wet_ ? &surface_ : nullptr, time_, h);
+        member->run.book = batch.contact_book();
+        if (member->resting.any()) member->run.step.resting = &member->resting;
+        member->kind = {&batch.step.body, batch.shape.reach, batch.contact.rolling};
+        first += batch.padded_awake();
+    }
+    return true;
+}
+
+CrowdMember& CrowdStep::member_of(uint32_t body) const {
+    CrowdMember* at = crowd_->members.data() + member_count_ - 1;
+    while (at->first > body) --at;
+    return *at;
+}
+
+float* CrowdStep::before(uint32_t body, size_t field) const {
+    return crowd_->before.data() + field * body_count_ + body;
+}
+
+Pose CrowdStep::began(uint32_t body) const {
+    const auto value = [&](size_t f) { return *before(body, f); };
+    return {{value(0), value(1), value(2)}, {value(3), value(4), value(5), value(6)}};
+}
+
+// function(member, begin, end) over pieces of batches that are cut where all cut them.
+template <class Function> void CrowdStep::each_cut(const Function& function) const {
+    uint32_t cuts = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) cuts += cut_count(crowd_->members[m].item.batch->padded_awake());
+    workers_.run(cuts, 1, [&](uint32_t at, uint32_t) {
+        const CrowdMember* member = crowd_->members.data();
+        for (uint32_t here = 0;; ++member, at -= here) {
+            const uint32_t lanes = member->item.batch->padded_awake();
+            here = cut_count(lanes);
+            if (at >= here) continue;
+            function(*member, at * cut_bodies, std::min((at + 1) * cut_bodies, lanes));
+            return;
+        }
+    });
+}
+
+void CrowdStep::move_cut(const CrowdMember& member, uint32_t begin, uint32_t end, uint32_t substep) const {
+    Batch& batch = *member.item.batch;
+    const BatchArrays& arrays = batch.arrays();
+    for (size_t f = 0; f < pose_fields; ++f)
+        std::copy(arrays.field[f] + begin, arrays.field[f] + end, before(member.first + begin, f));
+    if (world_->wind.active()) {
+        const FieldSlice slice{world_->target, &world_->wind, time_, substep, 1, wet_ ? &surface_ : nullptr};
+        step_in_field(slice, batch.step, nullptr, arrays, member.item.handle, batch.awake(), begin, end);
+        return;
+    }
+    StepInput one = batch.step;
+    one.substeps = 1;
+    one.first_substep += substep;
+    one.external.clear = last(substep);
+    const auto n = static_cast<float>(time_.substeps);
+    const float from = static_cast<float>(substep) / n, to = static_cast<float>(substep + 1) / n;
+    for (size_t k = 0; k < 3 && one.wind_changes; ++k) {
+        const float change = one.wind[k] - one.wind_begin[k], whole = one.wind[k];
+        one.wind[k] = last(substep) ? whole : one.wind_begin[k] + to * change;
+        one.wind_begin[k] += from * change;
+    }
+    if (wet_ && one.water) {
+        SurfaceStep here = surface_;
+        here.time = {time_.begin + substep * time_.h, time_.h, 1};
+        step_at_surface(here, one, arrays, member.item.handle, batch.awake(), begin, end);
+    } else {
+        world_->target->step(one, arrays, begin, end);
+    }
+}
+
+void CrowdStep::move_alone(uint32_t substep) {
+    if (world_->wind.active())
+        world_->wind.prepare(time_, items_[0].batch->pace.wind(world_->wind.uniform), substep, 1, world_->seed);
+    each_cut([&](const CrowdMember& member, uint32_t begin, uint32_t end) {
+        const Batch& batch = *member.item.batch;
+        const uint32_t first = std::max(begin, batch.awake()), past = std::min(end, batch.count());
+        if (first < past) {
+            const KeptLanes kept(batch, first, past);
+            move_cut(member, begin, end, substep);
+            kept.put_back(batch);
+        } else {
+            move_cut(member, begin, end, substep);
+        }
+    });
+}
+
+void CrowdStep::run() {
+    using Clock = std::chrono::steady_clock;
+    const bool timed = world_->pacing.timed();
+    const Clock::time_point since = timed ? Clock::now() : Clock::time_point();
+    for (uint32_t substep = 0; substep < time_.substeps; ++substep) {
+        move_alone(substep);
+        place_count_ = 0;
+        if (!find_pairs() || !number_touching()) starved_ = true;
+        hold(substep);
+        if (place_count_ == 0) continue;
+        if (!solve()) starved_ = true;
+        workers_.run(place_count_, 256, [&](uint32_t begin, uint32_t end) {
+            for (uint32_t place = begin; place < end; ++place) put_back(place, substep);
+        });
+    }
+    each_cut([&](const CrowdMember& member, uint32_t begin, uint32_t end) {
+        Batch& batch = *member.item.batch;
+        if (batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
+    });
+    if (!timed) return;
+    const std::chrono::duration<double, std::nano> spent = Clock::now() - since;
+    for (uint32_t m = 0; m < member_count_; ++m) {
+        Batch& batch = *items_[m].batch;
+        batch.spent += static_cast<uint64_t>(spent.count() * batch.padded_awake() / body_count_);
+    }
+}
+
+} // namespace lr

@@ -1,0 +1,106 @@
+#include "world/resting_neighbours.h"
+
+#include "world/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+struct Neighbour {
+    uint32_t batch, key, index;
+    bool operator<(const Neighbour& other) const {
+        return batch != other.batch ? batch < other.batch : key < other.key;
+    }
+};
+
+// The first so many by batch and key, each once, whatever the order in which they come.
+struct Neighbours {
+    Neighbour found[most_resting];
+    uint32_t count = 0;
+
+    void take(const Neighbour& one) {
+        uint32_t at = count;
+        while (at > 0 && one < found[at - 1]) --at;
+        if (at > 0 && !(found[at - 1] < one)) return;
+        if (at == most_resting) return;
+        count = std::min(count + 1, most_resting);
+        for (uint32_t i = count - 1; i > at; --i) found[i] = found[i - 1];
+        found[at] = one;
+    }
+};
+
+} // namespace
+
+float pair_friction(const ContactSettings& a, const ContactSettings& b) {
+    return std::sqrt(a.friction * b.friction);
+}
+float pair_restitution(const ContactSettings& a, const ContactSettings& b) {
+    return std::max(a.restitution, b.restitution);
+}
+
+Pose pose_of(const BatchArrays& a, uint32_t i) {
+    return {{a.field[field_x][i], a.field[field_y][i], a.field[field_z][i]},
+            {a.field[field_qx][i], a.field[field_qy][i], a.field[field_qz][i], a.field[field_qw][i]}};
+}
+
+// Of a rotation by an angle, 2 |sine of half of it| is the chord at distance 1.
+float way_of(const Pose& from, const Pose& to, float reach) {
+    const Rotation turn = to.rotation * inverse(from.rotation);
+    return length(to.position - from.position) + 2.0f * reach * length({turn.x, turn.y, turn.z});
+}
+
+RestingNeighbours::RestingNeighbours(const lr_world& world, uint32_t slot) : world_(&world), slot_(slot) {
+    world.pairs.visit_partners(slot, [&](uint32_t other) {
+        const Batch& batch = *world.batches[other].batch;
+        any_ = any_ || batch.awake() < batch.count();
+    });
+}
+
+uint32_t RestingNeighbours::touched_by(uint32_t key, float scale, const Pose& from, const Pose& to, float margin,
+                                       RestingTouch (&out)[most_resting]) const {
+    const Batch& own = *world_->batches[slot_].batch;
+    const float within = margin + way_of(from, to, own.shape.reach * scale);
+    const Bounds box = bounds(own.meeting, scale, from);
+    const float low[3] = {box.low.x - within, box.low.y - within, box.low.z - within};
+    const float high[3] = {box.high.x + within, box.high.y + within, box.high.z + within};
+    Neighbours near;
+    world_->pairs.visit_partners(slot_, [&](uint32_t other) {
+        const Batch& batch = *world_->batches[other].batch;
+        batch.look_at_resting(low, high, [&](uint32_t index) {
+            const uint32_t its = batch.arrays().key[index];
+            if (other == slot_ && its == key) return;
+            const Bounds b =
+                bounds(batch.meeting, batch.arrays().field[field_scale][index], pose_of(batch.arrays(), index));
+            if (b.low.x > high[0] || b.low.y > high[1] || b.low.z > high[2]) return;
+            if (b.high.x < low[0] || b.high.y < low[1] || b.high.z < low[2]) return;
+            near.take({other, its, index});
+        });
+    });
+    uint32_t count = 0;
+    for (uint32_t n = 0; n < near.count; ++n) {
+        const Neighbour& one = near.found[n];
+        const Batch& batch = *world_->batches[one.batch].batch;
+        PairContact found[most_pair_contacts];
+        const uint32_t contacts =
+            find_pair_contacts(own.meeting, scale, from, batch.meeting, batch.arrays().field[field_scale][one.index],
+                               pose_of(batch.arrays(), one.index), within, found);
+        RestingTouch& touch = out[count];
+        touch.count = 0;
+        for (uint32_t k = 0; k < contacts; ++k) {
+            PairContact& c = found[k];
+            c.gap += dot(c.normal, to_outer(to, c.arm_a) - to_outer(from, c.arm_a));
+            if (c.gap < margin) touch.contact[touch.count++] = c;
+        }
+        if (touch.count == 0) continue;
+        touch.batch = one.batch;
+        touch.index = one.index;
+        touch.friction = pair_friction(own.contact, batch.contact);
+        touch.restitution = pair_restitution(own.contact, batch.contact);
+        ++count;
+    }
+    return count;
+}
+
+} // namespace lr
