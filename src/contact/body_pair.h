@@ -11,22 +11,25 @@ namespace lr {
 // ones plates.
 struct MeetingShape {
     static constexpr uint32_t lanes = 4; // points are padded to whole vectors by repeating the first
-    static constexpr uint32_t most = most_shape_points;
+    static constexpr uint32_t room = most_shape_points + lanes;
 
     BodyShape shape; // the hull at scale 1, in the body frame; never an ellipsoid
     // A box along the body axes that holds core and rounding; from the centre of mass.
     Vector middle, half;
 
-    // The hull's own frame: z is across a plate. What pairs are computed in.
-    Vector origin;  // m, body frame: the middle of the core's box
+    // The hull's own frame, in which pairs are computed: its origin in the middle of the core's box, a plate in z = 0,
+    // x along the box of least area about it.
+    Vector origin;  // m, body frame
     Rotation frame; // takes vectors from the own frame to the body's
-    bool flat;      // all z are 0
-    uint32_t padded;
-    alignas(16) float x[most], y[most], z[most];
-    Vector core_half;                 // of the core's box along the own axes
-    float core_reach;                 // m, of the core from `origin`
-    Vector normals[most_shape_faces]; // of the faces of `shape`, in the own frame
-    float offsets[most_shape_faces];  // m: inside normal . p <= offset
+    bool flat;
+    uint32_t padded;                                                 // points, and room for the ends of the last edges
+    alignas(16) float x[room], y[room], z[room];                     // m; counter-clockwise about z where flat
+    alignas(16) float edge_x[room], edge_y[room], edge_offset[room]; // where flat: inside edge . p <= offset, edge unit
+    Vector center;                                                   // m, mean of the points
+    Vector core_half;                                                // m, of the core's box
+    float core_reach;                                                // m, of the core from `origin`
+    Vector normals[most_shape_faces];                                // of the faces of `shape`
+    float offsets[most_shape_faces];                                 // m: inside normal . p <= offset
 };
 // May throw std::bad_alloc.
 MeetingShape make_meeting_shape(const BodyShape& shape);
