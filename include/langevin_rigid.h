@@ -625,8 +625,9 @@ LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
 /* Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter,
- * rates, budget, colliders with their ids) into `size` bytes at `memory`, any alignment. Assets, batches' settings, threads, callbacks are not part of it, nor
- * the samples of wind grids and the data of hulls, heightfields and meshes, which are named by their hash. written: bytes used; may be null.
+ * rates, budget, colliders with their ids, how batches meet them and each other) into `size` bytes at `memory`, any alignment.
+ * Assets, how batches were created, threads and callbacks are not part of it, nor the samples of wind grids and the data of
+ * hulls, heightfields and meshes, which are named by their hash. written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
 
@@ -888,7 +889,7 @@ LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_
  * rest does not move, whatever acts on it, and costs a step nothing. Its velocities and the forces on it end. It wakes
  *  - by this function, lr_world_wake_box, and lr_body_set_state,
  *  - by a force, impulse or velocity on it that is not zero (lr_body_add_force, lr_batch_add_forces),
- *  - by a change of lr_batch_set_force or lr_world_set_gravity, with all others that it is about,
+ *  - by a change of lr_batch_set_force, lr_world_set_gravity or lr_batch_set_pair_contact, with all others that it is about,
  *  - when it begins anew by its batch's rules,
  *  - by contact: colliders, wind. docs/rest.md.
  * It grows older, and the rules of its batch are for it too: they look at bodies at rest in every 16th step of the batch.
@@ -1144,7 +1145,7 @@ LR_API lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_
  * lr_batch_contact: of a pair, friction is the geometric mean of both and restitution the larger. Layers are for colliders alone.
  * Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
  * at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
- * docs/body_contact.md
+ * The first pair of a batch takes up to 47 bytes for each of its capacity, unless there have been colliders. docs/body_contact.md
  * enabled: 0 or 1.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH (either), LR_ERROR_INVALID_ARGUMENT (enabled),
  * LR_ERROR_OUT_OF_MEMORY. */
