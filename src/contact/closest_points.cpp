@@ -140,14 +140,20 @@ Closest closest_points(const PlacedPair& pair, Vector shift, float enough, float
         if (!(square > near * near)) break;
         const float distance = std::sqrt(square);
         Simplex before = simplex;
-        if (!add(v)) break;
+        if (!add(v)) { // no point is nearer along v
+            if (distance > enough) {
+                out.state = Closest::State::beyond;
+                return out;
+            }
+            break;
+        }
         const float along = dot(v, simplex.w[simplex.count - 1]) / distance;
         lower = along > lower ? along : lower;
         if (lower > enough) {
             out.state = Closest::State::beyond;
             return out;
         }
-        if (distance - lower <= tolerance) {
+        if (distance - along <= tolerance) {
             simplex = before;
             break;
         }
