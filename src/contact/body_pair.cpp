@@ -156,6 +156,14 @@ Drawn resolve_overlap(const PlacedPair& pair) {
         draw_out(pair, of_b.normal, of_b.separation, apart, best);
         if (of_a.separation > 1.5f * best.separation) draw_out(pair, of_a.normal, of_a.separation, apart, best);
     }
+    const float square = dot(pair.offset, pair.offset);
+    if (square > 0.0f) {
+        const Vector n = -1.0f / std::sqrt(square) * pair.offset;
+        float out = 0.0f;
+        farthest_of_a(pair, -n, out);
+        farthest_of_b(pair, n, along);
+        if (-out - along > 1.5f * best.separation) draw_out(pair, n, -out - along, apart, best);
+    }
     return best;
 }
 

@@ -25,11 +25,15 @@ struct MeetingShape {
     uint32_t padded;                                                 // points, and room for the ends of the last edges
     alignas(16) float x[room], y[room], z[room];                     // m; counter-clockwise about z where flat
     alignas(16) float edge_x[room], edge_y[room], edge_offset[room]; // where flat: inside edge . p <= offset, edge unit
-    Vector center;                                                   // m, mean of the points
-    Vector core_half;                                                // m, of the core's box
-    float core_reach;                                                // m, of the core from `origin`
-    Vector normals[most_shape_faces];                                // of the faces of `shape`
-    float offsets[most_shape_faces];                                 // m: inside normal . p <= offset
+    // Of a plate: at most coarse_most points of the outline, between which contacts are spread.
+    static constexpr uint32_t coarse_most = 12, coarse_room = coarse_most + lanes;
+    uint32_t coarse_padded;
+    alignas(16) float coarse_x[coarse_room], coarse_y[coarse_room];
+    Vector center;                    // m, mean of the points
+    Vector core_half;                 // m, of the core's box
+    float core_reach;                 // m, of the core from `origin`
+    Vector normals[most_shape_faces]; // of the faces of `shape`
+    float offsets[most_shape_faces];  // m: inside normal . p <= offset
 };
 // May throw std::bad_alloc.
 MeetingShape make_meeting_shape(const BodyShape& shape);

@@ -195,6 +195,32 @@ Rotation plate_frame(const BodyShape& shape) {
     return best;
 }
 
+// Leaves out the corners that take the least area with them (Visvalingam and Whyatt 1993).
+void set_coarse_outline(MeetingShape& out) {
+    uint32_t kept[most_shape_points] = {}, count = out.shape.count;
+    for (uint32_t i = 0; i < count; ++i) kept[i] = i;
+    while (count > MeetingShape::coarse_most) {
+        uint32_t least_at = 0;
+        float least_area = std::numeric_limits<float>::infinity();
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t before = kept[(i + count - 1) % count], at = kept[i], after = kept[(i + 1) % count];
+            const float area = (out.x[at] - out.x[before]) * (out.y[after] - out.y[before]) -
+                               (out.y[at] - out.y[before]) * (out.x[after] - out.x[before]);
+            if (area < least_area) {
+                least_area = area;
+                least_at = i;
+            }
+        }
+        for (uint32_t i = least_at; i + 1 < count; ++i) kept[i] = kept[i + 1];
+        --count;
+    }
+    out.coarse_padded = (count + MeetingShape::lanes - 1) / MeetingShape::lanes * MeetingShape::lanes;
+    for (uint32_t i = 0; i < MeetingShape::coarse_room; ++i) {
+        out.coarse_x[i] = out.x[kept[i < count ? i : 0]];
+        out.coarse_y[i] = out.y[kept[i < count ? i : 0]];
+    }
+}
+
 void set_own_points(MeetingShape& out) {
     const BodyShape& shape = out.shape;
     const uint32_t count = shape.count;
@@ -233,6 +259,7 @@ void set_own_points(MeetingShape& out) {
         out.offsets[f] = offset;
     }
     if (!out.flat) return;
+    set_coarse_outline(out);
     for (uint32_t i = 0; i < MeetingShape::room; ++i) {
         out.edge_offset[i] = out.core_reach;
         if (i >= count) continue;

@@ -41,11 +41,28 @@ inline uint32_t farthest(const float* x, const float* y, const float* z, uint32_
     along = found.get(at);
     return at;
 }
+// In a plate's own plane.
+inline uint32_t farthest(const float* x, const float* y, uint32_t padded, float dx, float dy, float& along) {
+    Greatest found(load(x) * dx + load(y) * dy);
+    for (uint32_t i = MeetingShape::lanes; i < padded; i += MeetingShape::lanes)
+        found.offer(load(x + i) * dx + load(y + i) * dy, static_cast<int32_t>(i));
+    uint32_t at = 0;
+    along = found.get(at);
+    return at;
+}
 inline uint32_t farthest_of_a(const PlacedPair& pair, Vector d, float& along) {
-    return farthest(pair.a->x, pair.a->y, pair.a->z, pair.a->padded, d, along);
+    const MeetingShape& a = *pair.a;
+    return a.flat ? farthest(a.x, a.y, a.padded, d.x, d.y, along) : farthest(a.x, a.y, a.z, a.padded, d, along);
 }
 inline uint32_t farthest_of_b(const PlacedPair& pair, Vector d, float& along) {
     return farthest(pair.x, pair.y, pair.z, pair.b->padded, d, along);
+}
+// The same without how far.
+inline uint32_t support_of_b(const PlacedPair& pair, Vector d) {
+    const MeetingShape& b = *pair.b;
+    float along = 0.0f;
+    return b.flat ? farthest(b.x, b.y, b.padded, dot(pair.axes[0], d), dot(pair.axes[1], d), along)
+                  : farthest(pair.x, pair.y, pair.z, b.padded, d, along);
 }
 
 // Where the cores are nearest.

@@ -15,12 +15,14 @@ constexpr float same = 0.02f;
 constexpr float slope_counts = 0.02f;
 constexpr uint32_t most_walks = 4;
 
-// A face of a core that looks at the other, in the pair's frame.
+// A face of a core that looks at the other: points in axes of their own, given in the pair's frame.
 struct Side {
-    bool faces = false; // not seen edge on
-    Vector normal{};    // outward
-    Vector base{};      // what is added to the points
-    const float *x = nullptr, *y = nullptr, *z = nullptr;
+    bool faces = false;  // not seen edge on
+    bool counter = true; // points go counter-clockwise about `normal`
+    Vector normal{};     // outward
+    Vector origin{};
+    Vector axes[3] = {};
+    const float *x = nullptr, *y = nullptr, *z = nullptr; // z: null for a plate
     uint32_t padded = 0;
     Vector center{};
     alignas(16) float own_x[room], own_y[room], own_z[room]; // of a solid's face
@@ -41,63 +43,40 @@ uint32_t face_at(const MeetingShape& shape, Vector point, Vector direction) {
     return best;
 }
 
-// own: where the point lies, and the direction to the other, in the shape's own frame.
-template <class Corner>
-bool solid_side(const MeetingShape& shape, Vector own_point, Vector own_direction, const Corner& corner, Side& side,
-                Vector& own_normal) {
-    const uint32_t f = face_at(shape, own_point, own_direction);
-    if (f == shape.shape.face_count) return false;
-    own_normal = shape.normals[f];
-    side.faces = dot(own_normal, own_direction) > edge_on;
-    if (!side.faces) return true;
-    const ShapeFace& face = shape.shape.faces[f];
-    side.padded = (face.count + lanes - 1) / lanes * lanes;
-    for (uint32_t i = 0; i < side.padded + lanes && i < room; ++i) {
-        const Vector p = corner(shape.shape.corners[face.first + (i < face.count ? i : 0)]);
-        side.own_x[i] = p.x;
-        side.own_y[i] = p.y;
-        side.own_z[i] = p.z;
-        if (i < face.count) side.center = side.center + p;
+// point, direction: in the shape's own frame, with the origin and the axes of `side`.
+bool set_side(const MeetingShape& shape, float scale, Vector point, Vector direction, Side& side) {
+    if (shape.flat) {
+        side.counter = direction.z > 0.0f;
+        side.normal = side.counter ? side.axes[2] : -side.axes[2];
+        side.faces = std::abs(direction.z) > edge_on;
+        side.x = shape.coarse_x;
+        side.y = shape.coarse_y;
+        side.padded = shape.coarse_padded;
+        side.center = shape.center;
+    } else {
+        const uint32_t f = face_at(shape, point, direction);
+        if (f == shape.shape.face_count) return false;
+        const Vector n = shape.normals[f];
+        side.normal = n.x * side.axes[0] + n.y * side.axes[1] + n.z * side.axes[2];
+        side.faces = dot(n, direction) > edge_on;
+        if (!side.faces) return true;
+        const ShapeFace& face = shape.shape.faces[f];
+        side.padded = (face.count + lanes - 1) / lanes * lanes;
+        for (uint32_t i = 0; i < side.padded + lanes && i < room; ++i) {
+            const uint32_t at = shape.shape.corners[face.first + (i < face.count ? i : 0)];
+            side.own_x[i] = shape.x[at];
+            side.own_y[i] = shape.y[at];
+            side.own_z[i] = shape.z[at];
+            if (i < face.count) side.center = side.center + Vector{shape.x[at], shape.y[at], shape.z[at]};
+        }
+        side.center = 1.0f / static_cast<float>(face.count) * side.center;
+        side.x = side.own_x;
+        side.y = side.own_y;
+        side.z = side.own_z;
     }
-    side.center = 1.0f / static_cast<float>(face.count) * side.center;
-    side.x = side.own_x;
-    side.y = side.own_y;
-    side.z = side.own_z;
-    return true;
-}
-
-bool side_of_a(const PlacedPair& pair, Vector n, Vector on_a, Vector shift, Side& side) {
-    side.base = shift;
-    if (!pair.a->flat)
-        return solid_side(
-            *pair.a, on_a - shift, -n, [&](uint32_t i) { return pair.point_a(i); }, side, side.normal);
-    side.normal = {0.0f, 0.0f, n.z > 0.0f ? -1.0f : 1.0f};
-    side.faces = std::abs(n.z) > edge_on;
-    side.x = pair.a->x;
-    side.y = pair.a->y;
-    side.z = pair.a->z;
-    side.padded = pair.a->padded;
-    side.center = pair.a->center;
-    return true;
-}
-bool side_of_b(const PlacedPair& pair, Vector n, Vector on_b, Side& side) {
-    if (!pair.b->flat) {
-        Vector own{};
-        if (!solid_side(
-                *pair.b, 1.0f / pair.ratio * pair.to_b(on_b - pair.offset), pair.to_b(n),
-                [&](uint32_t i) { return pair.point_b(i); }, side, own))
-            return false;
-        side.normal = pair.turned(own);
-        return true;
-    }
-    const float along = dot(pair.axes[2], n);
-    side.normal = along > 0.0f ? pair.axes[2] : -pair.axes[2];
-    side.faces = std::abs(along) > edge_on;
-    side.x = pair.x;
-    side.y = pair.y;
-    side.z = pair.z;
-    side.padded = pair.b->padded;
-    side.center = pair.offset + pair.turned(pair.ratio * pair.b->center);
+    for (Vector& axis : side.axes) axis = scale * axis;
+    side.center =
+        side.origin + side.center.x * side.axes[0] + side.center.y * side.axes[1] + side.center.z * side.axes[2];
     return true;
 }
 
@@ -110,19 +89,29 @@ struct Region {
     uint32_t count = 0; // padded
     alignas(16) float nu[2 * room + lanes], nv[2 * room + lanes], off[2 * room + lanes], inverse[2 * room + lanes];
 
-    void add_edges(const Side& side, Vector u, Vector v, Vector around, float sense) {
-        const Vector base = side.base - around;
+    // The edges of a face, in axes u and v across the normal n.
+    void add_edges(const Side& side, Vector u, Vector v, Vector n, Vector around) {
+        const Vector base = side.origin - around;
         const float base_u = dot(u, base), base_v = dot(v, base);
+        const float ux = dot(u, side.axes[0]), uy = dot(u, side.axes[1]), uz = dot(u, side.axes[2]);
+        const float vx = dot(v, side.axes[0]), vy = dot(v, side.axes[1]), vz = dot(v, side.axes[2]);
+        const float sense = (dot(side.normal, n) > 0.0f) == side.counter ? 1.0f : -1.0f;
         for (uint32_t i = 0; i < side.padded; i += lanes) {
-            const Four x = load(side.x + i), y = load(side.y + i), z = load(side.z + i);
-            const Four ex = load(side.x + i + 1) - x, ey = load(side.y + i + 1) - y, ez = load(side.z + i + 1) - z;
-            const Four pu = x * u.x + y * u.y + z * u.z + base_u, pv = x * v.x + y * v.y + z * v.z + base_v;
-            const Four across_u = sense * (ex * v.x + ey * v.y + ez * v.z);
-            const Four across_v = -sense * (ex * u.x + ey * u.y + ez * u.z);
+            const Four x = load(side.x + i), y = load(side.y + i);
+            const Four ex = load(side.x + i + 1) - x, ey = load(side.y + i + 1) - y;
+            Four pu = base_u + x * ux + y * uy, pv = base_v + x * vx + y * vy;
+            Four eu = ex * ux + ey * uy, ev = ex * vx + ey * vy;
+            if (side.z) {
+                const Four z = load(side.z + i), ez = load(side.z + i + 1) - z;
+                pu = pu + z * uz;
+                pv = pv + z * vz;
+                eu = eu + ez * uz;
+                ev = ev + ez * vz;
+            }
+            const Four across_u = sense * ev, across_v = -sense * eu;
             store(across_u, nu + count);
             store(across_v, nv + count);
-            // The nearest point is in both: where it is not, that is rounding.
-            store(greater(across_u * pu + across_v * pv, all(0.0f)), off + count);
+            store(across_u * pu + across_v * pv, off + count);
             count += lanes;
         }
     }
@@ -149,12 +138,21 @@ struct Region {
         const float t = -nearest.get(at);
         return t > 0.0f ? t : 0.0f;
     }
-    // From now on ray() starts here, inside.
-    void set_middle(Flat m, float least_room) {
+    bool holds(Flat p) const {
+        Four least_left = all(0.0f);
+        for (uint32_t i = 0; i < count; i += lanes)
+            least_left = less(load(off + i) - load(nu + i) * p.u - load(nv + i) * p.v, least_left);
+        return least(least_left) >= 0.0f;
+    }
+    // From now on ray() starts here. False: not inside.
+    bool set_middle(Flat m, float least_room) {
+        Four least_left = all(least_room);
         for (uint32_t i = 0; i < count; i += lanes) {
             const Four left = load(off + i) - load(nu + i) * m.u - load(nv + i) * m.v;
+            least_left = less(left, least_left);
             store(1.0f / greater(left, all(least_room)), inverse + i);
         }
+        return least(least_left) >= 0.0f;
     }
     // 1 over the part of d at which the region ends.
     float ray(Flat d, uint32_t& at) const {
@@ -177,8 +175,8 @@ struct Region {
             if (!(square > 0.0f)) break;
             uint32_t next = UINT32_MAX;
             const float t = way(p, along, 4.0f * size / std::sqrt(square), next);
-            p = {p.u + t * along.u, p.v + t * along.v};
             if (next >= count) break;
+            p = {p.u + t * along.u, p.v + t * along.v};
             at = next;
         }
         return true;
@@ -255,24 +253,20 @@ void spread_over_faces(Spread& spread, const Side& a, const Side& b) {
     const Vector v = cross(n, u);
     const float slope_u = dot(slope_of_gap, u), slope_v = dot(slope_of_gap, v);
     Region region;
-    // Corners go counter-clockwise seen from outside, those of a plate about its z.
-    const auto sense = [&](const MeetingShape& shape, Vector z, Vector normal) {
-        return dot(shape.flat ? z : normal, n) > 0.0f ? 1.0f : -1.0f;
-    };
-    region.add_edges(a, u, v, around, sense(*spread.pair.a, {0.0f, 0.0f, 1.0f}, a.normal));
-    region.add_edges(b, u, v, around, sense(*spread.pair.b, spread.pair.axes[2], b.normal));
+    region.add_edges(a, u, v, n, around);
+    region.add_edges(b, u, v, n, around);
     const float size = spread.smaller, left = spread.limit - spread.closest.distance;
     if (slope > slope_counts) region.add_limit(slope, left, size);
     Flat middle{0.0f, 0.0f};
     for (const Side* side : {&a, &b}) {
-        const Vector to = side->center + side->base - around;
+        const Vector to = side->center - around;
         const Flat d{dot(u, to), dot(v, to)};
         uint32_t at = 0;
         const float t = region.way({0.0f, 0.0f}, d, 1.0f, at) / 3.0f;
         middle = {middle.u + t * d.u, middle.v + t * d.v};
     }
     if (!(middle.u * middle.u + middle.v * middle.v > 1e-8f * size * size)) return;
-    region.set_middle(middle, 1e-7f * size * size);
+    if (!region.set_middle(middle, 1e-7f * size * size)) return;
     const Flat directions[4] = {{-1.0f, 0.0f}, {0.0f, 1.0f}, {1.0f, 0.0f}, {0.0f, -1.0f}};
     for (const Flat& d : directions) {
         Flat p{};
@@ -297,16 +291,15 @@ void spread_along_edge(Spread& spread, const Side& face, bool edge_is_a, Vector 
     u = 1.0f / size * u;
     const Vector v = cross(n, u);
     Region region;
-    const PlacedPair& pair = spread.pair;
-    const MeetingShape& shape = edge_is_a ? *pair.b : *pair.a;
-    const Vector z = edge_is_a ? pair.axes[2] : Vector{0.0f, 0.0f, 1.0f};
-    region.add_edges(face, u, v, spread.closest.on_b, dot(shape.flat ? z : face.normal, n) > 0.0f ? 1.0f : -1.0f);
+    region.add_edges(face, u, v, n, spread.closest.on_b);
     const float edge_rise = dot(way, n) / size, face_rise = dot(rise, u);
     const float opening = edge_is_a ? edge_rise - face_rise : face_rise - edge_rise;
     uint32_t at = 0;
     float t = region.way({0.0f, 0.0f}, {1.0f, 0.0f}, size, at);
     const float left = 0.999f * (spread.limit - spread.closest.distance);
     if (opening * t > left) t = left / opening;
+    // The nearest point may lie outside of a coarse outline.
+    if (!region.holds({0.999f * t, 0.0f})) return;
     const float on_b_rise = edge_is_a ? face_rise : edge_rise;
     spread.add(spread.closest.on_b + t * u + (t * on_b_rise) * n, spread.closest.distance + t * opening);
 }
@@ -320,7 +313,15 @@ uint32_t spread_points(const PlacedPair& pair, const Closest& closest, Vector sh
     Spread spread{pair, closest, lifted, enough + lifted, std::min(pair.a->core_reach, reach_b), shift, out};
     const Vector n = closest.normal;
     Side a, b;
-    const bool has_a = side_of_a(pair, n, closest.on_a, shift, a), has_b = side_of_b(pair, n, closest.on_b, b);
+    a.origin = shift;
+    a.axes[0] = {1.0f, 0.0f, 0.0f};
+    a.axes[1] = {0.0f, 1.0f, 0.0f};
+    a.axes[2] = {0.0f, 0.0f, 1.0f};
+    b.origin = pair.offset;
+    for (uint32_t k = 0; k < 3; ++k) b.axes[k] = pair.axes[k];
+    const bool has_a = set_side(*pair.a, 1.0f, closest.on_a - shift, -n, a);
+    const bool has_b =
+        set_side(*pair.b, pair.ratio, 1.0f / pair.ratio * pair.to_b(closest.on_b - pair.offset), pair.to_b(n), b);
     if (has_a && has_b && (a.faces || b.faces)) {
         if (a.faces && b.faces) {
             spread_over_faces(spread, a, b);

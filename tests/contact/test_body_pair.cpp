@@ -1,0 +1,258 @@
+#include "contact/body_pair.h"
+
+#include "contact/distance.h"
+#include "pairs.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+
+using namespace lr;
+
+namespace {
+
+BodyShape some_shape(uint32_t which, float size, test::Random& random) {
+    switch (which) {
+    case 0:
+        return test::leaf(size, size * random.real(0.002, 0.02));
+    case 1: // a card
+        return make_body_shape(
+            test::asset_of(test::box_corners(0.5f * size, size * random.real(0.2, 0.5), 0.004f * size)));
+    case 2:
+        return make_body_shape(test::asset_of(test::box_corners(0.5f * size, 0.3f * size, 0.2f * size)));
+    case 3:
+        return make_body_shape(test::asset_of(test::cloud(random, 20, 0.5f * size)));
+    case 4:
+        return test::ellipsoid(0.5f * size, size * random.real(0.1, 0.5), size * random.real(0.002, 0.01));
+    default:
+        return test::ellipsoid(0.5f * size, size * random.real(0.1, 0.5), size * random.real(0.1, 0.5));
+    }
+}
+constexpr uint32_t shapes = 6;
+
+// A few of each kind, about `size` large.
+std::vector<MeetingShape> some_shapes(float size, test::Random& random) {
+    std::vector<MeetingShape> pool;
+    for (uint32_t i = 0; i < 10 * shapes; ++i) pool.push_back(make_meeting_shape(some_shape(i % shapes, size, random)));
+    return pool;
+}
+
+Vector world_of(const Pose& at, Vector arm) {
+    return at.position + rotate(at.rotation, arm);
+}
+
+std::vector<Double3> placed_points(const BodyShape& shape, float scale, const Pose& at) {
+    std::vector<Double3> points;
+    const Rotation q = at.rotation;
+    const Double3 axis = to_double({q.x, q.y, q.z});
+    const auto w = static_cast<double>(q.w);
+    for (uint32_t i = 0; i < shape.count; ++i) {
+        const Double3 p = static_cast<double>(scale) * to_double({shape.x[i], shape.y[i], shape.z[i]});
+        const Double3 t = 2.0 * cross(axis, p);
+        points.push_back(to_double(at.position) + p + w * t + cross(axis, t));
+    }
+    return points;
+}
+
+double highest(const std::vector<Double3>& points, Double3 d) {
+    double most = -1e300;
+    for (const Double3& p : points) most = std::max(most, dot(p, d));
+    return most;
+}
+
+struct Placed {
+    MeetingShape shape;
+    float scale;
+    Pose at;
+    std::vector<Double3> points;
+
+    Placed(const MeetingShape& s, float size, const Pose& pose)
+        : shape(s), scale(size), at(pose), points(placed_points(s.shape, size, pose)) {}
+    double radius() const { return static_cast<double>(scale * shape.shape.radius); }
+    double reach() const { return static_cast<double>(scale * shape.shape.reach); }
+};
+
+uint32_t find(const Placed& a, const Placed& b, float margin, PairContact (&out)[most_pair_contacts]) {
+    return find_pair_contacts(a.shape, a.scale, a.at, b.shape, b.scale, b.at, margin, out);
+}
+
+// Of the cores, in double; overlapping ones have none.
+bool core_distance(const Placed& a, const Placed& b, double& distance, Double3* normal = nullptr) {
+    std::vector<float> vertices;
+    const Double3 origin = to_double(a.at.position);
+    for (const Double3& p : b.points)
+        for (const double c : {p.x - origin.x, p.y - origin.y, p.z - origin.z})
+            vertices.push_back(static_cast<float>(c));
+    const HullGeometry hull{static_cast<uint32_t>(b.points.size()), 0, vertices.data(), nullptr};
+    Geometry geometry{};
+    geometry.kind = ColliderKind::hull;
+    geometry.hull = &hull;
+    const Pose at{{0.0f, 0.0f, 0.0f}, a.at.rotation};
+    const Nearest nearest =
+        nearest_points(PlacedBody(a.shape.shape, a.scale, at), PlacedCollider(geometry, at.position), 1e300);
+    distance = nearest.distance;
+    if (normal) *normal = nearest.normal;
+    return !nearest.overlap;
+}
+
+// Of cores that overlap: the least depth there is, over all faces and pairs of edges.
+double core_depth(const Placed& a, const Placed& b) {
+    double best = -1e300;
+    std::vector<Double3> edges[2];
+    const auto offer = [&](Double3 n) {
+        const double size = length(n);
+        if (!(size > 1e-12)) return;
+        n = 1.0 / size * n;
+        best = std::max(
+            {best, -highest(a.points, -n) - highest(b.points, n), -highest(a.points, n) - highest(b.points, -n)});
+    };
+    for (const Placed* body : {&a, &b}) {
+        const BodyShape& s = body->shape.shape;
+        for (uint32_t f = 0; f < s.face_count; ++f)
+            for (uint32_t i = 0; i < s.faces[f].count; ++i) {
+                const auto corner = [&](uint32_t k) {
+                    return body->points[s.corners[s.faces[f].first + k % s.faces[f].count]];
+                };
+                const Double3 edge = corner(i + 1) - corner(i);
+                edges[body == &a ? 0 : 1].push_back(edge);
+                if (i == 0) offer(cross(edge, corner(2) - corner(0)));
+            }
+    }
+    for (const Double3& e : edges[0])
+        for (const Double3& f : edges[1]) offer(cross(e, f));
+    return -best;
+}
+
+// How far a point is outside of a body; negative inside. Exact outside near faces, a bound elsewhere.
+double outside(const Placed& body, Vector arm) {
+    const Placed point(
+        [] {
+            MeetingShape s{};
+            s.shape.count = 1;
+            return s;
+        }(),
+        1.0f, {world_of(body.at, arm), {0.0f, 0.0f, 0.0f, 1.0f}});
+    double distance = 0.0;
+    if (core_distance(point, body, distance)) return distance - body.radius();
+    double most = -1e300;
+    for (uint32_t f = 0; f < body.shape.shape.face_count; ++f)
+        most = std::max(most, static_cast<double>(dot(body.shape.shape.faces[f].normal, arm) -
+                                                  body.scale * body.shape.shape.faces[f].offset));
+    return most - body.radius();
+}
+
+} // namespace
+
+TEST_CASE("contacts of random pairs: distances, normals, points of the surfaces, none missed") {
+    test::Random random(11);
+    uint32_t touching = 0, apart = 0, several = 0;
+    double worst_gap = 0.0, worst_normal = 0.0, worst_surface = 0.0, worst_arm = 0.0, worst_beyond = 0.0;
+    const float sizes[] = {1e-3f, 0.03f, 1.0f};
+    const std::vector<MeetingShape> pools[] = {some_shapes(sizes[0], random), some_shapes(sizes[1], random),
+                                               some_shapes(sizes[2], random)};
+    for (uint32_t i = 0; i < test::rounds(60000); ++i) {
+        const uint32_t pool = random.below(3);
+        const auto scale = static_cast<float>(random.logarithmic(0.05, 20.0));
+        const auto ratio = static_cast<float>(random.logarithmic(0.3, 3.0));
+        const MeetingShape& shape_a = pools[pool][random.below(60)];
+        const MeetingShape& shape_b = pools[pool][random.below(60)];
+        const float reach = scale * sizes[pool];
+        const Vector somewhere = 3.0f * reach * test::any_direction(random);
+        const Placed a(shape_a, scale, {somewhere, test::any_rotation(random)});
+        Placed b(shape_b, scale * ratio,
+                 {somewhere + random.real(0.0, 0.6) * (1.0f + ratio) * reach * test::any_direction(random),
+                  test::any_rotation(random)});
+        const float margin = random.real(0.0, 0.05) * reach;
+        double distance = 0.0;
+        Double3 towards{};
+        if (!core_distance(a, b, distance, &towards)) continue;
+        // Most of them about as far apart as the margin.
+        const double wanted = random.uniform(0.0, 1.3) * (static_cast<double>(margin) + a.radius() + b.radius());
+        if (random.below(4) > 0)
+            b = Placed(shape_b, b.scale, {b.at.position + to_float((distance - wanted) * towards), b.at.rotation});
+        PairContact out[most_pair_contacts];
+        const uint32_t count = find(a, b, margin, out);
+        if (!core_distance(a, b, distance) || distance < 2e-4 * static_cast<double>(reach)) continue;
+        const double least = std::min(a.reach(), b.reach()), gap = distance - a.radius() - b.radius();
+        const double rounding = 1e-5 * std::max(a.reach(), b.reach());
+        if (gap < static_cast<double>(margin) - rounding) {
+            INFO("round " << i << ": gap " << gap << ", margin " << margin);
+            REQUIRE(count > 0);
+        }
+        if (count == 0) {
+            ++apart;
+            continue;
+        }
+        ++touching;
+        several += count > 1;
+        worst_beyond = std::max(worst_beyond, (gap - static_cast<double>(margin)) / least);
+        double deepest = 1e300;
+        for (uint32_t k = 0; k < count; ++k) {
+            const PairContact& c = out[k];
+            REQUIRE(std::abs(length(c.normal) - 1.0f) < 1e-5f);
+            const auto here = static_cast<double>(c.gap);
+            CHECK(here >= static_cast<double>(out[0].gap));
+            deepest = std::min(deepest, here);
+            const Vector between = world_of(a.at, c.arm_a) - world_of(b.at, c.arm_b);
+            worst_arm =
+                std::max(worst_arm, static_cast<double>(length(between - c.gap * c.normal)) / (a.reach() + b.reach()));
+            worst_surface = std::max({worst_surface, outside(a, c.arm_a) / least, outside(b, c.arm_b) / least});
+        }
+        const Double3 n = to_double(out[0].normal);
+        // Along the normal the bodies are as far apart as they are.
+        const double along = -highest(a.points, -n) - highest(b.points, n) - a.radius() - b.radius();
+        worst_normal = std::max(worst_normal, std::abs(along - gap) / least);
+        worst_gap = std::max(worst_gap, std::abs(deepest - gap) / least);
+    }
+    INFO(touching << " touch, " << several << " with several, " << apart << " apart; errors: gap " << worst_gap
+                  << ", normal " << worst_normal << ", arms " << worst_arm << ", surface " << worst_surface
+                  << ", beyond " << worst_beyond);
+    CHECK(touching > test::rounds(10000));
+    CHECK(several > test::rounds(2000));
+    CHECK(apart > test::rounds(10000));
+    CHECK(worst_gap < 0.01);
+    CHECK(worst_normal < 0.01);
+    CHECK(worst_arm < 2e-6);
+    CHECK(worst_surface < 2e-3);
+    CHECK(worst_beyond < 2e-3);
+}
+
+TEST_CASE("cores that overlap are led out by about the least way, the same for both orders") {
+    test::Random random(12);
+    uint32_t overlapping = 0, worse = 0;
+    double excess = 0.0, contradiction = 0.0;
+    const std::vector<MeetingShape> pool = some_shapes(0.05f, random);
+    for (uint32_t i = 0; i < test::rounds(6000); ++i) {
+        const MeetingShape &shape_a = pool[random.below(60)], &shape_b = pool[random.below(60)];
+        const Placed a(shape_a, 1.0f, {{0.0f, 0.0f, 0.0f}, test::any_rotation(random)});
+        const Placed b(shape_b, 1.0f,
+                       {random.real(0.0, 0.04) * test::any_direction(random), test::any_rotation(random)});
+        double distance = 0.0;
+        if (core_distance(a, b, distance)) continue;
+        ++overlapping;
+        PairContact out[most_pair_contacts], back[most_pair_contacts];
+        const uint32_t count = find(a, b, 1e-3f, out);
+        REQUIRE(count > 0);
+        REQUIRE(find(b, a, 1e-3f, back) == count);
+        for (uint32_t k = 0; k < count; ++k) {
+            CHECK(out[k].gap == back[k].gap);
+            CHECK(length(out[k].normal + back[k].normal) == 0.0f);
+            CHECK(length(out[k].arm_a - back[k].arm_b) == 0.0f);
+        }
+        const double depth = core_depth(a, b), least = std::min(a.reach(), b.reach());
+        const double found = -static_cast<double>(out[0].gap) - a.radius() - b.radius();
+        CHECK(found > depth - 0.01 * least);
+        const Double3 n = to_double(out[0].normal);
+        const double along = highest(a.points, -n) + highest(b.points, n);
+        contradiction = std::max(contradiction, std::abs(along - found) / least);
+        worse += along > 1.1 * depth + 0.01 * least;
+        excess = std::max(excess, (along - depth) / least);
+    }
+    INFO(overlapping << " overlap, " << worse << " deeper than the least by a tenth, most " << excess
+                     << " of the reach; contradiction " << contradiction);
+    CHECK(overlapping > test::rounds(2000));
+    CHECK(contradiction < 0.01);
+    CHECK(worse * 20 < overlapping);
+    CHECK(excess < 0.3);
+}
