@@ -352,8 +352,7 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
             if (near_[i - begin] == 0) continue;
             const Vicinity around = vicinity(step, arrays, i, dt);
             const auto reached = [&] {
-                return around.finite() &&
-                       step.colliders->any_candidate(around.low, around.high, step.settings->layers);
+                return around.finite() && step.colliders->any_candidate(around.low, around.high, step.settings->layers);
             };
             if (step.resting || reached())
                 index_[count_++] = i;

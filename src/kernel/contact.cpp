@@ -54,7 +54,7 @@ const ContactTarget& contact_target(int32_t simd) {
 const CrowdTarget& crowd_target(int32_t simd) {
 #define LR_TARGET(simd, target)                                                                                        \
     {                                                                                                                  \
-        simd, &N_##target::crowd_begin, &N_##target::crowd_way, &N_##target::crowd_sweep, &N_##target::crowd_roll,     \
+        simd, &N_##target::crowd_begin, &N_##target::crowd_way, &N_##target::crowd_sweep, &N_##target::crowd_follow, &N_##target::crowd_roll,     \
             &N_##target::crowd_move, &N_##target::crowd_touch, &N_##target::crowd_velocity, &N_##target::crowd_finish  \
     }
     static constexpr CrowdTarget targets[] = {

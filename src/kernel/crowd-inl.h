@@ -279,6 +279,7 @@ HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     hn::Store(dot(tangent, surface), d, c.drift[0] + at);
     hn::Store(dot(cross(normal, tangent), surface), d, c.drift[1] + at);
     for (float* to : {c.pressed, c.dragged[0], c.dragged[1]}) hn::Store(zero, d, to + at);
+    store3(c.search, at, {zero, zero, zero});
 }
 
 void crowd_way(const CrowdInput& in, PairBlock& block) {
@@ -321,7 +322,7 @@ bool crowd_sweep(const CrowdInput& in, PairBlock& block) {
         const Side b{mass_b, load_matrix(block.turn_b, at), hn::Load(d, block.ratio + at)};
         const VF dust = hn::Load(d, block.dust + at);
         Twist ta = load6(twist_a, at), tb = load6(twist_b, at);
-        VF change = zero, load = zero;
+        VF change = zero, load = zero, squares = zero;
         for (uint32_t k = 0; k < block.used; ++k) {
             PairContacts& c = block.contact[k];
             const Vec3 arm_a = load3(c.arm_a, at), arm_b = load3(c.arm_b, at);
@@ -348,16 +349,63 @@ bool crowd_sweep(const CrowdInput& in, PairBlock& block) {
             tb = {sub(tb.v, back.v), sub(tb.u, back.u)};
             hn::Store(r.pressed, d, c.pressed + at);
             for (int i = 0; i < 2; ++i) hn::Store(r.dragged[i], d, c.dragged[i] + at);
+            store3(c.change, at, {more, step_x, step_y});
+            squares = hn::Add(squares, dot(Vec3{more, step_x, step_y}, Vec3{more, step_x, step_y}));
             load = hn::Add(load, hn::IfThenElse(hn::Gt(hn::Load(d, c.solid + at), zero), more, zero));
             change = hn::Max(hn::Max(change, hn::Abs(more)), hn::Max(hn::Abs(step_x), hn::Abs(step_y)));
         }
         store6(twist_a, at, ta);
         store6(twist_b, at, tb);
+        hn::Store(squares, d, block.changed + at);
         hn::Store(hn::Add(hn::Load(d, twist_a[6] + at), load), d, twist_a[6] + at);
         changed = changed || !hn::AllTrue(d, hn::Eq(change, zero));
     }
     if (changed) put_back(in, block, twist_a, twist_b);
     return changed;
+}
+
+// part 0: it only remembers the direction.
+void crowd_follow(const CrowdInput& in, PairBlock& block, float part) {
+    const DF d;
+    if (part == 0.0f) {
+        for (uint32_t k = 0; k < block.used; ++k)
+            for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d))
+                store3(block.contact[k].search, at, load3(block.contact[k].change, at));
+        return;
+    }
+    alignas(64) LaneRow twist_a[twist_floats], twist_b[twist_floats];
+    gather<twist_floats, twist_floats>(
+        floats(in.twists), [&](size_t lane) { return block.a[lane]; }, twist_a);
+    gather<twist_floats, twist_floats>(
+        floats(in.twists), [&](size_t lane) { return block.b[lane]; }, twist_b);
+    const float* const mass_a = in.kinds[block.kind_a].body->full_inverse;
+    const float* const mass_b = in.kinds[block.kind_b].body->full_inverse;
+    for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
+        const Side a{mass_a, load_matrix(block.turn_a, at), constant(1.0f)};
+        const Side b{mass_b, load_matrix(block.turn_b, at), hn::Load(d, block.ratio + at)};
+        Twist ta = load6(twist_a, at), tb = load6(twist_b, at);
+        VF load = hn::Zero(d);
+        for (uint32_t k = 0; k < block.used; ++k) {
+            PairContacts& c = block.contact[k];
+            const Vec3 more = scale(constant(part), load3(c.search, at));
+            store3(c.search, at, add(more, load3(c.change, at)));
+            const Vec3 normal = load3(c.normal, at), first = load3(c.tangent, at), second = cross(normal, first);
+            const Vec3 impulse = add_scaled(add_scaled(scale(more.x, normal), more.y, first), more.z, second);
+            ta = add(ta, answer(a, impulse_at(a.turn, impulse, load3(c.arm_a, at))));
+            const Twist back = answer(b, impulse_at(b.turn, impulse, load3(c.arm_b, at)));
+            tb = {sub(tb.v, back.v), sub(tb.u, back.u)};
+            const auto put = [&](float* to, VF by)
+                                 LR_LAMBDA { hn::Store(hn::Add(hn::Load(d, to + at), by), d, to + at); };
+            put(c.pressed, more.x);
+            put(c.dragged[0], more.y);
+            put(c.dragged[1], more.z);
+            load = hn::Add(load, hn::IfThenElseZero(hn::Gt(hn::Load(d, c.solid + at), hn::Zero(d)), more.x));
+        }
+        store6(twist_a, at, ta);
+        store6(twist_b, at, tb);
+        hn::Store(hn::Add(hn::Load(d, twist_a[6] + at), load), d, twist_a[6] + at);
+    }
+    put_back(in, block, twist_a, twist_b);
 }
 
 // The couple against rolling and spinning, from the loads on colliders.
@@ -366,6 +414,9 @@ bool crowd_roll(const CrowdInput& in, uint32_t kind, uint32_t begin) {
     const CrowdKind& k = in.kinds[kind];
     if (k.rolling == 0.0f) return false;
     const auto index = [&](size_t lane) { return begin + lane; };
+    bool loaded = false;
+    for (size_t lane = 0; lane < contact_lanes; ++lane) loaded = loaded || in.twists[begin + lane].load > 0.0f;
+    if (!loaded) return false;
     alignas(64) LaneRow row[fields_of_body], twist[twist_floats];
     gather<body_floats, fields_of_body>(floats(in.bodies), index, row);
     gather<twist_floats, twist_floats>(floats(in.twists), index, twist);
@@ -499,6 +550,7 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
             hn::Store(hn::IfThenElseZero(any, hn::Load(d, c.inverse + at)), d, c.inverse + at);
             const Vec3 normal = load3(c.normal, at), first = load3(c.tangent, at), second = cross(normal, first);
             const Vec3 surface = load3(c.surface, at);
+            store3(c.search, at, {zero, zero, zero});
             const auto touches = hn::Gt(hn::Load(d, c.touching + at), zero);
             const VF bounce = hn::Load(d, c.bounce + at);
             const VF back = hn::Neg(hn::Mul(hn::Load(d, c.restitution + at), bounce));

@@ -44,6 +44,7 @@ struct PairContacts {
     // The solver's own; kernel/crowd-inl.h.
     LaneRow tangent[3], inverse, to_first, to_second, hold[3], least, target, drift[2], dragged[2];
     LaneRow before, bounce, touching;
+    LaneRow change[3], search[3]; // of the impulses: by the last sweep, and the direction in which they go on
 };
 struct PairBlock {
     uint32_t kind_a, kind_b; // of all lanes
@@ -53,6 +54,7 @@ struct PairBlock {
     uint32_t b[contact_lanes];
     LaneRow ratio;                      // of a's mass unit to b's; 0: b is not moved
     LaneRow turn_a[9], turn_b[9], dust; // rotations as matrices
+    LaneRow changed;         // sum of squares of the last sweep's changes
     PairContacts contact[block_contacts];
 };
 
@@ -75,6 +77,8 @@ struct CrowdTarget {
     void (*begin)(const CrowdInput&, uint32_t kind, uint32_t begin); // before all else
     void (*way)(const CrowdInput&, PairBlock&);                      // rows of the first projection
     bool (*sweep)(const CrowdInput&, PairBlock&);                    // false: nothing has changed
+    // After a sweep: goes on in the direction of the sweeps before, `part` of them.
+    void (*follow)(const CrowdInput&, PairBlock&, float part);
     bool (*roll)(const CrowdInput&, uint32_t kind, uint32_t begin);
     void (*move)(const CrowdInput&, uint32_t kind,
                  uint32_t begin); // the way's correction is made, and velocities are next
