@@ -36,9 +36,8 @@ void MeetingGrid::build(uint32_t count) {
         box.level = level;
         box.cell = nowhere;
         if (!finite) continue;
-        const float size = size_of(level);
         int32_t at[3];
-        for (size_t k = 0; k < 3; ++k) at[k] = cell(0.5f * (box.low[k] + box.high[k]), size);
+        for (size_t k = 0; k < 3; ++k) at[k] = cell(0.5f * (box.low[k] + box.high[k]), inverse_size_of(level));
         box.cell = hash(level, at[0], at[1], at[2]);
         populated_ |= 1u << level;
         ++first_[(box.cell & mask_) + 1];

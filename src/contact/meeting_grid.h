@@ -33,12 +33,12 @@ public:
         if (around.cell == nowhere) return;
         for (uint32_t level = around.level; level < levels; ++level) {
             if ((populated_ >> level & 1u) == 0) continue;
-            const float size = size_of(level);
+            const float size = size_of(level), inverse = inverse_size_of(level);
             int32_t first[3], last[3];
             for (size_t k = 0; k < 3; ++k) {
                 // No box of a level reaches farther than half a cell from its middle.
-                first[k] = cell(around.low[k] - 0.500001f * size, size);
-                last[k] = cell(around.high[k] + 0.500001f * size, size);
+                first[k] = cell(around.low[k] - 0.500001f * size, inverse);
+                last[k] = cell(around.high[k] + 0.500001f * size, inverse);
             }
             for (int32_t x = first[0]; x <= last[0]; ++x)
                 for (int32_t y = first[1]; y <= last[1]; ++y)
@@ -55,9 +55,13 @@ private:
     static constexpr float smallest =
         1.0f / (1 << 14); // m, cells of the first level; each is twice as wide as the last
 
-    static float size_of(uint32_t level) { return std::ldexp(smallest, static_cast<int>(level)); }
-    static int32_t cell(float x, float size) {
-        return static_cast<int32_t>(std::clamp(std::floor(x / size), -most_cells, most_cells));
+    // Powers of two: products with them and with their inverses are exact.
+    static float size_of(uint32_t level) { return static_cast<float>(uint32_t{1} << level) * smallest; }
+    static float inverse_size_of(uint32_t level) { return 1.0f / size_of(level); }
+    static int32_t cell(float x, float inverse_size) {
+        const float at = std::clamp(x * inverse_size, -most_cells, most_cells);
+        const auto whole = static_cast<int32_t>(at);
+        return whole - (static_cast<float>(whole) > at ? 1 : 0);
     }
     // Never that of nowhere.
     static uint32_t hash(uint32_t level, int32_t x, int32_t y, int32_t z) {

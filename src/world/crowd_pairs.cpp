@@ -13,6 +13,16 @@ constexpr uint32_t grain = 128; // bodies: some ten microseconds
 
 } // namespace
 
+// A body of the crowd through the substep.
+struct CrowdStep::Placed {
+    const CrowdMember& member;
+    const Batch& batch;
+    uint32_t body;
+    float scale;
+    Pose from, to;
+    float margin; // m
+};
+
 // As of a body near a collider (contact/contact_group.cpp).
 float CrowdStep::margin_of(const CrowdMember& member, uint32_t index) const {
     const BatchArrays& a = member.item.batch->arrays();
@@ -52,44 +62,64 @@ bool CrowdStep::finds(const MeetingBox& one, const MeetingBox& other) const {
 
 // The contacts of a body's pairs. Gaps are those that the substep begins with, so that what goes through each other within it
 // is known by the side on which it began; those that stay open need not be held.
-void CrowdStep::meet(const MeetingBox& one, uint32_t& at) {
-    const CrowdMember& a = member_of(one.body);
-    const Batch& batch_a = *a.item.batch;
-    const uint32_t index_a = one.body - a.first;
-    const float scale_a = batch_a.arrays().field[field_scale][index_a], margin_a = margin_of(a, index_a);
-    const Pose from_a = began(one.body), to_a = pose_of(batch_a.arrays(), index_a);
-    const float way_a = way_of(from_a, to_a, batch_a.shape.reach * scale_a);
-    crowd_->grid.visit(one, [&](const MeetingBox& other) {
-        if (!finds(one, other)) return;
-        const CrowdMember& b = member_of(other.body);
-        const Batch& batch_b = *b.item.batch;
-        const uint32_t index_b = other.body - b.first;
-        const float scale_b = batch_b.arrays().field[field_scale][index_b];
-        const Pose from_b = began(other.body), to_b = pose_of(batch_b.arrays(), index_b);
-        const float margin = std::min(margin_a, margin_of(b, index_b));
-        const float within = margin + way_a + way_of(from_b, to_b, batch_b.shape.reach * scale_b);
-        PairContact found[most_pair_contacts];
-        const uint32_t count =
-            find_pair_contacts(batch_a.meeting, scale_a, from_a, batch_b.meeting, scale_b, from_b, within, found);
-        Crowd::Pair& pair = crowd_->pairs[at];
-        CrowdContact* const contacts = crowd_->pair_contacts.data() + size_t{block_contacts} * at++;
-        pair = {one.body, other.body, 0};
-        const float friction = pair_friction(batch_a.contact, batch_b.contact);
-        const float restitution = pair_restitution(batch_a.contact, batch_b.contact);
-        for (uint32_t k = 0; k < count; ++k) {
-            const PairContact& c = found[k];
-            const Vector moved_a = to_outer(to_a, c.arm_a) - to_outer(from_a, c.arm_a);
-            const Vector moved_b = to_outer(to_b, c.arm_b) - to_outer(from_b, c.arm_b);
-            if (!(c.gap + dot(c.normal, moved_a - moved_b) < margin)) continue;
-            contacts[pair.count++] = {c.arm_a, c.arm_b, c.normal, c.gap, {}, friction, restitution, false};
-        }
+void CrowdStep::meet(uint32_t body) {
+    Crowd& c = *crowd_;
+    const uint32_t first = c.first_pair[body], count = c.first_pair[body + 1] - first;
+    if (count == 0) return;
+    const CrowdMember& member = member_of(body);
+    const Batch& batch = *member.item.batch;
+    const uint32_t index = body - member.first;
+    const Placed one{member,
+                     batch,
+                     body,
+                     batch.arrays().field[field_scale][index],
+                     began(body),
+                     pose_of(batch.arrays(), index),
+                     margin_of(member, index)};
+    if (count <= Crowd::most_seen) {
+        const uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
+        for (uint32_t k = 0; k < count; ++k) meet(one, seen[k], first + k);
+        return;
+    }
+    const MeetingBox& box = c.grid.box(body);
+    uint32_t at = first;
+    c.grid.visit(box, [&](const MeetingBox& other) {
+        if (finds(box, other)) meet(one, other.body, at++);
     });
+}
+
+void CrowdStep::meet(const Placed& one, uint32_t other, uint32_t at) {
+    const CrowdMember& member = member_of(other);
+    const Batch& batch = *member.item.batch;
+    const uint32_t index = other - member.first;
+    const float scale = batch.arrays().field[field_scale][index];
+    const Pose from = began(other), to = pose_of(batch.arrays(), index);
+    const float margin = std::min(one.margin, margin_of(member, index));
+    const float within = margin + way_of(one.from, one.to, one.batch.shape.reach * one.scale) +
+                         way_of(from, to, batch.shape.reach * scale);
+    PairContact found[most_pair_contacts];
+    const uint32_t count =
+        find_pair_contacts(one.batch.meeting, one.scale, one.from, batch.meeting, scale, from, within, found);
+    Crowd::Pair& pair = crowd_->pairs[at];
+    CrowdContact* const contacts = crowd_->pair_contacts.data() + size_t{block_contacts} * at;
+    pair = {one.body, other, 0};
+    if (count == 0) return;
+    const float friction = pair_friction(one.batch.contact, batch.contact);
+    const float restitution = pair_restitution(one.batch.contact, batch.contact);
+    for (uint32_t k = 0; k < count; ++k) {
+        const PairContact& c = found[k];
+        const Vector moved = to_outer(one.to, c.arm_a) - to_outer(one.from, c.arm_a);
+        const Vector moved_other = to_outer(to, c.arm_b) - to_outer(from, c.arm_b);
+        if (!(c.gap + dot(c.normal, moved - moved_other) < margin)) continue;
+        contacts[pair.count++] = {c.arm_a, c.arm_b, c.normal, c.gap, {}, friction, restitution, false};
+    }
 }
 
 bool CrowdStep::find_pairs() {
     Crowd& c = *crowd_;
     Allocator& allocator = world_->allocator;
-    if (!c.grid.reserve(allocator, body_count_) || !grow(allocator, c.first_pair, size_t{body_count_} + 1))
+    if (!c.grid.reserve(allocator, body_count_) || !grow(allocator, c.first_pair, size_t{body_count_} + 1) ||
+        !grow(allocator, c.seen, size_t{Crowd::most_seen} * body_count_))
         return false;
     workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
         for (uint32_t body = begin; body < end; ++body) {
@@ -109,7 +139,12 @@ bool CrowdStep::find_pairs() {
         for (uint32_t body = begin; body < end; ++body) {
             const MeetingBox& one = c.grid.box(body);
             uint32_t count = 0;
-            c.grid.visit(one, [&](const MeetingBox& other) { count += finds(one, other) ? 1u : 0u; });
+            uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
+            c.grid.visit(one, [&](const MeetingBox& other) {
+                if (!finds(one, other)) return;
+                if (count < Crowd::most_seen) seen[count] = other.body;
+                ++count;
+            });
             c.first_pair[body] = count;
         }
     });
@@ -122,10 +157,7 @@ bool CrowdStep::find_pairs() {
     c.first_pair[body_count_] = sum;
     if (!grow(allocator, c.pairs, sum) || !grow(allocator, c.pair_contacts, size_t{block_contacts} * sum)) return false;
     workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t body = begin; body < end; ++body) {
-            uint32_t at = c.first_pair[body];
-            if (c.first_pair[body + 1] != at) meet(c.grid.box(body), at);
-        }
+        for (uint32_t body = begin; body < end; ++body) meet(body);
     });
     return true;
 }

@@ -39,7 +39,9 @@ private:
     float margin_of(const CrowdMember& member, uint32_t index) const;
     bool finds(const MeetingBox& one, const MeetingBox& other) const;
     void set_box(const CrowdMember& member, uint32_t index);
-    void meet(const MeetingBox& one, uint32_t& at);
+    struct Placed;
+    void meet(uint32_t body);
+    void meet(const Placed& one, uint32_t other, uint32_t at);
     bool number_touching();
 
     // world/crowd_hold.cpp
