@@ -27,8 +27,8 @@ inline constexpr float trembling = 10.0f;
 // After a substep.
 struct BodyAfter {
     uint32_t index;
-    float speed; // m/s, of its fastest point
-    float limit; // m/s, below which it lies still
+    float speed;         // m/s, of its fastest point
+    float still, moving; // m/s: below the one it lies still, above the other it moves
     bool touches;
     uint32_t now[most_touches]; // as ContactBook::touching
 };
@@ -61,8 +61,8 @@ void enter_body(const ContactBook& book, const BodyAfter& body, bool may_rest, f
                 const Meeting& meeting) {
     const uint32_t at = body.index;
     // What trembles by ten times as much takes four times as long.
-    const bool moves = !body.touches || body.speed > trembling * body.limit;
-    const float share = moves ? 0.0f : body.speed > body.limit ? 0.25f : 1.0f;
+    const bool moves = !body.touches || body.speed > body.moving;
+    const float share = moves ? 0.0f : body.speed > body.still ? 0.25f : 1.0f;
     book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
     if (last && may_rest && book.rest_time[at] >= time_to_rest) book.comes_to_rest(book.batch, at);
     if (!last && body.now[0] == 0) return; // it may come back within the step

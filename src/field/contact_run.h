@@ -28,8 +28,8 @@ BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t 
         return std::sqrt(value(f) * value(f) + value(f + 1) * value(f + 1) + value(f + 2) * value(f + 2));
     };
     const float reach = run.step.shape->reach * value(field_scale);
-    BodyAfter body{
-        index, size(field_vx) + reach * size(field_wx), run.still * std::sqrt(reach), group.touches(lane), {}};
+    const float still = run.still * std::sqrt(reach), speed = size(field_vx) + reach * size(field_wx);
+    BodyAfter body{index, speed, still, trembling * still, group.touches(lane), {}};
     group.touched(lane, body.now);
     return body;
 }

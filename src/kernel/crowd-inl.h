@@ -288,7 +288,7 @@ void crowd_way(const CrowdInput& in, PairBlock& block) {
     alignas(64) LaneRow depth;
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
         const PairState s = state_of(in, block, g, at);
-        hn::Store(hn::Mul(constant(1e-4f), s.slop), d, block.dust + at);
+        hn::Store(hn::Mul(constant(1e-3f), s.slop), d, block.dust + at);
         store_matrix(block.turn_a, at, s.a.turn);
         store_matrix(block.turn_b, at, s.b.turn);
         VF deepest = hn::Zero(d);
@@ -536,7 +536,7 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
         const Side b{kind_b.body->full_inverse, matrix_of(load4(g.b + at_q, at)), ratio};
         store_matrix(block.turn_a, at, a.turn);
         store_matrix(block.turn_b, at, b.turn);
-        hn::Store(hn::Mul(constant(1e-5f), slow), d, block.dust + at);
+        hn::Store(hn::Mul(constant(1e-4f), slow), d, block.dust + at);
         const auto load = [&](const LaneRow* row, size_t field) LR_LAMBDA { return hn::Load(d, row[field] + at); };
         const auto rests_a = hn::Lt(load(g.a, at_depth), mul_add(constant(2.0f), size_a.slop, fall));
         const auto rests_b = hn::Lt(load(g.b, at_depth), mul_add(constant(2.0f), size_b.slop, fall));

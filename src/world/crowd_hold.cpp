@@ -10,6 +10,9 @@ namespace {
 
 constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 
+// What sweeps leave of the motion in a heap is some times what a body alone lies still at.
+constexpr float heap_still = 3.0f;
+
 void put(float (&to)[3], Vector v) {
     to[0] = v.x, to[1] = v.y, to[2] = v.z;
 }
@@ -23,7 +26,7 @@ Vector row_of(const LaneRow (&rows)[3], uint32_t lane) {
 } // namespace
 
 void CrowdStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const {
-    if (body.speed > trembling * body.limit) world_->batches[at_rest.batch].batch->note_rest(at_rest.index);
+    if (body.speed > body.moving) world_->batches[at_rest.batch].batch->note_rest(at_rest.index);
 }
 
 void CrowdStep::hold(uint32_t substep) {
@@ -224,7 +227,9 @@ void CrowdStep::put_back(uint32_t place, uint32_t substep) {
     body.index = index;
     const float reach = member.run.step.shape->reach * from.scale;
     body.speed = length(vector_of(from.v)) + reach * length(vector_of(from.w));
-    body.limit = member.run.still * std::sqrt(reach);
+    const float still = member.run.still * std::sqrt(reach);
+    body.still = heap_still * still;
+    body.moving = trembling * still;
     TouchList touched;
     for (uint32_t k = 0; k < c.held_count[place]; ++k) {
         const float impulse = pressed(place, k);
