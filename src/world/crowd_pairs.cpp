@@ -49,15 +49,20 @@ void CrowdStep::set_box(const CrowdMember& member, uint32_t index) {
     box.body = member.first + index;
 }
 
-// Of a pair the one with the smaller box finds the other, or the first by batch and key.
+// Of a pair the one with the smaller box finds the other, or the first by batch and key. Where callers give keys twice, it is
+// the place that tells.
 bool CrowdStep::finds(const MeetingBox& one, const MeetingBox& other) const {
     if (one.body == other.body) return false;
     const CrowdMember &a = member_of(one.body), &b = member_of(other.body);
     if (&a == &b ? !a.own : !world_->pairs.has(a.slot, b.slot)) return false;
     if (one.level != other.level) return one.level < other.level;
     if (&a != &b) return a.slot < b.slot;
-    const uint32_t* const key = a.item.batch->arrays().key;
-    return key[one.body - a.first] < key[other.body - b.first];
+    const BatchArrays& arrays = a.item.batch->arrays();
+    const uint32_t i = one.body - a.first, j = other.body - b.first;
+    if (arrays.key[i] != arrays.key[j]) return arrays.key[i] < arrays.key[j];
+    for (size_t f = field_x; f <= field_z; ++f)
+        if (arrays.field[f][i] != arrays.field[f][j]) return arrays.field[f][i] < arrays.field[f][j];
+    return i < j;
 }
 
 // The contacts of a body's pairs. Gaps are those that the substep begins with, so that what goes through each other within it

@@ -11,9 +11,13 @@ namespace {
 struct Neighbour {
     uint32_t batch, key, index;
     bool operator<(const Neighbour& other) const {
-        return batch != other.batch ? batch < other.batch : key < other.key;
+        return batch != other.batch ? batch < other.batch : key != other.key ? key < other.key : index < other.index;
     }
 };
+
+bool equal(Vector a, Vector b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
 
 // The first so many by batch and key, each once, whatever the order in which they come.
 struct Neighbours {

@@ -543,7 +543,8 @@ uint64_t lr_world::hash() const {
                 result = mix(result ^ word);
     }
     // Whose turn it is to be tried by the wind.
-    if (paced || pacing.limited() || (colliders.any() && any_resting())) result = mix(result ^ step_count);
+    if (paced || pacing.limited() || ((colliders.any() || pairs.any()) && any_resting()))
+        result = mix(result ^ step_count);
     pacing.hash([&](uint64_t word) { result = mix(result ^ word); });
     if (const uint64_t sources = wind.hash(time)) result = mix(result ^ sources);
     if (const uint64_t water = surface.hash()) result = mix(result ^ water);
