@@ -294,9 +294,12 @@ TEST_CASE("the same events in the same order with any workers, instruction sets 
             // Gusts let nothing lie.
             if (!windy || (kind != LR_BODY_LANDED && kind != LR_BODY_WOKE)) CHECK(count_of(expected, kind) > 5);
         }
-        for (const uint32_t workers : {1u, 2u, 4u}) CHECK(same(play({.workers = workers, .windy = windy}), expected));
+        CHECK(same(play({.workers = 4, .windy = windy}), expected));
+#ifndef LR_TEST_QUICK
+        for (const uint32_t workers : {1u, 2u}) CHECK(same(play({.workers = workers, .windy = windy}), expected));
         CHECK(same(play({.simd = LR_SIMD_EMULATED, .windy = windy}), expected));
         CHECK(same(play({.reversed = true, .windy = windy}), expected, false));
+#endif
         CHECK(same(play({.workers = 3, .simd = LR_SIMD_EMULATED, .reversed = true, .windy = windy}), expected, false));
         // And keeping them changes nothing.
         play({.capacity = 0, .windy = windy}, &other);

@@ -2,6 +2,7 @@
 #include "baker/aerodynamics/mesh_geometry.h"
 #include "baker/aerodynamics/silhouette.h"
 #include "baker/bake.h"
+#include "baker/json.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/report.h"
 #include "format/asset_file.h"
@@ -11,7 +12,6 @@
 #include "support/random.h"
 
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -357,7 +357,7 @@ TEST_CASE("aerodynamics: a bake puts them into the asset, the report and the fil
         CHECK(a.lift[k] == Approx(expected.lift[k]).epsilon(1e-6));
         CHECK(a.spin_drag[k] == Approx(expected.spin_drag[k]).epsilon(1e-6));
     }
-    const nlohmann::json j = nlohmann::json::parse(report_json(asset))["aerodynamics"];
+    const lr::test::Json j = lr::test::Json::parse(report_json(asset))["aerodynamics"];
     CHECK(j["axes"] == a.axes);
     CHECK(j["drag"] == a.drag);
     CHECK(j["drag_blunt"] == a.drag_blunt);
@@ -376,7 +376,7 @@ TEST_CASE("aerodynamics: a bake puts them into the asset, the report and the fil
 
     AssetData older = asset;
     older.has_aerodynamics = false;
-    CHECK(nlohmann::json::parse(report_json(older))["aerodynamics"].is_null());
+    CHECK(lr::test::Json::parse(report_json(older))["aerodynamics"].is_null());
     // From the hull: a flat card is convex, and its hull has its thickness.
     shape::complete_aerodynamics(older);
     for (std::size_t k = 0; k < 3; ++k) {

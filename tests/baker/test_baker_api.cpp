@@ -1,4 +1,5 @@
 // The public C++ API of the baker, as an importer meets it.
+#include "baker/json.h"
 #include "format/asset_file.h"
 #include "langevin_rigid_baker.hpp"
 #include "mesh_shapes.h"
@@ -6,7 +7,6 @@
 #include "scratch.h"
 
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
 
 #include <limits>
 #include <stdexcept>
@@ -95,7 +95,7 @@ TEST_CASE("baker API: a file gives the bytes that lr_bake writes") {
     REQUIRE(result);
     const std::string bytes = scratch.read("out.lrb");
     CHECK(std::string(result.asset.begin(), result.asset.end()) == bytes);
-    CHECK(nlohmann::json::parse(result.report)["name"] == "leaf");
+    CHECK(test::Json::parse(result.report)["name"] == "leaf");
 
     const std::string text = scratch.read("body.obj");
     const api::BakeResult memory = api::bake_memory(text.data(), text.size(), "any/where/body.obj", options);

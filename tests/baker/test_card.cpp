@@ -1,6 +1,7 @@
 // From the alpha channel of an image to a flat mesh.
 #include "baker/bake.h"
 #include "baker/card/card.h"
+#include "baker/json.h"
 #include "mesh_shapes.h"
 #include "png_files.h"
 #include "scratch.h"
@@ -8,7 +9,6 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
@@ -479,14 +479,14 @@ TEST_CASE("lr_bake card: a disc has the added mass of a disc") {
         bake({"--width", "5.12", "--unit", "cm", "--thickness", "0.01", "--areal-density", "0.07"});
     CHECK(baked.exit_code == 0);
     CHECK(baked.err.empty());
-    const nlohmann::json j = nlohmann::json::parse(scratch.read("r.json"));
-    const double a = 0.02, rho = j["fluid"]["density"];
-    CHECK(j["mass"].get<double>() == doctest::Approx(0.07 * pi * a * a).epsilon(1e-3));
-    CHECK(j["added_mass"][14].get<double>() == doctest::Approx(rho * 8.0 / 3.0 * a * a * a).epsilon(0.005));
-    CHECK(j["added_mass"][21].get<double>() == doctest::Approx(rho * 16.0 / 45.0 * std::pow(a, 5)).epsilon(0.01));
+    const test::Json j = test::Json::parse(scratch.read("r.json"));
+    const double a = 0.02, rho = j["fluid"]["density"].number();
+    CHECK(j["mass"].number() == doctest::Approx(0.07 * pi * a * a).epsilon(1e-3));
+    CHECK(j["added_mass"][14].number() == doctest::Approx(rho * 8.0 / 3.0 * a * a * a).epsilon(0.005));
+    CHECK(j["added_mass"][21].number() == doctest::Approx(rho * 16.0 / 45.0 * std::pow(a, 5)).epsilon(0.01));
     CHECK(j["diagonal"] == true);
     CHECK(j["provenance"]["source"] == "disc.png");
-    CHECK(j["provenance"]["options"].get<std::string>().starts_with(
+    CHECK(j["provenance"]["options"].text().starts_with(
         "card --unit cm --width 5.12 --alpha 0.5 --triangles 2000 --speck 0.001 --thickness 0.01 --areal-density "
         "0.07"));
     CHECK(j["faults"].empty());

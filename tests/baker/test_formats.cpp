@@ -1,5 +1,6 @@
 // Scenes through assimp: transforms, units, axes, names.
 #include "baker/bake.h"
+#include "baker/json.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh.h"
 #include "baker/mesh/mesh_check.h"
@@ -8,7 +9,6 @@
 #include "sheet_shapes.h"
 
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
 
 #include <Eigen/LU>
 
@@ -367,24 +367,24 @@ TEST_CASE("formats: the options are in the asset and its hash, what they did in 
         const test::Outcome outcome = test::run(LR_BAKE_PATH, arguments);
         INFO(outcome.err);
         REQUIRE(outcome.exit_code == 0);
-        return nlohmann::json::parse(scratch.read("r.json"));
+        return test::Json::parse(scratch.read("r.json"));
     };
-    const nlohmann::json plain = bake_with({});
-    CHECK(contains(plain["provenance"]["options"], "--unit file"));
+    const test::Json plain = bake_with({});
+    CHECK(contains(plain["provenance"]["options"].text(), "--unit file"));
     REQUIRE(plain["faults"].size() == 1);
     CHECK(plain["faults"][0]["number"] == 218);
     CHECK(bake_with({"--unit", "file", "--up", "z"})["provenance"] == plain["provenance"]);
 
-    const nlohmann::json cm = bake_with({"--unit", "cm"});
+    const test::Json cm = bake_with({"--unit", "cm"});
     CHECK(cm["faults"].empty());
-    CHECK(cm["volume"].get<double>() == Approx(plain["volume"].get<double>()));
-    const nlohmann::json turned = bake_with({"--up", "-x"});
-    CHECK(contains(turned["provenance"]["options"], "--up -x"));
+    CHECK(cm["volume"].number() == Approx(plain["volume"].number()));
+    const test::Json turned = bake_with({"--up", "-x"});
+    CHECK(contains(turned["provenance"]["options"].text(), "--up -x"));
     CHECK(turned["faults"].size() == 2);
-    CHECK(turned["inertia"][8].get<double>() == Approx(plain["inertia"][0].get<double>()).epsilon(1e-6));
-    const nlohmann::json named = bake_with({"--mesh", "Body"});
-    CHECK(contains(named["provenance"]["options"], "--mesh Body"));
-    for (const nlohmann::json& other : {cm, turned, named})
+    CHECK(turned["inertia"][8].number() == Approx(plain["inertia"][0].number()).epsilon(1e-6));
+    const test::Json named = bake_with({"--mesh", "Body"});
+    CHECK(contains(named["provenance"]["options"].text(), "--mesh Body"));
+    for (const test::Json& other : {cm, turned, named})
         CHECK(other["provenance"]["input_hash"] != plain["provenance"]["input_hash"]);
 
     const test::Outcome unknown = test::run(LR_BAKE_PATH, {"mesh", path, "-o", out, "--mesh", "Leaf"});

@@ -7,7 +7,6 @@
 #include "sheet_shapes.h"
 
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
 #include "baker/bake.h"
+#include "baker/json.h"
 #include "baker/mesh/ellipsoid_mesh.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh_shapes.h"
@@ -11,7 +12,6 @@
 #include "format/asset_file.h"
 
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -424,15 +424,15 @@ TEST_CASE("bake with a wake: in the options, the asset and the report") {
     REQUIRE(bake(o, again, faults));
     CHECK(write_asset(wake) == write_asset(again));
 
-    const auto j = nlohmann::json::parse(report_json(wake))["turbulence"];
+    const auto j = test::Json::parse(report_json(wake))["turbulence"];
     CHECK(j["wake"] == true);
     CHECK(j["settled"] == true);
     CHECK(j["loop"].is_null());
-    CHECK(j["domain"][1].get<double>() == doctest::Approx(4.0 * 0.08));
-    CHECK(j["domain"][2].get<double>() == doctest::Approx(4.0 * 0.04));
-    CHECK(j["max_divergence"].get<double>() < 1e-6);
-    CHECK(j["stationary"].get<size_t>() > 0);
-    const auto k = nlohmann::json::parse(report_json(plain))["turbulence"];
+    CHECK(j["domain"][1].number() == doctest::Approx(4.0 * 0.08));
+    CHECK(j["domain"][2].number() == doctest::Approx(4.0 * 0.04));
+    CHECK(j["max_divergence"].number() < 1e-6);
+    CHECK(j["stationary"].number() > 0);
+    const auto k = test::Json::parse(report_json(plain))["turbulence"];
     CHECK(k["wake"] == false);
     CHECK(k["settled"] == true);
     CHECK(k["stationary"] == 0);

@@ -48,7 +48,7 @@ TEST_CASE("held hashes") {
     const std::map<std::string, uint64_t> got = outcomes();
     if (std::getenv("LR_UPDATE_GOLDEN")) {
         std::ofstream file(LR_GOLDEN);
-        file << "# Scene and hash after " << Play::frames << " frames; see test_golden.cpp.\n";
+        file << "# Scene and hash after " << PlayedScene{}.frames << " frames; see test_golden.cpp.\n";
         for (const auto& [name, hash] : got) {
             char text[32];
             std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));

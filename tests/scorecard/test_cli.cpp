@@ -1,8 +1,8 @@
 // lr_scorecard as a user meets it: choices, files, exit codes.
+#include "baker/json.h"
 #include "baker/scratch.h"
 
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
 
 using lr::test::Outcome;
 using lr::test::Scratch;
@@ -56,9 +56,9 @@ TEST_CASE("lr_scorecard: runs a row, writes what it found, and does not depend o
         pages.push_back(scratch.read(std::string(threads) + "/scorecard.md"));
         CHECK(pages.back().find("## discs") != std::string::npos);
         CHECK(scratch.read(std::string(threads) + "/images/scorecard/discs.svg").find("</svg>") != std::string::npos);
-        const nlohmann::json found = nlohmann::json::parse(scratch.read(std::string(threads) + ".json"));
-        CHECK(found.at("rows").size() == 2);
-        CHECK(found.at("rows").at(0).at("holds") == true);
+        const lr::test::Json found = lr::test::Json::parse(scratch.read(std::string(threads) + ".json"));
+        CHECK(found["rows"].size() == 2);
+        CHECK(found["rows"][0]["holds"] == true);
     }
     CHECK(pages[0] == pages[1]);
 }

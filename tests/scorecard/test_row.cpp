@@ -1,8 +1,8 @@
 // Verdicts, jobs and reports of the scorecard.
+#include "baker/json.h"
 #include "scorecard/report.h"
 
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
 
 #include <atomic>
 #include <limits>
@@ -102,11 +102,11 @@ TEST_CASE("reports: all three say the same") {
     CHECK(page.find("1 of 2 | **FAIL**") != std::string::npos);
     CHECK(page.find("| a \\| b | 1.05 m/s | 1 | 10 % | pass |") != std::string::npos);
     CHECK(page.find("![A picture.](images/scorecard/p.svg)") != std::string::npos);
-    const nlohmann::json json = nlohmann::json::parse(to_json({f}, Context{}));
-    CHECK(json.at("holds") == false);
-    const nlohmann::json& checks = json.at("rows").at(0).at("checks");
+    const lr::test::Json json = lr::test::Json::parse(to_json({f}, Context{}));
+    CHECK(json["holds"] == false);
+    const lr::test::Json checks = json["rows"][0]["checks"];
     REQUIRE(checks.size() == 3);
-    CHECK(checks[0].at("holds") == true);
-    CHECK(checks[1].at("holds") == false);
+    CHECK(checks[0]["holds"] == true);
+    CHECK(checks[1]["holds"] == false);
     CHECK_FALSE(checks[2].contains("holds"));
 }

@@ -33,6 +33,7 @@ struct PlayedScene {
     uint64_t budget = 0;               // body-substeps a step
     float dt = 1.0f / 60.0f;           // s
     uint32_t substeps = 3;             // neither a power of two nor an even division: every rounding is there
+    int frames = 30;                   // steps of dt
     uint32_t bodies = 150;             // in each of two batches: one diagonal, one with its weight off centre
 };
 
@@ -182,8 +183,6 @@ struct Circumstances {
 
 class Play {
 public:
-    static constexpr int frames = 30;
-
     Play(const PlayedScene& scene, const Circumstances& how) : scene_(scene), how_(how), colliders_(scene.solids) {
         assets_[0] = leaf();
         assets_[1] = scene_.solids == Solids::none ? curled_leaf() : brick();
@@ -208,9 +207,9 @@ public:
     }
 
     uint64_t run() {
-        for (int frame = 0; frame < frames; ++frame) {
+        for (int frame = 0; frame < scene_.frames; ++frame) {
             if (scene_.forced && frame % 3 != 1) push();
-            if (frame == frames / 2 && how_.through_snapshot) {
+            if (frame == scene_.frames / 2 && how_.through_snapshot) {
                 const std::vector<unsigned char> snapshot = snapshot_of(world);
                 build();
                 for (int32_t kind : scene_.sources)
