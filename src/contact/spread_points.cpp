@@ -13,7 +13,7 @@ constexpr float edge_on = 0.2f;
 constexpr float same = 0.02f;
 // Tangent of the angle between faces from which the contacts are spread along the slope and not along the plate.
 constexpr float slope_counts = 0.02f;
-constexpr uint32_t most_walks = 3;
+constexpr uint32_t most_walks = 2;
 
 // A face of a core that looks at the other: points in axes of their own, given in the pair's frame.
 struct Side {
@@ -152,19 +152,18 @@ struct Region {
             least_left = less(load(off + i) - load(nu + i) * u - load(nv + i) * v, least_left);
         return least(least_left) >= 0.0f;
     }
-    // The corners farthest to -u, v, u, -v, from a place inside. least_room: of the middle to edges, as half-planes are.
-    Flats extremes(float middle_u, float middle_v, float least_room) {
+    // The corners farthest along d and its quarter turns, from a place inside. least_room: of the middle to edges, as half-planes are.
+    Flats extremes(float middle_u, float middle_v, float du, float dv, float least_room) {
         for (uint32_t i = 0; i < count; i += lanes) {
             const Four left = load(off + i) - load(nu + i) * middle_u - load(nv + i) * middle_v;
             store(1.0f / greater(left, all(least_room)), inverse + i);
         }
-        const Flats d{{-1.0f, 0.0f, 1.0f, 0.0f}, {0.0f, 1.0f, 0.0f, -1.0f}};
+        const Flats d{{du, -dv, -du, dv}, {dv, du, -dv, -du}};
         // The ends of rays.
         Four nearest = all(0.0f);
         FourInts at{0, 0, 0, 0};
         for (uint32_t k = 0; k < count; ++k) {
-            const float u = nu[k] * inverse[k], v = nv[k] * inverse[k];
-            const Four value{-u, v, u, -v};
+            const Four value = (nu[k] * d.u + nv[k] * d.v) * inverse[k];
             const auto place = static_cast<int32_t>(k);
             const FourInts better = value > nearest;
             nearest = better ? value : nearest;
@@ -183,7 +182,8 @@ struct Region {
             }
             const Flats n{load(u), load(v)};
             const Four gain = d.v * n.u - d.u * n.v;
-            if (walk == 0) turn = gain >= all(0.0f) ? all(1.0f) : all(-1.0f);
+            // Of edges across d all go the same way round, so that each leads to a corner of its own.
+            if (walk == 0) turn = gain >= -0.02f * (greater(n.u, -n.u) + greater(n.v, -n.v)) ? all(1.0f) : all(-1.0f);
             const Flats edge{-turn * n.v, turn * n.u};
             FourInts next;
             Four t = ways(p, edge, all(1e30f), next);
@@ -278,14 +278,25 @@ void spread_over_faces(Spread& spread, const Side& a, const Side& b) {
     const Four part = region.ways({all(0.0f), all(0.0f)}, to, all(1.0f), at) / 3.0f;
     const float middle_u = part[0] * to.u[0] + part[1] * to.u[1], middle_v = part[0] * to.v[0] + part[1] * to.v[1];
     if (!(middle_u * middle_u + middle_v * middle_v > 1e-8f * size * size) || !region.holds(middle_u, middle_v)) return;
-    const Flats corners = region.extremes(middle_u, middle_v, 1e-7f * size * size);
-    for (uint32_t i = 0; i < lanes; ++i) {
-        const float pu = corners.u[i], pv = corners.v[i];
-        const float gap = spread.closest.distance + slope_u * pu + slope_v * pv;
-        // Corners at the limit are where the region was cut.
-        if (!(gap < spread.limit - 1e-3f * left)) continue;
-        const Vector across = pu * u + pv * v;
-        spread.add(around + across + dot(rise_b, across) * n, gap);
+    float du = -1.0f, dv = 0.0f;
+    for (uint32_t round = 0; round < 2; ++round) {
+        const Flats corners = region.extremes(middle_u, middle_v, du, dv, 1e-7f * size * size);
+        for (uint32_t i = 0; i < lanes; ++i) {
+            const float pu = corners.u[i], pv = corners.v[i];
+            const float gap = spread.closest.distance + slope_u * pu + slope_v * pv;
+            // Corners at the limit are where the region was cut.
+            if (!(gap < spread.limit - 1e-3f * left)) continue;
+            const Vector across = pu * u + pv * v;
+            spread.add(around + across + dot(rise_b, across) * n, gap);
+        }
+        if (spread.count != 2 || slope > slope_counts) return;
+        // The ends of something long and narrow: now across it.
+        const Vector between = spread.out[1].on_b - spread.out[0].on_b;
+        du = dot(between, u);
+        dv = dot(between, v);
+        const float inverse_length = 1.0f / std::sqrt(du * du + dv * dv);
+        du *= inverse_length;
+        dv *= inverse_length;
     }
 }
 
