@@ -187,7 +187,8 @@ struct Region {
             const Flats edge{-turn * n.v, turn * n.u};
             FourInts next;
             Four t = ways(p, edge, all(1e30f), next);
-            const FourInts on = (next >= 0) & (at >= 0) & (walk == 0 ? gain == gain : turn * gain > all(0.0f));
+            FourInts on = (next >= 0) & (at >= 0);
+            if (walk > 0) on &= turn * gain > all(0.0f);
             t = on ? t : all(0.0f);
             at = on ? next : FourInts{-1, -1, -1, -1};
             p = {p.u + t * edge.u, p.v + t * edge.v};
@@ -289,11 +290,18 @@ void spread_over_faces(Spread& spread, const Side& a, const Side& b) {
             const Vector across = pu * u + pv * v;
             spread.add(around + across + dot(rise_b, across) * n, gap);
         }
-        if (spread.count != 2 || slope > slope_counts) return;
-        // The ends of something long and narrow: now across it.
-        const Vector between = spread.out[1].on_b - spread.out[0].on_b;
-        du = dot(between, u);
-        dv = dot(between, v);
+        if (spread.count < 2 || spread.count == most_pair_contacts || slope > slope_counts) return;
+        // Where some are the same it is long and narrow: along its ends, and across.
+        float most = 0.0f;
+        for (uint32_t i = 1; i < spread.count; ++i)
+            for (uint32_t j = 0; j < i; ++j) {
+                const Vector between = spread.out[i].on_b - spread.out[j].on_b;
+                const float square = dot(between, between);
+                if (!(square > most)) continue;
+                most = square;
+                du = dot(between, u);
+                dv = dot(between, v);
+            }
         const float inverse_length = 1.0f / std::sqrt(du * du + dv * dv);
         du *= inverse_length;
         dv *= inverse_length;
@@ -362,6 +370,8 @@ uint32_t spread_points(const PlacedPair& pair, const Closest& closest, Vector sh
             for (const uint32_t end : ends)
                 spread_along_edge(spread, edge_is_a ? b : a, edge_is_a,
                                   edge_is_a ? pair.point_a(end) + shift : pair.point_b(end));
+            // The nearest point may itself be an end.
+            if (spread.count == 1) spread.add(closest.on_b, closest.distance);
         }
     }
     spread.finish();
