@@ -26,8 +26,8 @@ struct MeetingShape {
     alignas(16) float x[room], y[room], z[room];                     // m; counter-clockwise about z where flat
     alignas(16) float edge_x[room], edge_y[room], edge_offset[room]; // where flat: inside edge . p <= offset, edge unit
     // Of a plate: at most coarse_most points of the outline, between which contacts are spread.
-    static constexpr uint32_t coarse_most = 12, coarse_room = coarse_most + lanes;
-    uint32_t coarse_padded;
+    static constexpr uint32_t coarse_most = 8, coarse_room = coarse_most + 2 * lanes;
+    uint32_t coarse_count;
     alignas(16) float coarse_x[coarse_room], coarse_y[coarse_room];
     Vector center;                    // m, mean of the points
     Vector core_half;                 // m, of the core's box

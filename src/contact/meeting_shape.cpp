@@ -214,7 +214,7 @@ void set_coarse_outline(MeetingShape& out) {
         for (uint32_t i = least_at; i + 1 < count; ++i) kept[i] = kept[i + 1];
         --count;
     }
-    out.coarse_padded = (count + MeetingShape::lanes - 1) / MeetingShape::lanes * MeetingShape::lanes;
+    out.coarse_count = count;
     for (uint32_t i = 0; i < MeetingShape::coarse_room; ++i) {
         out.coarse_x[i] = out.x[kept[i < count ? i : 0]];
         out.coarse_y[i] = out.y[kept[i < count ? i : 0]];

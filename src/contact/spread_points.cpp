@@ -13,7 +13,7 @@ constexpr float edge_on = 0.2f;
 constexpr float same = 0.02f;
 // Tangent of the angle between faces from which the contacts are spread along the slope and not along the plate.
 constexpr float slope_counts = 0.02f;
-constexpr uint32_t most_walks = 4;
+constexpr uint32_t most_walks = 2;
 
 // A face of a core that looks at the other: points in axes of their own, given in the pair's frame.
 struct Side {
@@ -23,7 +23,7 @@ struct Side {
     Vector origin{};
     Vector axes[3] = {};
     const float *x = nullptr, *y = nullptr, *z = nullptr; // z: null for a plate
-    uint32_t padded = 0;
+    uint32_t count = 0;
     Vector center{};
     alignas(16) float own_x[room], own_y[room], own_z[room]; // of a solid's face
 };
@@ -51,7 +51,7 @@ bool set_side(const MeetingShape& shape, float scale, Vector point, Vector direc
         side.faces = std::abs(direction.z) > edge_on;
         side.x = shape.coarse_x;
         side.y = shape.coarse_y;
-        side.padded = shape.coarse_padded;
+        side.count = shape.coarse_count;
         side.center = shape.center;
     } else {
         const uint32_t f = face_at(shape, point, direction);
@@ -61,8 +61,8 @@ bool set_side(const MeetingShape& shape, float scale, Vector point, Vector direc
         side.faces = dot(n, direction) > edge_on;
         if (!side.faces) return true;
         const ShapeFace& face = shape.shape.faces[f];
-        side.padded = (face.count + lanes - 1) / lanes * lanes;
-        for (uint32_t i = 0; i < side.padded + lanes && i < room; ++i) {
+        side.count = face.count;
+        for (uint32_t i = 0; i < face.count + lanes + 1u && i < room; ++i) {
             const uint32_t at = shape.shape.corners[face.first + (i < face.count ? i : 0)];
             side.own_x[i] = shape.x[at];
             side.own_y[i] = shape.y[at];
@@ -80,14 +80,16 @@ bool set_side(const MeetingShape& shape, float scale, Vector point, Vector direc
     return true;
 }
 
-struct Flat {
-    float u, v;
+// Four places or directions in the plane across the normal, a lane each.
+struct Flats {
+    Four u, v;
 };
 
-// What both faces cover, seen along the normal: half-planes n . p <= off around the nearest point.
+// What both faces cover, seen along the normal: half-planes n . p <= off around the nearest point. Asked from four places at once.
 struct Region {
-    uint32_t count = 0; // padded
-    alignas(16) float nu[2 * room + lanes], nv[2 * room + lanes], off[2 * room + lanes], inverse[2 * room + lanes];
+    uint32_t count = 0;
+    static constexpr uint32_t most = 2 * room + 2 * lanes;
+    alignas(16) float nu[most], nv[most], off[most], inverse[most], along[most];
 
     // The edges of a face, in axes u and v across the normal n.
     void add_edges(const Side& side, Vector u, Vector v, Vector n, Vector around) {
@@ -96,7 +98,7 @@ struct Region {
         const float ux = dot(u, side.axes[0]), uy = dot(u, side.axes[1]), uz = dot(u, side.axes[2]);
         const float vx = dot(v, side.axes[0]), vy = dot(v, side.axes[1]), vz = dot(v, side.axes[2]);
         const float sense = (dot(side.normal, n) > 0.0f) == side.counter ? 1.0f : -1.0f;
-        for (uint32_t i = 0; i < side.padded; i += lanes) {
+        for (uint32_t i = 0; i < side.count; i += lanes) {
             const Four x = load(side.x + i), y = load(side.y + i);
             const Four ex = load(side.x + i + 1) - x, ey = load(side.y + i + 1) - y;
             Four pu = base_u + x * ux + y * uy, pv = base_v + x * vx + y * vy;
@@ -109,77 +111,89 @@ struct Region {
                 ev = ev + ez * vz;
             }
             const Four across_u = sense * ev, across_v = -sense * eu;
-            store(across_u, nu + count);
-            store(across_v, nv + count);
-            store(across_u * pu + across_v * pv, off + count);
-            count += lanes;
+            store(across_u, nu + count + i);
+            store(across_v, nv + count + i);
+            store(across_u * pu + across_v * pv, off + count + i);
         }
+        count += side.count;
     }
     // u <= limit / slope, in numbers as large as those of edges.
     void add_limit(float slope, float limit, float size) {
-        store(Four{size * slope, 0.0f, 0.0f, 0.0f}, nu + count);
-        store(all(0.0f), nv + count);
-        store(Four{size * (limit > 0.0f ? limit : 0.0f), 0.0f, 0.0f, 0.0f}, off + count);
-        count += lanes;
+        nu[count] = size * slope;
+        nv[count] = 0.0f;
+        off[count] = size * (limit > 0.0f ? limit : 0.0f);
+        ++count;
     }
-    // The part of the way from `from` along d, at most 1, that is inside; at: the half-plane that ends it. Half-planes all but along
-    // d do not.
-    float way(Flat from, Flat d, float most, uint32_t& at) const {
-        const float square = d.u * d.u + d.v * d.v;
-        Greatest nearest(all(-most));
-        nearest.place = nearest.place - 4; // none
+    // When all are there: half-planes that a way has to leave more steeply than this to end at them.
+    void close() {
+        for (const auto& numbers : {nu, nv, off}) store(all(0.0f), numbers + count);
         for (uint32_t i = 0; i < count; i += lanes) {
             const Four u = load(nu + i), v = load(nv + i);
-            const Four out = u * d.u + v * d.v, left = load(off + i) - u * from.u - v * from.v;
-            const FourInts counts = (out > 0.0f) & (out * out > 1e-8f * square * (u * u + v * v));
-            const Four t = counts ? -left / out : all(-std::numeric_limits<float>::infinity());
-            nearest.offer(t, static_cast<int32_t>(i));
+            store(1e-4f * (greater(u, -u) + greater(v, -v)), along + i);
         }
-        const float t = -nearest.get(at);
-        return t > 0.0f ? t : 0.0f;
     }
-    bool holds(Flat p) const {
+    // The part of each way d from `from`, at most `longest`, that is inside; at: what ends it, or -1.
+    Four ways(const Flats& from, const Flats& d, Four longest, FourInts& at) const {
+        const Four size = greater(d.u, -d.u) + greater(d.v, -d.v);
+        Four best = longest;
+        at = FourInts{-1, -1, -1, -1};
+        for (uint32_t k = 0; k < count; ++k) {
+            const Four out = nu[k] * d.u + nv[k] * d.v, left = off[k] - nu[k] * from.u - nv[k] * from.v;
+            const FourInts ends = (out > along[k] * size) & (left < best * out);
+            const auto place = static_cast<int32_t>(k);
+            best = ends ? left / out : best;
+            at = ends ? FourInts{place, place, place, place} : at;
+        }
+        return best > all(0.0f) ? best : all(0.0f);
+    }
+    bool holds(float u, float v) const {
         Four least_left = all(0.0f);
         for (uint32_t i = 0; i < count; i += lanes)
-            least_left = less(load(off + i) - load(nu + i) * p.u - load(nv + i) * p.v, least_left);
+            least_left = less(load(off + i) - load(nu + i) * u - load(nv + i) * v, least_left);
         return least(least_left) >= 0.0f;
     }
-    // From now on ray() starts here. False: not inside.
-    bool set_middle(Flat m, float least_room) {
-        Four least_left = all(least_room);
+    // The corners farthest along d and its quarter turns, from a place inside. least_room: of the middle to edges, as half-planes are.
+    Flats extremes(float middle_u, float middle_v, float du, float dv, float least_room) {
         for (uint32_t i = 0; i < count; i += lanes) {
-            const Four left = load(off + i) - load(nu + i) * m.u - load(nv + i) * m.v;
-            least_left = less(left, least_left);
+            const Four left = load(off + i) - load(nu + i) * middle_u - load(nv + i) * middle_v;
             store(1.0f / greater(left, all(least_room)), inverse + i);
         }
-        return least(least_left) >= 0.0f;
-    }
-    // 1 over the part of d at which the region ends.
-    float ray(Flat d, uint32_t& at) const {
-        Greatest found((load(nu) * d.u + load(nv) * d.v) * load(inverse));
-        for (uint32_t i = lanes; i < count; i += lanes)
-            found.offer((load(nu + i) * d.u + load(nv + i) * d.v) * load(inverse + i), static_cast<int32_t>(i));
-        return found.get(at);
-    }
-    // The corner farthest along d.
-    bool extreme(Flat middle, Flat d, float size, Flat& p) const {
-        uint32_t at = 0;
-        const float inverse_way = ray(d, at);
-        if (!(inverse_way > 0.0f)) return false;
-        p = {middle.u + d.u / inverse_way, middle.v + d.v / inverse_way};
-        const float turn = d.v * nu[at] - d.u * nv[at] >= 0.0f ? 1.0f : -1.0f;
-        for (uint32_t walk = 0; walk < most_walks; ++walk) {
-            const Flat along{-turn * nv[at], turn * nu[at]};
-            if (walk > 0 && !(d.u * along.u + d.v * along.v > 0.0f)) break;
-            const float square = along.u * along.u + along.v * along.v;
-            if (!(square > 0.0f)) break;
-            uint32_t next = UINT32_MAX;
-            const float t = way(p, along, 4.0f * size / std::sqrt(square), next);
-            if (next >= count) break;
-            p = {p.u + t * along.u, p.v + t * along.v};
-            at = next;
+        const Flats d{{du, -dv, -du, dv}, {dv, du, -dv, -du}};
+        // The ends of rays.
+        Four nearest = all(0.0f);
+        FourInts at{0, 0, 0, 0};
+        for (uint32_t k = 0; k < count; ++k) {
+            const Four value = (nu[k] * d.u + nv[k] * d.v) * inverse[k];
+            const auto place = static_cast<int32_t>(k);
+            const FourInts better = value > nearest;
+            nearest = better ? value : nearest;
+            at = better ? FourInts{place, place, place, place} : at;
         }
-        return true;
+        const Four way = 1.0f / nearest;
+        Flats p{middle_u + way * d.u, middle_v + way * d.v};
+        // From there along the edges while that leads farther, always the same way round.
+        Four turn = all(0.0f);
+        for (uint32_t walk = 0; walk < most_walks; ++walk) {
+            float u[lanes], v[lanes];
+            for (uint32_t lane = 0; lane < lanes; ++lane) {
+                const int32_t k = at[lane] < 0 ? 0 : at[lane];
+                u[lane] = nu[k];
+                v[lane] = nv[k];
+            }
+            const Flats n{load(u), load(v)};
+            const Four gain = d.v * n.u - d.u * n.v;
+            // Of edges across d all go the same way round, so that each leads to a corner of its own.
+            if (walk == 0) turn = gain >= -0.02f * (greater(n.u, -n.u) + greater(n.v, -n.v)) ? all(1.0f) : all(-1.0f);
+            const Flats edge{-turn * n.v, turn * n.u};
+            FourInts next;
+            Four t = ways(p, edge, all(1e30f), next);
+            FourInts on = (next >= 0) & (at >= 0);
+            if (walk > 0) on &= turn * gain > all(0.0f);
+            t = on ? t : all(0.0f);
+            at = on ? next : FourInts{-1, -1, -1, -1};
+            p = {p.u + t * edge.u, p.v + t * edge.v};
+        }
+        return p;
     }
 };
 
@@ -257,25 +271,40 @@ void spread_over_faces(Spread& spread, const Side& a, const Side& b) {
     region.add_edges(b, u, v, n, around);
     const float size = spread.smaller, left = spread.limit - spread.closest.distance;
     if (slope > slope_counts) region.add_limit(slope, left, size);
-    Flat middle{0.0f, 0.0f};
-    for (const Side* side : {&a, &b}) {
-        const Vector to = side->center - around;
-        const Flat d{dot(u, to), dot(v, to)};
-        uint32_t at = 0;
-        const float t = region.way({0.0f, 0.0f}, d, 1.0f, at) / 3.0f;
-        middle = {middle.u + t * d.u, middle.v + t * d.v};
-    }
-    if (!(middle.u * middle.u + middle.v * middle.v > 1e-8f * size * size)) return;
-    if (!region.set_middle(middle, 1e-7f * size * size)) return;
-    const Flat directions[4] = {{-1.0f, 0.0f}, {0.0f, 1.0f}, {1.0f, 0.0f}, {0.0f, -1.0f}};
-    for (const Flat& d : directions) {
-        Flat p{};
-        if (!region.extreme(middle, d, size, p)) continue;
-        const float gap = spread.closest.distance + slope_u * p.u + slope_v * p.v;
-        // Corners at the limit are where the region was cut.
-        if (gap > spread.limit - 1e-3f * left) continue;
-        const Vector across = p.u * u + p.v * v;
-        spread.add(around + across + dot(rise_b, across) * n, gap);
+    region.close();
+    // From the nearest point to the middle of each face, as far as the other goes: between these ends is the inside.
+    const Vector to_a = a.center - around, to_b = b.center - around;
+    const Flats to{{dot(u, to_a), dot(u, to_b), 0.0f, 0.0f}, {dot(v, to_a), dot(v, to_b), 0.0f, 0.0f}};
+    FourInts at;
+    const Four part = region.ways({all(0.0f), all(0.0f)}, to, all(1.0f), at) / 3.0f;
+    const float middle_u = part[0] * to.u[0] + part[1] * to.u[1], middle_v = part[0] * to.v[0] + part[1] * to.v[1];
+    if (!(middle_u * middle_u + middle_v * middle_v > 1e-8f * size * size) || !region.holds(middle_u, middle_v)) return;
+    float du = -1.0f, dv = 0.0f;
+    for (uint32_t round = 0; round < 2; ++round) {
+        const Flats corners = region.extremes(middle_u, middle_v, du, dv, 1e-7f * size * size);
+        for (uint32_t i = 0; i < lanes; ++i) {
+            const float pu = corners.u[i], pv = corners.v[i];
+            const float gap = spread.closest.distance + slope_u * pu + slope_v * pv;
+            // Corners at the limit are where the region was cut.
+            if (!(gap < spread.limit - 1e-3f * left)) continue;
+            const Vector across = pu * u + pv * v;
+            spread.add(around + across + dot(rise_b, across) * n, gap);
+        }
+        if (spread.count < 2 || spread.count == most_pair_contacts || slope > slope_counts) return;
+        // Where some are the same it is long and narrow: along its ends, and across.
+        float most = 0.0f;
+        for (uint32_t i = 1; i < spread.count; ++i)
+            for (uint32_t j = 0; j < i; ++j) {
+                const Vector between = spread.out[i].on_b - spread.out[j].on_b;
+                const float square = dot(between, between);
+                if (!(square > most)) continue;
+                most = square;
+                du = dot(between, u);
+                dv = dot(between, v);
+            }
+        const float inverse_length = 1.0f / std::sqrt(du * du + dv * dv);
+        du *= inverse_length;
+        dv *= inverse_length;
     }
 }
 
@@ -294,12 +323,13 @@ void spread_along_edge(Spread& spread, const Side& face, bool edge_is_a, Vector 
     region.add_edges(face, u, v, n, spread.closest.on_b);
     const float edge_rise = dot(way, n) / size, face_rise = dot(rise, u);
     const float opening = edge_is_a ? edge_rise - face_rise : face_rise - edge_rise;
-    uint32_t at = 0;
-    float t = region.way({0.0f, 0.0f}, {1.0f, 0.0f}, size, at);
+    region.close();
+    FourInts at;
+    float t = region.ways({all(0.0f), all(0.0f)}, {all(1.0f), all(0.0f)}, all(size), at)[0];
     const float left = 0.999f * (spread.limit - spread.closest.distance);
     if (opening * t > left) t = left / opening;
     // The nearest point may lie outside of a coarse outline.
-    if (!region.holds({0.999f * t, 0.0f})) return;
+    if (!region.holds(0.999f * t, 0.0f)) return;
     const float on_b_rise = edge_is_a ? face_rise : edge_rise;
     spread.add(spread.closest.on_b + t * u + (t * on_b_rise) * n, spread.closest.distance + t * opening);
 }
@@ -340,6 +370,8 @@ uint32_t spread_points(const PlacedPair& pair, const Closest& closest, Vector sh
             for (const uint32_t end : ends)
                 spread_along_edge(spread, edge_is_a ? b : a, edge_is_a,
                                   edge_is_a ? pair.point_a(end) + shift : pair.point_b(end));
+            // The nearest point may itself be an end.
+            if (spread.count == 1) spread.add(closest.on_b, closest.distance);
         }
     }
     spread.finish();

@@ -256,3 +256,201 @@ TEST_CASE("cores that overlap are led out by about the least way, the same for b
     CHECK(worse * 20 < overlapping);
     CHECK(excess < 0.3);
 }
+
+namespace {
+
+// Where contacts are seen from above, and whether a point is between them.
+bool between(const Placed& a, const PairContact* out, uint32_t count, double x, double y) {
+    // Outside where some line through two of them has all others and not the point on one side.
+    for (uint32_t i = 0; i < count; ++i)
+        for (uint32_t j = 0; j < count; ++j) {
+            if (i == j) continue;
+            const Double3 p = to_double(world_of(a.at, out[i].arm_a)), q = to_double(world_of(a.at, out[j].arm_a));
+            const auto side = [&](double u, double v) { return (q.x - p.x) * (v - p.y) - (q.y - p.y) * (u - p.x); };
+            bool all_left = true;
+            for (uint32_t k = 0; k < count; ++k) {
+                const Double3 r = to_double(world_of(a.at, out[k].arm_a));
+                all_left = all_left && (k == i || k == j || side(r.x, r.y) >= 0.0);
+            }
+            if (all_left && side(x, y) < 0.0) return false;
+        }
+    return count >= 3;
+}
+
+MeetingShape card(float x, float y) {
+    return make_meeting_shape(make_body_shape(test::asset_of(test::box_corners(x, y, 2e-3f * x))));
+}
+
+Rotation about(Vector axis, double angle) {
+    const auto s = static_cast<float>(std::sin(0.5 * angle));
+    return {s * axis.x, s * axis.y, s * axis.z, static_cast<float>(std::cos(0.5 * angle))};
+}
+
+} // namespace
+
+TEST_CASE("a plate that lies on another is held around what both cover") {
+    test::Random random(13);
+    const MeetingShape lower = card(0.1f, 0.06f);
+    const MeetingShape uppers[] = {card(0.1f, 0.06f), card(0.2f, 0.02f), make_meeting_shape(test::leaf(0.1f, 3e-4f)),
+                                   make_meeting_shape(test::ellipsoid(0.05f, 0.03f, 2e-4f))};
+    uint32_t beside = 0;
+    for (uint32_t i = 0; i < test::rounds(4000); ++i) {
+        const MeetingShape& upper = uppers[i % 4];
+        const float gap = random.real(1e-5, 2e-4);
+        const Placed b(lower, 1.0f, {{1.0f, 2.0f, 3.0f}, about({0, 0, 1}, random.uniform(-3.0, 3.0))});
+        const float height = gap + lower.shape.radius + upper.shape.radius;
+        // Turned so that it lies in z = const.
+        const Rotation flat = about({0, 0, 1}, random.uniform(-3.0, 3.0)) * inverse(upper.frame);
+        const Placed a(upper, 1.0f,
+                       {{1.0f + random.real(-0.02, 0.02), 2.0f + random.real(-0.02, 0.02), 3.0f + height}, flat});
+        PairContact out[most_pair_contacts];
+        const uint32_t count = find(a, b, 1e-3f, out);
+        REQUIRE(count >= 3);
+        // The middle of what both cover, and half of the way from there to where it ends.
+        const auto covered = [&](double x, double y) {
+            for (const Placed* body : {&a, &b}) {
+                const Vector p = rotate(inverse(body->at.rotation * body->shape.frame),
+                                        Vector{static_cast<float>(x), static_cast<float>(y), 3.0f} - body->at.position -
+                                            rotate(body->at.rotation, body->shape.origin));
+                for (uint32_t k = 0; k < body->shape.shape.count; ++k)
+                    if (body->shape.edge_x[k] * p.x + body->shape.edge_y[k] * p.y > body->shape.edge_offset[k])
+                        return false;
+            }
+            return true;
+        };
+        double middle[2] = {}, area = 0.0;
+        for (int u = -60; u <= 60; ++u)
+            for (int v = -60; v <= 60; ++v) {
+                const double x = 1.0 + u * 2e-3, y = 2.0 + v * 2e-3;
+                if (!covered(x, y)) continue;
+                middle[0] += x;
+                middle[1] += y;
+                area += 1.0;
+            }
+        beside += !between(a, out, count, middle[0] / area, middle[1] / area);
+        for (uint32_t k = 0; k < count; ++k) {
+            CHECK(out[k].gap == doctest::Approx(gap).epsilon(0.02));
+            CHECK(out[k].normal.z > 0.9999f);
+        }
+    }
+    // Four of eight corners leave the middle out where the eight lie unevenly.
+    INFO(beside << " of them do not hold the middle");
+    CHECK(beside * 200 < test::rounds(4000));
+}
+
+TEST_CASE("aligned cards share four corners, a leaning one two, a corner one") {
+    const MeetingShape plate = card(0.1f, 0.06f), small = card(0.03f, 0.02f);
+    const Placed b(plate, 1.0f, {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}});
+    const float radii = plate.shape.radius + small.shape.radius;
+    PairContact out[most_pair_contacts];
+    const auto span = [&](uint32_t count) {
+        float most = 0.0f;
+        for (uint32_t i = 0; i < count; ++i)
+            for (uint32_t j = 0; j < i; ++j) most = std::max(most, length(out[i].arm_a - out[j].arm_a));
+        return most;
+    };
+    const Placed flat(small, 1.0f, {{0.01f, -0.02f, radii + 1e-5f}, {0.0f, 0.0f, 0.0f, 1.0f}});
+    REQUIRE(find(flat, b, 1e-4f, out) == 4);
+    const float half_diagonal = length(Vector{small.core_half.x, small.core_half.y, 0.0f});
+    for (const PairContact& c : out)
+        CHECK(length(Vector{c.arm_a.x, c.arm_a.y, 0.0f}) == doctest::Approx(half_diagonal).epsilon(1e-3));
+    CHECK(span(4) == doctest::Approx(2.0f * half_diagonal).epsilon(1e-3));
+
+    const auto lowest = [&](Rotation q) {
+        float z = 0.0f;
+        for (uint32_t i = 0; i < small.shape.count; ++i)
+            z = std::min(z, rotate(q, {small.shape.x[i], small.shape.y[i], small.shape.z[i]}).z);
+        return z;
+    };
+    for (const double angle : {0.1, 0.7, 1.3, 1.5}) { // about its longer side
+        const Rotation tilted = about({1, 0, 0}, angle);
+        const Placed leaning(small, 1.0f, {{0.01f, -0.02f, radii + 1e-5f - lowest(tilted)}, tilted});
+        REQUIRE(find(leaning, b, 1e-4f, out) == 2);
+        CHECK(span(2) == doctest::Approx(2.0f * std::max(small.core_half.x, small.core_half.y)).epsilon(1e-3));
+        CHECK(out[0].gap == doctest::Approx(1e-5).epsilon(0.01));
+        CHECK(out[1].gap == doctest::Approx(1e-5).epsilon(0.01));
+    }
+    const Rotation tipped = about({0, 1, 0}, 0.6) * about({1, 0, 0}, 0.6);
+    const Placed corner(small, 1.0f, {{0.0f, 0.0f, radii + 1e-5f - lowest(tipped)}, tipped});
+    REQUIRE(find(corner, b, 1e-4f, out) == 1);
+    CHECK(out[0].normal.z > 0.9999f);
+    CHECK(out[0].gap == doctest::Approx(1e-5).epsilon(0.01));
+}
+
+TEST_CASE("degenerate pairs give finite contacts, what is not finite none") {
+    test::Random random(14);
+    const std::vector<MeetingShape> pool = some_shapes(0.05f, random);
+    const float bad = std::numeric_limits<float>::quiet_NaN(), endless = std::numeric_limits<float>::infinity();
+    const auto all_finite = [&](const PairContact* out, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) {
+            CHECK(std::abs(length(out[i].normal) - 1.0f) < 1e-5f);
+            CHECK(std::isfinite(length(out[i].arm_a) + length(out[i].arm_b) + out[i].gap));
+        }
+    };
+    PairContact out[most_pair_contacts];
+    for (uint32_t i = 0; i < test::rounds(6000); ++i) {
+        const MeetingShape &a = pool[random.below(60)], &b = pool[random.below(60)];
+        const Pose at{{1.0f, 2.0f, 3.0f}, test::any_rotation(random)};
+        // In the same place, with the same rotation or another, of the same size or hundreds of times as large.
+        const Pose other{at.position, i % 2 == 0 ? at.rotation : test::any_rotation(random)};
+        const float ratio = i % 3 == 0 ? 1.0f : i % 3 == 1 ? 400.0f : 0.0025f;
+        const float margin = i % 5 == 0 ? 0.0f : 1e-3f;
+        const uint32_t count = find_pair_contacts(a, 1.0f, at, i % 4 == 0 ? a : b, ratio, other, margin, out);
+        REQUIRE(count > 0);
+        all_finite(out, count);
+        CHECK(out[0].gap < 0.0f);
+        // Near the surface of a large one.
+        const Pose far{at.position + ratio * b.shape.reach * random.real(0.0, 1.0) * test::any_direction(random),
+                       other.rotation};
+        all_finite(out, find_pair_contacts(a, 1.0f, at, b, ratio, far, margin, out));
+        Pose wrong = at;
+        float* const numbers[] = {&wrong.position.x, &wrong.position.z, &wrong.rotation.x, &wrong.rotation.w};
+        *numbers[i % 4] = i % 8 < 4 ? bad : endless;
+        CHECK(find_pair_contacts(a, 1.0f, wrong, b, 1.0f, other, margin, out) == 0);
+        CHECK(find_pair_contacts(a, 1.0f, other, b, 1.0f, wrong, margin, out) == 0);
+        CHECK(find_pair_contacts(a, bad, at, b, 1.0f, other, margin, out) == 0);
+        CHECK(find_pair_contacts(a, 1.0f, at, b, 1.0f, other, bad, out) == 0);
+    }
+}
+
+TEST_CASE("bounds hold the body and no more; ellipsoids keep their volume") {
+    test::Random random(15);
+    const std::vector<MeetingShape> pool = some_shapes(0.05f, random);
+    for (uint32_t i = 0; i < test::rounds(3000); ++i) {
+        const Placed body(pool[random.below(60)], random.real(0.1, 5.0),
+                          {10.0f * test::any_direction(random), test::any_rotation(random)});
+        const Bounds box = bounds(body.shape, body.scale, body.at);
+        const double slack = 1e-5 * (10.0 + body.reach());
+        const float low[3] = {box.low.x, box.low.y, box.low.z}, high[3] = {box.high.x, box.high.y, box.high.z};
+        for (uint32_t k = 0; k < 3; ++k) {
+            const Double3 axis{k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0};
+            const double top = highest(body.points, axis) + body.radius(),
+                         bottom = -highest(body.points, -axis) - body.radius();
+            CHECK(static_cast<double>(high[k]) >= top - 1e-7 * body.reach() - 1e-6);
+            CHECK(static_cast<double>(high[k]) <= top + slack);
+            CHECK(static_cast<double>(low[k]) <= bottom + 1e-7 * body.reach() + 1e-6);
+            CHECK(static_cast<double>(low[k]) >= bottom - slack);
+        }
+        for (uint32_t k = 0; k < body.shape.shape.count; ++k) {
+            const BodyShape& s = body.shape.shape;
+            const Vector d = Vector{s.x[k], s.y[k], s.z[k]} - body.shape.middle;
+            CHECK(std::max({std::abs(d.x) - body.shape.half.x, std::abs(d.y) - body.shape.half.y,
+                            std::abs(d.z) - body.shape.half.z}) <= -s.radius + 1e-6f * s.reach);
+        }
+    }
+    const float axes[][3] = {{1, 1, 1}, {2, 1, 1}, {1, 0.5f, 0.5f}, {4, 2, 1}, {5, 1, 1}, {2, 1, 0.1f}, {4, 1, 0.01f}};
+    for (const auto& semi : axes) {
+        const Placed body(make_meeting_shape(test::ellipsoid(semi[0], semi[1], semi[2])), 1.0f,
+                          {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}});
+        const Vector h = body.shape.half;
+        uint32_t inside = 0;
+        const uint32_t samples = test::rounds(20000);
+        for (uint32_t i = 0; i < samples; ++i)
+            inside +=
+                outside(body, {random.real(-1, 1) * h.x, random.real(-1, 1) * h.y, random.real(-1, 1) * h.z}) <= 0.0;
+        const double volume = 8.0 * static_cast<double>(h.x * h.y * h.z) * inside / samples;
+        const double wanted = 4.0 / 3.0 * std::numbers::pi * static_cast<double>(semi[0] * semi[1] * semi[2]);
+        INFO(semi[0] << " " << semi[1] << " " << semi[2]);
+        CHECK(volume == doctest::Approx(wanted).epsilon(0.04));
+    }
+}
