@@ -74,9 +74,10 @@ uint32_t RestingNeighbours::touched_by(uint32_t key, float scale, const Pose& fr
         const Batch& batch = *world_->batches[other].batch;
         batch.look_at_resting(low, high, [&](uint32_t index) {
             const uint32_t its = batch.arrays().key[index];
-            if (other == slot_ && its == key) return;
-            const Bounds b =
-                bounds(batch.meeting, batch.arrays().field[field_scale][index], pose_of(batch.arrays(), index));
+            const Pose pose = pose_of(batch.arrays(), index);
+            // A copy of a body at rest does not meet that.
+            if (other == slot_ && its == key && equal(pose.position, from.position)) return;
+            const Bounds b = bounds(batch.meeting, batch.arrays().field[field_scale][index], pose);
             if (b.low.x > high[0] || b.low.y > high[1] || b.low.z > high[2]) return;
             if (b.high.x < low[0] || b.high.y < low[1] || b.high.z < low[2]) return;
             near.take({other, its, index});
