@@ -13,27 +13,27 @@ struct MeetingShape {
     static constexpr uint32_t lanes = 4; // points are padded to whole vectors by repeating the first
     static constexpr uint32_t room = most_shape_points + lanes;
 
+    uint32_t padded;                                                 // points, and room for the ends of the last edges
+    alignas(16) float x[room], y[room], z[room];                     // m; counter-clockwise about z where flat
+    alignas(16) float edge_x[room], edge_y[room], edge_offset[room]; // where flat: inside edge . p <= offset, edge unit
+    // Of a plate: at most coarse_most points of the outline, between which contacts are spread.
+    static constexpr uint32_t coarse_most = 8, coarse_room = coarse_most + 2 * lanes;
+    alignas(16) float coarse_x[coarse_room], coarse_y[coarse_room];
     BodyShape shape; // the hull at scale 1, in the body frame; never an ellipsoid
     // A box along the body axes that holds core and rounding; from the centre of mass.
     Vector middle, half;
 
     // The hull's own frame, in which pairs are computed: its origin in the middle of the core's box, a plate in z = 0,
     // x along the box of least area about it.
-    Vector origin;  // m, body frame
-    Rotation frame; // takes vectors from the own frame to the body's
-    bool flat;
-    uint32_t padded;                                                 // points, and room for the ends of the last edges
-    alignas(16) float x[room], y[room], z[room];                     // m; counter-clockwise about z where flat
-    alignas(16) float edge_x[room], edge_y[room], edge_offset[room]; // where flat: inside edge . p <= offset, edge unit
-    // Of a plate: at most coarse_most points of the outline, between which contacts are spread.
-    static constexpr uint32_t coarse_most = 8, coarse_room = coarse_most + 2 * lanes;
-    uint32_t coarse_count;
-    alignas(16) float coarse_x[coarse_room], coarse_y[coarse_room];
+    Vector origin;                    // m, body frame
+    Rotation frame;                   // takes vectors from the own frame to the body's
     Vector center;                    // m, mean of the points
     Vector core_half;                 // m, of the core's box
     float core_reach;                 // m, of the core from `origin`
     Vector normals[most_shape_faces]; // of the faces of `shape`
     float offsets[most_shape_faces];  // m: inside normal . p <= offset
+    uint32_t coarse_count;
+    bool flat; // a plate: all z are 0
 };
 // May throw std::bad_alloc.
 MeetingShape make_meeting_shape(const BodyShape& shape);

@@ -329,7 +329,7 @@ TEST_CASE("a plate that lies on another is held around what both cover") {
             }
         beside += !between(a, out, count, middle[0] / area, middle[1] / area);
         for (uint32_t k = 0; k < count; ++k) {
-            CHECK(out[k].gap == doctest::Approx(gap).epsilon(0.02));
+            CHECK(out[k].gap == doctest::Approx(static_cast<double>(gap)).epsilon(0.02));
             CHECK(out[k].normal.z > 0.9999f);
         }
     }
@@ -353,8 +353,9 @@ TEST_CASE("aligned cards share four corners, a leaning one two, a corner one") {
     REQUIRE(find(flat, b, 1e-4f, out) == 4);
     const float half_diagonal = length(Vector{small.core_half.x, small.core_half.y, 0.0f});
     for (const PairContact& c : out)
-        CHECK(length(Vector{c.arm_a.x, c.arm_a.y, 0.0f}) == doctest::Approx(half_diagonal).epsilon(1e-3));
-    CHECK(span(4) == doctest::Approx(2.0f * half_diagonal).epsilon(1e-3));
+        CHECK(length(Vector{c.arm_a.x, c.arm_a.y, 0.0f}) ==
+              doctest::Approx(static_cast<double>(half_diagonal)).epsilon(1e-3));
+    CHECK(span(4) == doctest::Approx(2.0 * static_cast<double>(half_diagonal)).epsilon(1e-3));
 
     const auto lowest = [&](Rotation q) {
         float z = 0.0f;
@@ -366,7 +367,8 @@ TEST_CASE("aligned cards share four corners, a leaning one two, a corner one") {
         const Rotation tilted = about({1, 0, 0}, angle);
         const Placed leaning(small, 1.0f, {{0.01f, -0.02f, radii + 1e-5f - lowest(tilted)}, tilted});
         REQUIRE(find(leaning, b, 1e-4f, out) == 2);
-        CHECK(span(2) == doctest::Approx(2.0f * std::max(small.core_half.x, small.core_half.y)).epsilon(1e-3));
+        CHECK(span(2) ==
+              doctest::Approx(2.0 * static_cast<double>(std::max(small.core_half.x, small.core_half.y))).epsilon(1e-3));
         CHECK(out[0].gap == doctest::Approx(1e-5).epsilon(0.01));
         CHECK(out[1].gap == doctest::Approx(1e-5).epsilon(0.01));
     }
