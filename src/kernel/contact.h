@@ -84,6 +84,7 @@ struct ContactSlots {
         LaneRow normal[3];          // world, unit, from the collider to the body
         LaneRow gap;                // m, at the end of the substep
         LaneRow surface[3];         // m/s, velocity of the collider there
+        LaneRow lag[3];             // m, its way in the substep less h times that
         LaneRow friction, restitution;
         LaneRow impulse; // out: along the normal, over the body's mass unit, m/s; negative where they do not touch
         uint32_t collider[contact_lanes]; // slot of it

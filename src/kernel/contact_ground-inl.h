@@ -46,11 +46,14 @@ HWY_INLINE GroundSample sample_ground(const GroundSurface& g, Vec3 p) {
     return {hn::IfThenElse(hn::Or(outside(u, 0), outside(w, 1)), constant(no_contact), gap), scale(inverse, slope)};
 }
 
-// Thick ones roll over their only point.
-inline uint32_t ellipsoid_points(const ShapeConstants& s) {
+// Thick ones roll over their only point, and lie in a valley between several.
+inline bool is_flat(const ShapeConstants& s) {
     const float(&a)[3] = s.semi_axes;
     const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
-    return least < 0.2f * most ? 8 : 1;
+    return least < 0.2f * most;
+}
+inline uint32_t ellipsoid_points(const ShapeConstants& s, const GroundSurface& g) {
+    return is_flat(s) ? 8 : g.heights ? 5 : 1;
 }
 
 // A point of the shape, and what is below it.
@@ -94,11 +97,18 @@ public:
 private:
     // The first is that below which the surface is nearest. A flat one that lies touches at a point that goes from rim to rim
     // with the least tilt: four more are where it would touch if it were tilted a little more, and
-    // three at the mirrored normals, at the other rims.
+    // three at the mirrored normals, at the other rims. A thick one has four for the slopes around it.
     HWY_INLINE GroundPoint of_ellipsoid(uint32_t k) const {
         const ShapeConstants& s = bodies_.shape;
         const Vec3 axes = scale(scale_, broadcast(s.semi_axes)), center = scale(scale_, broadcast(s.center));
-        GroundSample below = sample_ground(ground_, add(local_, rows(ground_.axes, to_world(q_, center))));
+        Vec3 from = add(local_, rows(ground_.axes, to_world(q_, center)));
+        const bool flat = is_flat(s);
+        if (k != 0 && !flat) {
+            const VF reach = hn::Mul(scale_, constant(s.reach));
+            VF& along = k <= 2 ? from.x : from.z;
+            along = (k & 1) != 0 ? hn::Add(along, reach) : hn::Sub(along, reach);
+        }
+        GroundSample below = sample_ground(ground_, from);
         GroundPoint p;
         // On a slope the surface under the point of support is that under another point: a second look is enough for
         // bodies smaller than the cells, and exact on a plane.
@@ -110,7 +120,7 @@ private:
             p.at = to_world(q_, p.arm);
             below = sample_ground(ground_, add(local_, rows(ground_.axes, p.at)));
         }
-        if (k != 0) {
+        if (k != 0 && flat) {
             const float(&a)[3] = s.semi_axes;
             const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
             const float tilt = 0.02f * (1.0f - least / most) * (1.0f - least / most);
@@ -167,7 +177,7 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
     const DF d;
     const DU du;
     const uint32_t points_there = g.heights ? b.shape.sample_count : b.shape.count;
-    const uint32_t count = b.shape.count == 0 ? ellipsoid_points(b.shape) : points_there;
+    const uint32_t count = b.shape.count == 0 ? ellipsoid_points(b.shape, g) : points_there;
     bool any = false;
     const VF empty = constant(no_contact), zero = hn::Zero(d);
     GroundPoint points[most_ground_points];
@@ -241,6 +251,10 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
             }
         }
         const Vec3 x = load3(b.arrays, field_x, at);
+        // As SurfaceMotion::lag_at.
+        const float half = 0.5f * b.h;
+        const float turned = half * half * (g.spin[0] * g.spin[0] + g.spin[1] * g.spin[1] + g.spin[2] * g.spin[2]);
+        const VF one = constant(1.0f), less = hn::Sub(hn::Sqrt(hn::Max(hn::Sub(one, constant(turned)), zero)), one);
         for (uint32_t k = 0; k < manifold_slots; ++k) {
             ContactSlots::Slot& s = out[k];
             if (k >= found) {
@@ -251,7 +265,9 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
             store3(s.arm, at, best[k].arm);
             store3(s.normal, at, best[k].normal);
             hn::Store(best[k].gap, d, s.gap + at);
-            store3(s.surface, at, add(broadcast(g.velocity), cross(broadcast(g.spin), p)));
+            const Vec3 spin = broadcast(g.spin), along = cross(spin, p);
+            store3(s.surface, at, add(broadcast(g.velocity), along));
+            store3(s.lag, at, scale(constant(b.h), sub(scale(less, along), scale(constant(half), cross(spin, along)))));
             hn::Store(constant(g.friction), d, s.friction + at);
             hn::Store(constant(g.restitution), d, s.restitution + at);
             hn::Store(hn::Set(du, g.collider), du, s.collider + at);

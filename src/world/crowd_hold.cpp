@@ -89,9 +89,15 @@ void CrowdStep::take_out(const CrowdMember& member, ContactGroup& group, uint32_
         const ContactSlots::Slot& s = group.contact(k);
         const bool solid = s.collider[lane] != ContactGroup::a_body;
         c.held[first + k] = {s.collider[lane], solid ? ContactGroup::AtRest{} : group.at_rest(lane, k)};
-        c.held_contacts[first + k] = {
-            row_of(s.arm, lane), {},   row_of(s.normal, lane), s.gap[lane], row_of(s.surface, lane), s.friction[lane],
-            s.restitution[lane], solid};
+        c.held_contacts[first + k] = {row_of(s.arm, lane),
+                                      {},
+                                      row_of(s.normal, lane),
+                                      s.gap[lane],
+                                      row_of(s.surface, lane),
+                                      row_of(s.lag, lane),
+                                      s.friction[lane],
+                                      s.restitution[lane],
+                                      solid};
     }
     group.take_out(lane);
     static_cast<void>(member);
