@@ -301,6 +301,7 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
     : begin_(begin), end_(begin), live_(live) {
     constexpr uint32_t at_a_time = field_block / 2;
     const uint32_t last = std::min(end, begin + near_range);
+    const bool all_grounds = step.colliders->all_grounds(step.settings->layers);
     while (end_ < last && count_ + at_a_time <= field_block) {
         const uint32_t from = end_, to = std::min(from + at_a_time, last);
         step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, from, to,
@@ -308,9 +309,14 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
         // What the grids hold depends on when they were built, and must not matter: a body that nothing reaches goes the way
         // of the others, to the bit.
         for (uint32_t i = from; i < std::min(to, live); ++i) {
-            if (near_[i - begin] == 0) continue;
+            const uint32_t mark = near_[i - begin];
+            if (mark == 0) continue;
             const Vicinity around = vicinity(step, arrays, i, dt);
-            if (around.finite() && step.colliders->any_candidate(around.low, around.high, step.settings->layers))
+            const Box box{around.low, around.high};
+            const bool over_ground = (mark & near_ground) != 0;
+            if (around.finite() && ((over_ground && all_grounds) ||
+                                    step.colliders->any_finite(box, step.settings->layers) ||
+                                    (over_ground && step.colliders->any_ground(box, step.settings->layers))))
                 index_[count_++] = i;
             else
                 near_[i - begin] = 0;

@@ -114,7 +114,7 @@ private:
 // the bodies that may touch something within `dt`. Over a longer range few of them fill more of a group's lanes.
 class NearContacts {
 public:
-    static constexpr uint32_t near_range = 4 * field_block;
+    static constexpr uint32_t near_range = 16 * field_block;
     NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin, uint32_t end,
                  float dt);
     uint32_t end() const { return end_; } // of the bodies that were looked at

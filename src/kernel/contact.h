@@ -64,8 +64,9 @@ struct ShapeConstants {
     float reach;
 };
 
-// Marks with 1 in `near` the bodies of [begin, end) that may touch a collider within `dt`; others get 0. speed: m/s that
-// they may gain beside what they have.
+// Marks in `near` the bodies of [begin, end) that may touch a collider within `dt`: near_bits by the bits, which depend on when grids
+// were built, near_ground by planes and heightfields, which do not; others get 0. speed: m/s that they may gain beside what they have.
+inline constexpr uint32_t near_bits = 1, near_ground = 2;
 using NearCollidersFunction = void (*)(const NearColliders&, float reach, float dt, float speed, const BatchArrays&,
                                        size_t begin, size_t end, uint32_t* near);
 
