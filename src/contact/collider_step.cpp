@@ -174,8 +174,13 @@ void Colliders::add_near(uint32_t slot) {
     near.coarse_size =
         static_cast<float>(HeightfieldGeometry::coarse_cells) * std::min(field.spacing[0], field.spacing[1]);
     near.coarse = field.coarse;
-    near.lowest = field.lowest;
     near.highest = field.highest;
+    near.heights = field.heights;
+    near.secant = field.secant;
+    for (size_t k = 0; k < 2; ++k) {
+        near.samples[k] = field.counts[k];
+        near.inverse_spacing[k] = 1.0f / field.spacing[k];
+    }
 }
 
 void Colliders::fill_near() {

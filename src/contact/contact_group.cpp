@@ -69,7 +69,6 @@ ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, c
         const Vicinity around = vicinity(step, arrays, i, step.dt);
         uint32_t missed = 0;
         near.count = step.colliders->candidates(around.low, around.high, step.settings->layers, near.candidate, missed);
-        missed_ += missed;
         for (uint32_t k = 0; k < near.count; ++k) {
             const uint32_t slot = near.candidate[k].slot;
             if (!is_ground(step.colliders->at(slot))) continue;
@@ -174,10 +173,9 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
         s.collider = grounds_[g];
         if (const HeightfieldGeometry* const f = c.geometry.heightfield) {
             s.heights = f->heights;
-            s.lowest = f->lowest;
+            s.secant = f->secant;
             for (size_t k = 0; k < 2; ++k) {
                 s.counts[k] = f->counts[k];
-                s.spacing[k] = f->spacing[k];
                 s.inverse_spacing[k] = 1.0f / f->spacing[k];
             }
         }

@@ -7,6 +7,7 @@
 #include "kernel/contact.h"
 #include "kernel/wind.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace lr {
@@ -77,7 +78,6 @@ public:
     // With one of them, in the last substep: at its strongest contact, and the impulse of all. before: as for resolve().
     Touch meeting(uint32_t lane, uint32_t collider, const LaneRow (&before)[pose_fields]) const;
     bool touches(uint32_t lane) const { return touches_[lane]; }
-    uint32_t missed() const { return missed_; } // candidates without room
 
 private:
     struct Near {
@@ -99,7 +99,7 @@ private:
     const ContactStep* step_;
     const BodyConstants* body_;
     BatchArrays arrays_;
-    uint32_t count_, missed_ = 0;
+    uint32_t count_;
     uint32_t ground_count_ = 0;
     uint32_t grounds_[contact_lanes * most_candidates]; // room for all: none may be left out for the company's sake
     static constexpr uint32_t nobody = UINT32_MAX;
@@ -120,6 +120,15 @@ public:
     uint32_t end() const { return end_; } // of the bodies that were looked at
     uint32_t count() const { return count_; }
     uint32_t index(uint32_t i) const { return index_[i]; }
+    bool holds(uint32_t body) const { return near_[body - begin_] != 0; }
+    // By the class of each, less than `classes`, and then by index: alike ones share vectors, which are done with the last of their lanes.
+    template <class Class> void arrange(uint32_t classes, Class&& class_of) {
+        uint32_t sorted[field_block], at = 0;
+        for (uint32_t c = 0; c < classes; ++c)
+            for (uint32_t i = 0; i < count_; ++i)
+                if (class_of(index_[i]) == c) sorted[at++] = index_[i];
+        std::copy_n(sorted, count_, index_);
+    }
     // Is there a body in this lane block that is not among them?
     bool others(uint32_t begin) const;
 

@@ -45,7 +45,10 @@ HWY_INLINE hn::Mask<DF> over(const NearHeightfield& f, Vec3 x, VF reach) {
     const auto within = [&](VF at_axis, int k) LR_LAMBDA {
         return hn::And(hn::Ge(hn::Add(at_axis, reach), zero), hn::Le(hn::Sub(at_axis, reach), constant(f.extent[k])));
     };
-    return hn::And(hn::Le(hn::Sub(r.y, reach), top), hn::And(within(r.x, 0), within(r.z, 1)));
+    const auto low = hn::And(hn::Le(hn::Sub(r.y, reach), top), hn::And(within(r.x, 0), within(r.z, 1)));
+    if (hn::AllFalse(DF(), low)) return low;
+    const VF height = height_within(f.heights, f.samples, f.inverse_spacing, r);
+    return hn::And(low, hn::Le(hn::Sub(r.y, height), most_above(reach, f.secant, height)));
 }
 
 void near_colliders(const NearColliders& c, float reach, float dt, float speed, const BatchArrays& a, size_t begin,
