@@ -88,13 +88,13 @@ void enter(const ContactRun& run, const ContactGroup& group, const States& state
         const float reach = run.step.shape->reach * value(field_scale);
         const float limit = run.still * std::sqrt(reach);
         const float speed = std::sqrt(square(field_vx)) + reach * std::sqrt(square(field_wx));
-        // What trembles by ten times as much takes four times as long, what has not moved by a bit a fifth.
+        // What trembles by ten times as much takes four times as long, what has not moved by a bit a tenth.
         bool moved = speed > 0.0f;
         for (size_t f = 0; f < field_vx && !moved; ++f) moved = value(f) != before[f][i];
         const float share = !group.touches(i) || speed > 10.0f * limit ? 0.0f
                             : speed > limit                           ? 0.25f
                             : moved                                   ? 1.0f
-                                                                      : 5.0f;
+                                                                      : 10.0f;
         book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
         if (last && run.step.settings->may_rest && book.rest_time[at] >= time_to_rest)
             book.comes_to_rest(book.batch, at);

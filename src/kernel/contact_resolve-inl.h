@@ -247,7 +247,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         const VF rolling = hn::Mul(constant(b.rolling), hn::Mul(reach, inverse));
         const VF spin_hold = constant(1.0f / most_turned<kFull>(c));
         Twist moved = way;
-        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-4f), slop), moved);
+        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-2f), slop), moved);
         Twist correction{sub(moved.v, way.v), sub(moved.u, way.u)};
         // A twist is a small rotation. The whole of it is made smaller: what no contact is against, no part of it is against.
         const VF large = hn::Mul(greatest(correction.u), inverse);
@@ -298,7 +298,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             carried = hn::Max(carried, hn::IfThenElseZero(touches, greatest(surface)));
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
-        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-5f), slow), t);
+        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-3f), slow), t);
         // Restitution and friction of several contacts together could give energy (Kane 1984): still surfaces have none to give.
         const auto energy = [&](const Twist& of) LR_LAMBDA {
             const Twist p = momentum<kFull>(c, of);
