@@ -312,9 +312,9 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
             const Vicinity around = vicinity(step, arrays, i, dt);
             const Box box{around.low, around.high};
             const bool over_ground = (mark & near_ground) != 0;
-            if (around.finite() && ((over_ground && all_grounds) ||
-                                    step.colliders->any_finite(box, step.settings->layers) ||
-                                    (over_ground && step.colliders->any_ground(box, step.settings->layers))))
+            if (around.finite() &&
+                ((over_ground && all_grounds) || step.colliders->any_finite(box, step.settings->layers) ||
+                 (over_ground && step.colliders->any_ground(box, step.settings->layers))))
                 index_[count_++] = i;
             else
                 near_[i - begin] = 0;

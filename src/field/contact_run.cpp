@@ -92,9 +92,9 @@ void enter(const ContactRun& run, const ContactGroup& group, const States& state
         bool moved = speed > 0.0f;
         for (size_t f = 0; f < field_vx && !moved; ++f) moved = value(f) != before[f][i];
         const float share = !group.touches(i) || speed > 10.0f * limit ? 0.0f
-                            : speed > limit                           ? 0.25f
-                            : moved                                   ? 1.0f
-                                                                      : 10.0f;
+                            : speed > limit                            ? 0.25f
+                            : moved                                    ? 1.0f
+                                                                       : 10.0f;
         book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
         if (last && run.step.settings->may_rest && book.rest_time[at] >= time_to_rest)
             book.comes_to_rest(book.batch, at);

@@ -128,9 +128,9 @@ private:
 
     const GroundSurface& ground_;
     bool few_;
-    VF first_[2];          // cell, of each axis
-    VF height_[3][3];      // along x, along z, from that cell on
-    VF inverse_[2][2][2];  // of the upper and the lower triangle of each
+    VF first_[2];         // cell, of each axis
+    VF height_[3][3];     // along x, along z, from that cell on
+    VF inverse_[2][2][2]; // of the upper and the lower triangle of each
 };
 
 // Thick ones roll over their only point.

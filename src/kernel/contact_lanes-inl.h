@@ -63,9 +63,8 @@ HWY_INLINE VF height_within(const float* heights, const uint32_t (&counts)[2], c
         const VF last = constant(static_cast<float>(counts[k] - 1));
         return hn::Max(hn::Min(hn::Mul(at, constant(inverse_spacing[k])), last), zero);
     };
-    const auto below = [&](VF at, int k) LR_LAMBDA {
-        return hn::Min(hn::Floor(at), constant(static_cast<float>(counts[k] - 2)));
-    };
+    const auto below = [&](VF at, int k)
+                           LR_LAMBDA { return hn::Min(hn::Floor(at), constant(static_cast<float>(counts[k] - 2))); };
     const VF u = within(p.x, 0), w = within(p.z, 1), i = below(u, 0), k = below(w, 1);
     const VI row = hn::Set(di, static_cast<int32_t>(counts[0])), next = hn::Set(di, 1);
     const VI at = hn::Add(hn::ConvertTo(di, i), hn::Mul(hn::ConvertTo(di, k), row));
