@@ -1122,7 +1122,8 @@ typedef struct lr_batch_contact {
     float friction;    /* coefficient of Coulomb friction, 0 to 10; initially 0.5 */
     float restitution; /* speed after over speed before an impact, 0 to 1; initially 0.1 */
     float
-        rolling_resistance; /* moment against rolling and spinning over normal force and reach, 0 to 10; initially 0.05 */
+        rolling_resistance; /* moment against rolling and spinning over normal force and a lever, 0 to 10; initially 0.05.
+                               The lever is the geometric mean of reach and half of the least width: a sphere's radius */
     uint32_t flags;         /* LR_CONTACT_*; initially 0 */
     float ground_effect; /* the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and
                                  heightfields gives in theory; initially 0. docs/contact.md */

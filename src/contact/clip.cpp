@@ -6,6 +6,9 @@
 namespace lr {
 namespace {
 
+constexpr uint32_t most_stops = 4; // of a body in a substep; at the last it stays
+static_assert(most_candidates <= 64);
+
 // How far a body reaches below the plane through nothing across n: its least n . x.
 float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
     const Vector d = rotate(inverse(pose.rotation), n);
@@ -21,24 +24,53 @@ float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
     return dot(n, pose.position) + scale * least;
 }
 
-// Where two convex things meet, a plane lies between them; as long as all of the body stays on its side of that it goes
-// through nothing, however far it slides along. Moves `to` out along the normal; false without such a plane.
-bool keep_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, Pose& to) {
+// n . x >= offset, x from where the body was before the substep.
+struct Side {
+    Vector normal;
+    float offset;
+};
+
+// What a body meets on its way, and how it touches it there.
+struct Stop {
+    uint32_t candidate, count;
     Contact contacts[most_contacts];
-    const uint32_t count = find_contacts(s, scale, met, g, part, 0.2f * s.reach * scale, contacts);
-    if (count == 0) return false;
-    const Contact* const nearest =
-        std::min_element(contacts, contacts + count, [](const Contact& a, const Contact& b) { return a.gap < b.gap; });
-    const Vector n = nearest->normal;
-    const float surface = dot(n, to_outer(met, nearest->arm)) - nearest->gap;
-    const float below = surface - lowest(s, scale, to, n);
-    if (below > 0.0f) to.position = to.position + below * n;
+};
+
+// Where two convex things meet, a plane lies between them; as long as all of the body stays on its side of that it goes
+// through nothing, however far it slides along. `met` is in the collider's frame; false without such a plane.
+bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
+               Stop& stop, Side& side) {
+    Contact* const end = stop.contacts + find_contacts(s, scale, met, g, part, 0.2f * s.reach * scale, stop.contacts);
+    stop.count = 0;
+    if (end == stop.contacts) return false;
+    const Contact nearest =
+        *std::min_element(stop.contacts, end, [](const Contact& a, const Contact& b) { return a.gap < b.gap; });
+    side = {nearest.normal, dot(nearest.normal, to_outer(met, nearest.arm)) - nearest.gap};
+    for (const Contact* c = stop.contacts; c != end; ++c)
+        if (c->gap <= nearest.gap + margin)
+            stop.contacts[stop.count++] = {c->arm, c->normal, c->gap - std::max(nearest.gap, 0.0f)};
+    return true;
+}
+
+// Moves a body out to its side of all of them; false where they leave no room.
+bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t count, Pose& pose) {
+    float room[most_stops];
+    for (uint32_t k = 0; k < count; ++k)
+        room[k] = sides[k].offset - lowest(s, scale, {{0.0f, 0.0f, 0.0f}, pose.rotation}, sides[k].normal);
+    for (uint32_t round = 0; round < 2 * count; ++round)
+        for (uint32_t k = 0; k < count; ++k) {
+            const float below = room[k] - dot(sides[k].normal, pose.position);
+            if (below > 0.0f) pose.position = pose.position + below * sides[k].normal;
+        }
+    const float little = 1e-3f * scale * s.reach;
+    for (uint32_t k = 0; k < count; ++k)
+        if (room[k] - dot(sides[k].normal, pose.position) > little) return false;
     return true;
 }
 
 } // namespace
 
-void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float end) {
+void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float end, float h) {
     for (uint32_t i = 0; i < count_; ++i) {
         const float scale = arrays_.field[field_scale][i];
         const Pose from{{before[0][i], before[1][i], before[2][i]},
@@ -55,27 +87,52 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
             return free_fraction(*step_->shape, scale, relative(pose_at(c, begin), a), relative(pose_at(c, end), b),
                                  c.geometry, candidate.part);
         };
-        float free = 1.0f;
-        stopped_[i] = nobody;
-        for (uint32_t k = 0; k < near.count; ++k) {
-            const float here = free_way(from, to, k);
-            if (here >= free) continue;
-            free = here;
-            stopped_[i] = k;
+        // What meets one thing slides along it, up to the next, and along both of these up to a third.
+        const float margin = margin_of(i, h);
+        uint64_t met_before = 0;
+        uint32_t count = 0;
+        Pose target = to;
+        Side sides[most_stops];
+        Stop stops[most_stops];
+        for (bool slides = true; slides;) {
+            float free = 1.0f;
+            uint32_t first = near.count;
+            for (uint32_t k = 0; k < near.count; ++k) {
+                if ((met_before >> k & 1) != 0) continue;
+                const float here = free_way(from, target, k);
+                if (here >= free) continue;
+                free = here;
+                first = k;
+            }
+            if (first == near.count) break;
+            met_before |= uint64_t{1} << first;
+            const Candidate& candidate = near.candidate[first];
+            const Collider& c = step_->colliders->at(candidate.slot);
+            const Pose ends = pose_at(c, end), met = mix(from, target, free);
+            Pose aside{to.position - from.position, to.rotation};
+            Stop& stop = stops[count];
+            Side& side = sides[count++];
+            stop.candidate = first;
+            slides = find_side(*step_->shape, scale, relative(pose_at(c, begin + free * (end - begin)), met),
+                               c.geometry, candidate.part, margin, stop, side) &&
+                     count < most_stops;
+            if (slides) {
+                side.normal = rotate(ends.rotation, side.normal);
+                side.offset += dot(side.normal, ends.position - from.position);
+                slides = keep_sides(*step_->shape, scale, sides, count, aside);
+            }
+            target = slides ? Pose{from.position + aside.position, to.rotation} : met;
         }
-        if (free >= 1.0f) continue;
-        const Candidate& candidate = near.candidate[stopped_[i]];
-        const Collider& c = step_->colliders->at(candidate.slot);
-        const Pose ends = pose_at(c, end), met = mix(from, to, free);
-        Pose last = relative(ends, to);
-        bool passes = keep_side(*step_->shape, scale, relative(pose_at(c, begin + free * (end - begin)), met),
-                                c.geometry, candidate.part, last);
-        const Pose kept{to_outer(ends, last.position), to.rotation};
-        for (uint32_t k = 0; k < near.count && passes; ++k)
-            passes = k == stopped_[i] || free_way(from, kept, k) >= 1.0f;
-        // Between several things it stops where it meets the first.
-        set_pose(i, passes ? kept : met);
-        if (passes) stopped_[i] = nobody;
+        if (count == 0) continue;
+        set_pose(i, target);
+        // It may have left again what it met, which takes its speed all the same.
+        for (uint32_t n = 0; n < count; ++n) {
+            const uint32_t slot = near.candidate[stops[n].candidate].slot;
+            const Collider& c = step_->colliders->at(slot);
+            const Pose ends = pose_at(c, end);
+            const SurfaceMotion motion = motion_of(c, begin, end, h);
+            for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion);
+        }
     }
 }
 

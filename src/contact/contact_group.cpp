@@ -25,18 +25,6 @@ bool is_ground(const Collider& c) {
     return c.geometry.kind == ColliderKind::plane || c.geometry.kind == ColliderKind::heightfield;
 }
 
-// Mean velocities of a collider over a stretch of the step.
-struct Motion {
-    Vector velocity{}, spin{}; // m/s of its origin; rad/s
-};
-Motion motion_of(const Collider& c, float begin, float end, float h) {
-    if (!c.moves) return {};
-    const Pose from = pose_at(c, begin), to = pose_at(c, end);
-    const Rotation turn = to.rotation * inverse(from.rotation);
-    const float rate = (turn.w < 0.0f ? -2.0f : 2.0f) / h;
-    return {1.0f / h * (to.position - from.position), {rate * turn.x, rate * turn.y, rate * turn.z}};
-}
-
 // Geometric mean and the larger: a pair slips as its materials do together, and bounces as the springier one.
 float friction_of(const ContactSettings& s, const Collider& c) {
     return std::sqrt(s.friction * c.friction);
@@ -60,6 +48,25 @@ Pose pose_at(const Collider& c, float part) {
     return {mix(c.begin.position, c.end.position, part), mix(c.begin.rotation, c.end.rotation, part)};
 }
 
+Vector SurfaceMotion::velocity_at(Vector point) const {
+    return velocity + cross(spin, point - middle);
+}
+
+Vector SurfaceMotion::lag_at(Vector point) const {
+    const Vector along = cross(spin, point - middle);
+    const float half = 0.5f * h, cosine = std::sqrt(std::max(1.0f - half * half * dot(spin, spin), 0.0f));
+    return h * ((cosine - 1.0f) * along - half * cross(spin, along));
+}
+
+SurfaceMotion motion_of(const Collider& c, float begin, float end, float h) {
+    const Pose to = pose_at(c, end);
+    if (!c.moves) return {to.position, {}, {}, h};
+    const Pose from = pose_at(c, begin);
+    const Rotation turn = to.rotation * inverse(from.rotation);
+    const float rate = (turn.w < 0.0f ? -2.0f : 2.0f) / h;
+    return {to.position, 1.0f / h * (to.position - from.position), {rate * turn.x, rate * turn.y, rate * turn.z}, h};
+}
+
 ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, const BatchArrays& arrays,
                            uint32_t count)
     : step_(&step), body_(&body), arrays_(arrays), count_(count) {
@@ -69,7 +76,6 @@ ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, c
         const Vicinity around = vicinity(step, arrays, i, step.dt);
         uint32_t missed = 0;
         near.count = step.colliders->candidates(around.low, around.high, step.settings->layers, near.candidate, missed);
-        missed_ += missed;
         for (uint32_t k = 0; k < near.count; ++k) {
             const uint32_t slot = near.candidate[k].slot;
             if (!is_ground(step.colliders->at(slot))) continue;
@@ -120,6 +126,7 @@ void ContactGroup::add(uint32_t i, const ContactSlots::Slot& from) {
         to.arm[k][i] = from.arm[k][i];
         to.normal[k][i] = from.normal[k][i];
         to.surface[k][i] = from.surface[k][i];
+        to.lag[k][i] = from.lag[k][i];
     }
     to.gap[i] = from.gap[i];
     to.friction[i] = from.friction[i];
@@ -127,19 +134,19 @@ void ContactGroup::add(uint32_t i, const ContactSlots::Slot& from) {
     to.collider[i] = from.collider[i];
 }
 
-void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, const Pose& pose, Vector velocity,
-                       Vector spin, Vector middle) {
+void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, const Pose& pose,
+                       const SurfaceMotion& motion) {
     const uint32_t at = place(i, contact.gap);
     if (at == contact_slots) return;
     const Collider& c = step_->colliders->at(collider);
     ContactSlots::Slot& to = slots_.slot[at];
-    const Pose body = pose_of(i);
     const Vector normal = rotate(pose.rotation, contact.normal);
-    const Vector surface = velocity + cross(spin, to_outer(body, contact.arm) - middle);
+    const Vector point = to_outer(pose_of(i), contact.arm);
     const auto put = [&](LaneRow(&rows)[3], Vector v) { rows[0][i] = v.x, rows[1][i] = v.y, rows[2][i] = v.z; };
     put(to.arm, contact.arm);
     put(to.normal, normal);
-    put(to.surface, surface);
+    put(to.surface, motion.velocity_at(point));
+    put(to.lag, motion.lag_at(point));
     to.gap[i] = contact.gap;
     to.friction[i] = friction_of(*step_->settings, c);
     to.restitution[i] = restitution_of(*step_->settings, c);
@@ -160,7 +167,7 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
     for (uint32_t g = 0; g < ground_count_; ++g) {
         const Collider& c = step_->colliders->at(grounds_[g]);
         const Pose pose = pose_at(c, end);
-        const Motion motion = motion_of(c, begin, end, h);
+        const SurfaceMotion motion = motion_of(c, begin, end, h);
         GroundSurface s{};
         const Vector axes[3] = {rotate(pose.rotation, {1, 0, 0}), rotate(pose.rotation, {0, 1, 0}),
                                 rotate(pose.rotation, {0, 0, 1})};
@@ -174,10 +181,9 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
         s.collider = grounds_[g];
         if (const HeightfieldGeometry* const f = c.geometry.heightfield) {
             s.heights = f->heights;
-            s.lowest = f->lowest;
+            s.secant = f->secant;
             for (size_t k = 0; k < 2; ++k) {
                 s.counts[k] = f->counts[k];
-                s.spacing[k] = f->spacing[k];
                 s.inverse_spacing[k] = 1.0f / f->spacing[k];
             }
         }
@@ -198,8 +204,7 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
             const uint32_t count =
                 find_contacts(*step_->shape, arrays_.field[field_scale][i], relative(pose, pose_of(i)), c.geometry,
                               {0, 0}, margin_of(i, h), contacts);
-            for (uint32_t k = 0; k < count; ++k)
-                add(i, grounds_[g], contacts[k], pose, motion.velocity, motion.spin, pose.position);
+            for (uint32_t k = 0; k < count; ++k) add(i, grounds_[g], contacts[k], pose, motion);
         }
     }
 }
@@ -213,20 +218,11 @@ void ContactGroup::touch_others(uint32_t i, const Near& near, float begin, float
         const Pose pose = pose_at(c, end);
         Contact contacts[most_contacts];
         const float scale = arrays_.field[field_scale][i];
-        // What stopped it may have done so at some distance, and is touched there: else nothing would take its speed.
-        const bool stopped = stopped_[i] == k;
-        const float within = stopped ? std::max(margin, 0.2f * step_->shape->reach * scale) : margin;
         const uint32_t count = find_contacts(*step_->shape, scale, relative(pose, pose_of(i)), c.geometry,
-                                             candidate.part, within, contacts);
+                                             candidate.part, margin, contacts);
         if (count == 0) continue;
-        if (stopped) {
-            float least = contacts[0].gap;
-            for (uint32_t n = 1; n < count; ++n) least = std::min(least, contacts[n].gap);
-            for (uint32_t n = 0; n < count; ++n) contacts[n].gap -= std::max(least, 0.0f);
-        }
-        const Motion motion = motion_of(c, begin, end, h);
-        for (uint32_t n = 0; n < count; ++n)
-            add(i, candidate.slot, contacts[n], pose, motion.velocity, motion.spin, pose.position);
+        const SurfaceMotion motion = motion_of(c, begin, end, h);
+        for (uint32_t n = 0; n < count; ++n) add(i, candidate.slot, contacts[n], pose, motion);
     }
 }
 
@@ -247,6 +243,7 @@ void ContactGroup::touch_resting(uint32_t i, const LaneRow (&before)[pose_fields
             put(s.arm, c.arm_a);
             put(s.normal, c.normal);
             put(s.surface, {});
+            put(s.lag, {});
             s.gap[i] = c.gap;
             s.friction[i] = touches[n].friction;
             s.restitution[i] = touches[n].restitution;
@@ -257,9 +254,9 @@ void ContactGroup::touch_resting(uint32_t i, const LaneRow (&before)[pose_fields
 
 void ContactGroup::collect(const LaneRow (&before)[pose_fields], float begin, float end, float h) {
     if (step_->settings->ground_effect > 0.0f) press_air(before, begin, end);
-    clip(before, begin, end);
     slots_.used = 0;
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
+    clip(before, begin, end, h);
     std::fill(touches_, touches_ + contact_lanes, false);
     touch_grounds(bodies(before, h), begin, end, h);
     for (uint32_t i = 0; i < count_; ++i) touch_others(i, near_[i], begin, end, h);
@@ -283,12 +280,17 @@ void ContactGroup::resolve(const LaneRow (&before)[pose_fields], float begin, fl
     solve(before, h);
 }
 
+// What is thin does not roll: with the reach as its lever the couple would hold it leaning on its edge.
+float rolling_of(const ContactSettings& settings, const BodyShape& shape) {
+    return settings.rolling * std::sqrt(std::min(0.5f * shape.thickness / shape.reach, 1.0f));
+}
+
 ContactBodies ContactGroup::bodies(const LaneRow (&before)[pose_fields], float h) const {
     return {body_,
             constants_of(*step_->shape, *step_->samples),
             h,
             step_->gravity,
-            step_->settings->rolling,
+            rolling_of(*step_->settings, *step_->shape),
             arrays_,
             before,
             contact_lanes};
@@ -341,6 +343,7 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
     : begin_(begin), end_(begin), live_(live) {
     constexpr uint32_t at_a_time = field_block / 2;
     const uint32_t last = std::min(end, begin + near_range);
+    const bool all_grounds = step.colliders->all_grounds(step.settings->layers);
     while (end_ < last && count_ + at_a_time <= field_block) {
         const uint32_t from = end_, to = std::min(from + at_a_time, last);
         step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, from, to,
@@ -349,10 +352,15 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
         // of the others, to the bit.
         for (uint32_t i = from; i < std::min(to, live); ++i) {
             if (step.resting) near_[i - begin] = 1; // what they rest on is not looked for twice
-            if (near_[i - begin] == 0) continue;
-            const Vicinity around = vicinity(step, arrays, i, dt);
+            const uint32_t mark = near_[i - begin];
+            if (mark == 0) continue;
             const auto reached = [&] {
-                return around.finite() && step.colliders->any_candidate(around.low, around.high, step.settings->layers);
+                const Vicinity around = vicinity(step, arrays, i, dt);
+                const Box box{around.low, around.high};
+                const bool over_ground = (mark & near_ground) != 0;
+                return around.finite() &&
+                       ((over_ground && all_grounds) || step.colliders->any_finite(box, step.settings->layers) ||
+                        (over_ground && step.colliders->any_ground(box, step.settings->layers)));
             };
             if (step.resting || reached())
                 index_[count_++] = i;

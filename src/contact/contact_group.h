@@ -8,6 +8,7 @@
 #include "kernel/contact.h"
 #include "kernel/wind.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace lr {
@@ -16,13 +17,16 @@ namespace lr {
 struct ContactSettings {
     uint32_t layers = 0xffffffffu;
     float friction = 0.5f, restitution = 0.1f;
-    float rolling = 0.05f; // of the reach
+    float rolling = 0.05f; // of the geometric mean of reach and half thickness
     float ground_effect = 0.0f;
     bool may_rest = true;
     bool operator==(const ContactSettings&) const = default;
 };
 // Null when fine, else what is wrong; NaN is.
 const char* wrong_in(const ContactSettings& settings);
+
+// The same as a part of the reach: ContactBodies::rolling.
+float rolling_of(const ContactSettings& settings, const BodyShape& shape);
 
 // Of a batch in a step.
 struct ContactStep {
@@ -56,6 +60,17 @@ constexpr ShapeConstants constants_of(const BodyShape& s, const GroundSamples& g
 
 // Where a collider is at a part of the step, 0 to 1.
 Pose pose_at(const Collider& collider, float part);
+
+// How a collider gets to where it is at the end of a substep of h.
+struct SurfaceMotion {
+    Vector middle;         // m, its frame's origin, at the end
+    Vector velocity, spin; // m/s, mean of the origin; 2 sin(angle/2)/h about the axis
+    float h;
+    Vector velocity_at(Vector point) const; // of what is there at the end
+    // Its way less h times that: along the chord and not along the end's tangent, by which all that it carries would go inwards.
+    Vector lag_at(Vector point) const;
+};
+SurfaceMotion motion_of(const Collider& collider, float begin, float end, float h); // begin, end: parts of the step
 
 // How a body met a collider.
 struct Touch {
@@ -106,7 +121,6 @@ public:
     // With one of them, in the last substep: at its strongest contact, and the impulse of all. before: as for resolve().
     Touch meeting(uint32_t lane, uint32_t collider, const LaneRow (&before)[pose_fields]) const;
     bool touches(uint32_t lane) const { return touches_[lane]; }
-    uint32_t missed() const { return missed_; } // candidates without room
 
 private:
     struct Near {
@@ -115,13 +129,12 @@ private:
     };
     ContactBodies bodies(const LaneRow (&before)[pose_fields], float h) const;
     void press_air(const LaneRow (&before)[pose_fields], float begin, float end);
-    void clip(const LaneRow (&before)[pose_fields], float begin, float end);
+    void clip(const LaneRow (&before)[pose_fields], float begin, float end, float h);
     void touch_grounds(const ContactBodies& bodies, float begin, float end, float h);
     void touch_others(uint32_t lane, const Near& near, float begin, float end, float h);
     void touch_resting(uint32_t lane, const LaneRow (&before)[pose_fields], float h);
     void add(uint32_t lane, const ContactSlots::Slot& from);
-    void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, Vector velocity, Vector spin,
-             Vector middle);
+    void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion);
     uint32_t place(uint32_t lane, float gap);
     Pose pose_of(uint32_t lane) const;
     void set_pose(uint32_t lane, const Pose& pose);
@@ -130,11 +143,9 @@ private:
     const ContactStep* step_;
     const BodyConstants* body_;
     BatchArrays arrays_;
-    uint32_t count_, missed_ = 0;
+    uint32_t count_;
     uint32_t ground_count_ = 0;
     uint32_t grounds_[contact_lanes * most_candidates]; // room for all: none may be left out for the company's sake
-    static constexpr uint32_t nobody = UINT32_MAX;
-    uint32_t stopped_[contact_lanes]; // the candidate that ended its way in this substep
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
     Near near_[contact_lanes];
@@ -146,12 +157,21 @@ private:
 // the bodies that may touch something within `dt`. Over a longer range few of them fill more of a group's lanes.
 class NearContacts {
 public:
-    static constexpr uint32_t near_range = 4 * field_block;
+    static constexpr uint32_t near_range = 16 * field_block;
     NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin, uint32_t end,
                  float dt);
     uint32_t end() const { return end_; } // of the bodies that were looked at
     uint32_t count() const { return count_; }
     uint32_t index(uint32_t i) const { return index_[i]; }
+    bool holds(uint32_t body) const { return near_[body - begin_] != 0; }
+    // By the class of each, less than `classes`, and then by index: alike ones share vectors, which are done with the last of their lanes.
+    template <class Class> void arrange(uint32_t classes, Class&& class_of) {
+        uint32_t sorted[field_block], at = 0;
+        for (uint32_t c = 0; c < classes; ++c)
+            for (uint32_t i = 0; i < count_; ++i)
+                if (class_of(index_[i]) == c) sorted[at++] = index_[i];
+        std::copy_n(sorted, count_, index_);
+    }
     // Is there a body in this lane block that is not among them?
     bool others(uint32_t begin) const;
 

@@ -128,12 +128,13 @@ void CrowdSolver::fill(const CrowdKind* kinds, const CrowdUnit* const* units, Pa
         PairContacts& to = block.contact[k];
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             const bool there = lane < count && k < units[lane]->count;
-            const CrowdContact none{{}, {}, {0.0f, 1.0f, 0.0f}, no_contact, {}, 0.0f, 0.0f, false};
+            const CrowdContact none{{}, {}, {0.0f, 1.0f, 0.0f}, no_contact, {}, {}, 0.0f, 0.0f, false};
             const CrowdContact& c = there ? units[lane]->contact[k] : none;
             put(to.arm_a, lane, c.arm_a);
             put(to.arm_b, lane, c.arm_b);
             put(to.normal, lane, c.normal);
             put(to.surface, lane, c.surface);
+            put(to.lag, lane, c.lag);
             to.gap[lane] = c.gap;
             to.friction[lane] = c.friction;
             to.restitution[lane] = c.restitution;

@@ -14,7 +14,7 @@ struct CrowdContact {
     Vector arm_a, arm_b; // m, body frames, from the centres of mass
     Vector normal;       // world, unit, from b to a
     float gap;           // m: of a pair as the substep began, with nobody at its end
-    Vector surface;      // m/s, of nobody
+    Vector surface, lag; // m/s, m: of nobody, as ContactSlots
     float friction, restitution;
     bool solid; // a collider's
 };

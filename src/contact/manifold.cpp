@@ -194,6 +194,48 @@ bool clip(const Side& polygon, float au, float av, float bu, float bv, float& fr
     return from <= to;
 }
 
+// How far a point is out from the core of a sphere or capsule, and in what direction.
+double distance_from(const PlacedCollider& round, Double3 p, Double3& direction) {
+    Double3 from = p - round.points[0];
+    if (round.count == 2) {
+        const Double3 along = round.points[1] - round.points[0];
+        from = from - std::clamp(dot(from, along) / dot(along, along), 0.0, 1.0) * along;
+    }
+    const double distance = length(from);
+    direction = distance > 0.0 ? 1.0 / distance * from : Double3{0.0, 1.0, 0.0};
+    return distance;
+}
+
+// A flat ellipsoid that lies on something round touches at a point that goes from rim to rim with the least tilt. As over the
+// ground: also where it would touch if it were tilted a little, and at the other rims. gap: of the point that is nearest.
+void add_rims(const PlacedBody& body, const PlacedCollider& round, Double3 normal, float gap, float margin,
+              ContactSet& set) {
+    Double3 axes[3];
+    double size[3], along[3];
+    uint32_t shortest = 0, longest = 0;
+    for (uint32_t k = 0; k < 3; ++k) {
+        size[k] = length(to_double(body.axes[k]));
+        axes[k] = 1.0 / size[k] * to_double(body.axes[k]);
+        along[k] = dot(normal, axes[k]);
+        if (size[k] < size[shortest]) shortest = k;
+        if (size[k] > size[longest]) longest = k;
+    }
+    const double flat = 1.0 - size[shortest] / size[longest];
+    if (flat < 0.8 || round.count == 0 || round.count > 2) return;
+    const uint32_t first = (shortest + 1) % 3, second = (shortest + 2) % 3;
+    // What pushing the nearest point out may press in.
+    const float wide = margin + 0.1f * body.reach + 2.0f * std::max(-gap, 0.0f);
+    const auto add = [&](double a, double b) {
+        const Double3 p = body.support(-(along[shortest] * axes[shortest] + a * axes[first] + b * axes[second]));
+        Double3 direction;
+        const double out = distance_from(round, p, direction) - round.radius;
+        if (out < static_cast<double>(wide)) set.add(to_float(p), to_float(direction), static_cast<float>(out));
+    };
+    const double a = along[first], b = along[second], tilt = 0.02 * flat * flat;
+    add(a + tilt, b), add(a - tilt, b), add(a, b + tilt), add(a, b - tilt);
+    add(-a, b), add(a, -b), add(-a, -b);
+}
+
 } // namespace
 
 void add_manifold(const PlacedBody& body, const PlacedCollider& collider, const Separation& along, float margin,
@@ -245,6 +287,7 @@ void add_manifold(const PlacedBody& body, const PlacedCollider& collider, const 
     if (least <= gap - body.radius + 0.05f * margin) return;
     const Vector point = to_float(along.has_points ? along.on_body : body.support(-along.normal));
     set.add_core(point, n, gap);
+    if (body.count == 0) add_rims(body, collider, along.normal, gap, margin, set);
 }
 
 } // namespace lr

@@ -21,7 +21,8 @@ struct ColliderPart {
     uint32_t first, count;
 };
 
-// Where the body, `scale` times its shape, touches the collider or is nearer to it than `margin`. Writes at most
+// Where the body, `scale` times its shape, touches the collider or is nearer to it than `margin`; of flat ellipsoids on what is
+// round also other rims up to a tenth of the reach and twice the depth farther. Writes at most
 // most_contacts of them, those that hold it best; returns how many. Never misses a pair that overlaps.
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
                        float margin, Contact* out);

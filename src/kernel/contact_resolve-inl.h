@@ -229,11 +229,12 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             depth = hn::Max(depth, hn::IfThenElse(empty_slot, zero, hn::Neg(gap[k])));
             r.inverse = hn::IfThenElse(empty_slot, zero, r.inverse);
             r.target = hn::Sub(product(r.along[0], way), push);
-            set_surface(r, scale(h, to_body(q, surface)));
+            const Vec3 path = add(load3(s.lag, at), scale(h, surface));
+            set_surface(r, to_body(q, path));
             r.friction = hn::IfThenElse(empty_slot, zero, hn::Load(d, s.friction + at));
             // Of the point that touches: where it was, and how fast it came when the gap closed, between its speeds at the ends.
             const Vec3 moved = sub(add(sub(x, x0), to_world(q, arm)), to_world(q0, arm));
-            before[k] = hn::Add(gap[k], mul_sub(h, dot(normal, surface), dot(normal, moved)));
+            before[k] = hn::Add(gap[k], dot(normal, sub(path, moved)));
             const Twist end{load3(b.arrays, field_vx, at), scale(length, load3(b.arrays, field_wx, at))};
             const VF carried = dot(normal, surface);
             const VF first = hn::Sub(dot(normal, to_world(q0, velocity_at(began, over[k]))), carried);
@@ -247,7 +248,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         const VF rolling = hn::Mul(constant(b.rolling), hn::Mul(reach, inverse));
         const VF spin_hold = constant(1.0f / most_turned<kFull>(c));
         Twist moved = way;
-        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-4f), slop), moved);
+        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-2f), slop), moved);
         Twist correction{sub(moved.v, way.v), sub(moved.u, way.u)};
         // A twist is a small rotation. The whole of it is made smaller: what no contact is against, no part of it is against.
         const VF large = hn::Mul(greatest(correction.u), inverse);
@@ -265,7 +266,9 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         const Twist met{load3(b.arrays, field_vx, at), scale(length, load3(b.arrays, field_wx, at))};
         Twist t = met;
         const VF slow = constant(2.0f * b.gravity * b.h);
-        VF carried = zero, shallow = zero; // shallow: the least gap that the substep began with
+        VF shallow = zero,
+           apart = zero; // the least gap that the substep began with; m/s, between the surfaces' velocities
+        Vec3 carried{zero, zero, zero}; // velocity of the surface that it touches, if it is one
         auto any_touch = hn::Lt(reach, zero);
         // A body that rests falls half of g h^2 in a substep and gains g h: the impulses that undo the one are a good guess of those
         // that undo the other.
@@ -273,7 +276,11 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         const VF guess = hn::IfThenElseZero(rests, constant(2.0f / b.h));
         for (uint32_t k = 0; k < count; ++k) {
             const auto there = hn::Lt(hn::Load(d, slots.slot[used[k]].gap + at), empty);
-            any_touch = hn::Or(any_touch, hn::And(hn::Gt(touching[k], zero), there));
+            const auto touches = hn::And(hn::Gt(touching[k], zero), there);
+            const Vec3 surface = load3(slots.slot[used[k]].surface, at);
+            carried = select(hn::AndNot(any_touch, touches), surface, carried);
+            any_touch = hn::Or(any_touch, touches);
+            apart = hn::Max(apart, hn::IfThenElseZero(touches, greatest(sub(surface, carried))));
         }
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
@@ -295,19 +302,24 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             for (VF& dragged : r.dragged) dragged = hn::Mul(kept, dragged);
             t = add_scaled(add_scaled(add_scaled(t, r.pressed, r.response[0]), r.dragged[0], r.response[1]),
                            r.dragged[1], r.response[2]);
-            carried = hn::Max(carried, hn::IfThenElseZero(touches, greatest(surface)));
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
-        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-5f), slow), t);
-        // Restitution and friction of several contacts together could give energy (Kane 1984): still surfaces have none to give.
+        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-3f), slow), t);
+        // Seen from what it touches. Restitution and friction of several contacts together could give energy (Kane 1984), and still
+        // surfaces have none to give.
+        const Vec3 base = to_body(q, carried);
+        const Twist came{sub(met.v, base), met.u};
+        Twist goes{sub(t.v, base), t.u};
         const auto energy = [&](const Twist& of) LR_LAMBDA {
             const Twist p = momentum<kFull>(c, of);
             return hn::Add(dot(p.v, of.v), dot(p.u, of.u));
         };
-        const VF had = energy(met), has = energy(t);
-        const auto gained = hn::And(hn::Gt(has, had), hn::Eq(carried, zero));
+        const VF creep = constant(0.01f * b.gravity * b.h);
+        const auto one_surface = hn::Le(apart, creep);
+        const VF had = energy(came), has = energy(goes);
+        const auto gained = hn::And(hn::Gt(has, had), one_surface);
         const VF factor = hn::IfThenElse(gained, hn::Sqrt(hn::Div(had, hn::Max(has, constant(1e-30f)))), one);
-        t = {scale(factor, t.v), scale(factor, t.u)};
+        goes = {scale(factor, goes.v), scale(factor, goes.u)};
 
         // What is left of the sweeps would make bodies at rest creep. One that neither moved before nor does now stays where it
         // was, to the bit: less than 1/100 of gravity, half a degree of slope, does not get it going.
@@ -315,14 +327,14 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             const VF spin = hn::Mul(hn::Mul(reach, inverse), hn::Sqrt(dot(of.u, of.u)));
             return hn::Add(hn::Sqrt(dot(of.v, of.v)), spin);
         };
-        const VF creep = constant(0.01f * b.gravity * b.h);
-        auto stays = hn::And(hn::Lt(size(began), creep), hn::Lt(size(t), creep));
-        stays = hn::And(hn::And(stays, any_touch),
-                        hn::And(hn::Eq(carried, zero), hn::Gt(shallow, hn::Neg(hn::Add(slop, slop)))));
-        x = select(stays, x0, x);
+        const Twist first{sub(began.v, to_body(q0, carried)), began.u};
+        auto stays = hn::And(hn::Lt(size(first), creep), hn::Lt(size(goes), creep));
+        stays = hn::And(hn::And(stays, any_touch), hn::And(one_surface, hn::Gt(shallow, hn::Neg(hn::Add(slop, slop)))));
+        x = select(stays, add(x0, scale(h, carried)), x);
         q = {hn::IfThenElse(stays, q0.x, q.x), hn::IfThenElse(stays, q0.y, q.y), hn::IfThenElse(stays, q0.z, q.z),
              hn::IfThenElse(stays, q0.w, q.w)};
-        t = select(stays, Twist{{zero, zero, zero}, {zero, zero, zero}}, t);
+        goes = select(stays, Twist{{zero, zero, zero}, {zero, zero, zero}}, goes);
+        t = {add(select(stays, to_body(q, carried), base), goes.v), goes.u};
 
         auto any_contact = hn::Lt(reach, zero);
         for (uint32_t k = 0; k < count; ++k) {

@@ -79,12 +79,13 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, PairContacts& c, size_t at, V
     const DF d;
     const VF zero = hn::Zero(d);
     const Vec3 normal = load3(c.normal, at), surface = load3(c.surface, at);
+    const Vec3 path = add(load3(c.lag, at), scale(h, surface));
     const Vec3 over_a = load3(c.arm_a, at), over_b = load3(c.arm_b, at);
     const VF given = hn::Load(d, c.gap + at);
     const auto empty = hn::Ge(given, constant(0.5f * no_contact));
     const Vec3 went_a = sub(add(s.moved_a, to_world(s.a.turn, arm_a)), to_world(s.began_a, arm_a));
     const Vec3 went_b = sub(add(s.moved_b, to_world(s.b.turn, arm_b)), to_world(s.began_b, arm_b));
-    const VF closed = dot(normal, sub(select(s.pair, went_b, scale(h, surface)), went_a));
+    const VF closed = dot(normal, sub(select(s.pair, went_b, path), went_a));
     const VF gap = hn::IfThenElse(empty, given, hn::IfThenElse(s.pair, hn::Sub(given, closed), given));
     const VF before = hn::IfThenElse(empty, given, hn::IfThenElse(s.pair, given, hn::Add(given, closed)));
     hn::Store(gap, d, c.gap + at);
@@ -117,9 +118,9 @@ HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     const Vec3 relative =
         sub(velocity_of(s.a.turn, s.way[0], load3(c.arm_a, at)), velocity_of(s.b.turn, s.way[1], load3(c.arm_b, at)));
     hn::Store(hn::Sub(dot(normal, relative), push), d, c.target + at);
-    const Vec3 surface = scale(h, load3(c.surface, at));
-    hn::Store(dot(tangent, surface), d, c.drift[0] + at);
-    hn::Store(dot(cross(normal, tangent), surface), d, c.drift[1] + at);
+    const Vec3 path = add(load3(c.lag, at), scale(h, load3(c.surface, at)));
+    hn::Store(dot(tangent, path), d, c.drift[0] + at);
+    hn::Store(dot(cross(normal, tangent), path), d, c.drift[1] + at);
     for (float* to : {c.pressed, c.dragged[0], c.dragged[1]}) hn::Store(zero, d, to + at);
     store3(c.search, at, {zero, zero, zero});
 }

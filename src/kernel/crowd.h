@@ -35,9 +35,9 @@ inline constexpr uint32_t block_contacts = 4;
 struct PairContacts {
     alignas(64) LaneRow arm_a[3]; // m, body frames, from the centres of mass; in the solver over d s
     LaneRow arm_b[3];
-    LaneRow normal[3];  // world, unit, from b to a
-    LaneRow gap;        // m: of pairs as the substep began, with colliders at its end; no_contact: none
-    LaneRow surface[3]; // m/s, of what is not moved
+    LaneRow normal[3];          // world, unit, from b to a
+    LaneRow gap;                // m: of pairs as the substep began, with colliders at its end; no_contact: none
+    LaneRow surface[3], lag[3]; // of what is not moved: as ContactSlots
     LaneRow friction, restitution;
     LaneRow solid;   // 1: a collider, that nothing may overlap
     LaneRow pressed; // out: impulse along the normal over a's mass unit, m/s; negative: do not touch
@@ -54,7 +54,7 @@ struct PairBlock {
     uint32_t b[contact_lanes];
     LaneRow ratio;                      // of a's mass unit to b's; 0: b is not moved
     LaneRow turn_a[9], turn_b[9], dust; // rotations as matrices
-    LaneRow changed;         // sum of squares of the last sweep's changes
+    LaneRow changed;                    // sum of squares of the last sweep's changes
     PairContacts contact[block_contacts];
 };
 

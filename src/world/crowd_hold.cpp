@@ -72,7 +72,8 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
     for (size_t f = 0; f < pose_fields; ++f) std::copy_n(field[f], count, from.field[f] + first);
     for (uint32_t i = 0; i < count; ++i) {
         if (place_count_ != 0 && place[i] != none) continue;
-        const BodyAfter body = body_after(member.run, group, i, first + i, [&](size_t f) { return field[f][i]; });
+        const BodyAfter body = body_after(
+            member.run, group, i, first + i, [&](size_t f) { return field[f][i]; }, began_rows);
         enter_body(member.run.book, body, member.run.step.settings->may_rest, h, last(substep),
                    [&](uint32_t collider) { return group.meeting(i, collider, began_rows); });
         group.visit_at_rest(i, [&](const ContactGroup::AtRest& other) { wake(body, other); });
@@ -89,9 +90,15 @@ void CrowdStep::take_out(const CrowdMember& member, ContactGroup& group, uint32_
         const ContactSlots::Slot& s = group.contact(k);
         const bool solid = s.collider[lane] != ContactGroup::a_body;
         c.held[first + k] = {s.collider[lane], solid ? ContactGroup::AtRest{} : group.at_rest(lane, k)};
-        c.held_contacts[first + k] = {
-            row_of(s.arm, lane), {},   row_of(s.normal, lane), s.gap[lane], row_of(s.surface, lane), s.friction[lane],
-            s.restitution[lane], solid};
+        c.held_contacts[first + k] = {row_of(s.arm, lane),
+                                      {},
+                                      row_of(s.normal, lane),
+                                      s.gap[lane],
+                                      row_of(s.surface, lane),
+                                      row_of(s.lag, lane),
+                                      s.friction[lane],
+                                      s.restitution[lane],
+                                      solid};
     }
     group.take_out(lane);
     static_cast<void>(member);
@@ -229,6 +236,9 @@ void CrowdStep::put_back(uint32_t place, uint32_t substep) {
     body.speed = length(vector_of(from.v)) + reach * length(vector_of(from.w));
     const float still = member.run.still * std::sqrt(reach);
     body.still = heap_still * still;
+    body.moved = body.speed > 0.0f;
+    for (size_t k = 0; k < 3; ++k) body.moved = body.moved || from.x[k] != from.x0[k];
+    for (size_t k = 0; k < 4; ++k) body.moved = body.moved || from.q[k] != from.q0[k];
     body.moving = trembling * still;
     TouchList touched;
     for (uint32_t k = 0; k < c.held_count[place]; ++k) {

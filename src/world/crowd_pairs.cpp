@@ -116,7 +116,7 @@ void CrowdStep::meet(const Placed& one, uint32_t other, uint32_t at) {
         const Vector moved = to_outer(one.to, c.arm_a) - to_outer(one.from, c.arm_a);
         const Vector moved_other = to_outer(to, c.arm_b) - to_outer(from, c.arm_b);
         if (!(c.gap + dot(c.normal, moved - moved_other) < margin)) continue;
-        contacts[pair.count++] = {c.arm_a, c.arm_b, c.normal, c.gap, {}, friction, restitution, false};
+        contacts[pair.count++] = {c.arm_a, c.arm_b, c.normal, c.gap, {}, {}, friction, restitution, false};
     }
 }
 

@@ -44,7 +44,7 @@ bool CrowdStep::prepare() {
         member->run = contact_run(*world_, batch, wet_ ? &surface_ : nullptr, time_, h);
         member->run.book = batch.contact_book();
         if (member->resting.any()) member->run.step.resting = &member->resting;
-        member->kind = {&batch.step.body, batch.shape.reach, batch.contact.rolling};
+        member->kind = {&batch.step.body, batch.shape.reach, rolling_of(batch.contact, batch.shape)};
         first += batch.padded_awake();
     }
     return true;

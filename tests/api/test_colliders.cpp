@@ -4,7 +4,6 @@
 #include "support/random.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -346,46 +345,6 @@ TEST_CASE("colliders that are made and destroyed while others move") {
         CHECK(info_of(world).collider_count == ids.size());
     }
     for (lr_collider id : ids) CHECK(std::isfinite(state_of_collider(world, id).position[1]));
-}
-
-TEST_CASE("a million colliders in one call, within seconds, and no cost afterwards") {
-#ifdef LR_TEST_QUICK
-    constexpr uint32_t count = 100000;
-#else
-    constexpr uint32_t count = (1u << 20) + 7;
-#endif
-    const World world = make(world_desc());
-    std::vector<lr_collider_desc> descs(count, box_collider(0.5f, 0.2f, 0.1f));
-    for (uint32_t i = 0; i < count; ++i) {
-        descs[i].position[0] = static_cast<float>(i % 1024);
-        const uint32_t row = i / 1024;
-        descs[i].position[2] = static_cast<float>(row);
-    }
-    std::vector<lr_collider> ids(count);
-    using Clock = std::chrono::steady_clock;
-    const auto seconds = [](Clock::time_point since) {
-        return std::chrono::duration<double>(Clock::now() - since).count();
-    };
-    Clock::time_point since = Clock::now();
-    REQUIRE(lr_collider_create(world.get(), descs.data(), count, ids.data()) == LR_OK);
-    const double creating = seconds(since);
-    since = Clock::now();
-    steps(world, 1, 0.01f);
-    const double building = seconds(since);
-    since = Clock::now();
-    steps(world, 100, 0.01f);
-    const double stepping = seconds(since) / 100;
-    since = Clock::now();
-    REQUIRE(lr_collider_destroy(world.get(), ids.data(), count) == LR_OK);
-    const double destroying = seconds(since);
-    MESSAGE("a million: created in ", creating, " s, first step ", building, " s, another ", 1e6 * stepping,
-            " us, destroyed in ", destroying, " s, ", static_cast<double>(info_of(world).memory_bytes) / count,
-            " bytes each");
-    CHECK(creating < 10.0); // generous: machines are shared
-    CHECK(building < 20.0);
-    CHECK(stepping < 0.01 * building);
-    CHECK(destroying < 10.0);
-    CHECK(info_of(world).collider_count == 0);
 }
 
 TEST_CASE("steps with colliders that move allocate nothing, nor does destroying") {
