@@ -6,7 +6,7 @@ using namespace test;
 TEST_CASE("in scenes with contact some bodies rest in the end and others move, and what lies in the way matters") {
     size_t found = 0;
     for (PlayedScene scene : played_scenes()) {
-        if (scene.solids == Solids::none) continue;
+        if (scene.solids == Solids::none || scene.meeting) continue;
         ++found;
         CAPTURE(std::string(scene.name));
         Play play(scene, {});
@@ -19,4 +19,21 @@ TEST_CASE("in scenes with contact some bodies rest in the end and others move, a
         CHECK(outcome(scene) != hash);
     }
     CHECK(found == 4);
+}
+
+TEST_CASE("in scenes of piles bodies touch each other, and that they meet matters") {
+    size_t found = 0;
+    for (PlayedScene scene : played_scenes()) {
+        if (!scene.meeting) continue;
+        ++found;
+        CAPTURE(std::string(scene.name));
+        Play play(scene, {});
+        const uint64_t hash = play.run();
+        MESSAGE(std::string(scene.name), ": ", info_of(play.world).awake_count, " of ", info_of(play.world).body_count,
+                " awake");
+        CHECK(info_of(play.world).awake_count > 10);
+        scene.meeting = false;
+        CHECK(outcome(scene) != hash);
+    }
+    CHECK(found == 6);
 }

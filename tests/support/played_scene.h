@@ -30,6 +30,7 @@ struct PlayedScene {
     uint32_t divisors[2] = {1, 1};     // of the batches' rates
     bool resting = false;              // bodies come to rest and wake
     Solids solids = Solids::none;      // to land on: bodies begin near them, the second batch's are bricks
+    bool meeting = false;              // all bodies meet each other, close together over what they land on
     uint64_t budget = 0;               // body-substeps a step
     float dt = 1.0f / 60.0f;           // s
     uint32_t substeps = 3;             // neither a power of two nor an even division: every rounding is there
@@ -156,6 +157,23 @@ inline std::vector<PlayedScene> played_scenes() {
     PlayedScene& landing_on_edges = landing("landing_on_edges", Solids::edges);
     landing_on_edges.born_and_dying = true, landing_on_edges.dt = 0.1f, landing_on_edges.substeps = 6;
 
+    // Leaves and bricks that land on each other.
+    const auto pile = [&](const char* name, Solids on) -> PlayedScene& {
+        PlayedScene& scene = landing(name, on);
+        scene.meeting = true, scene.bodies = 80;
+        return scene;
+    };
+    pile("pile", Solids::ground);
+    pile("pile_on_terrain", Solids::terrain).windy = false;
+    PlayedScene& pile_in_field = pile("pile_in_a_field", Solids::terrain);
+    pile_in_field.sources = {LR_WIND_SOURCE_GUSTS, LR_WIND_SOURCE_RANKINE}, pile_in_field.forced = true;
+    PlayedScene& pile_afloat = pile("pile_afloat", Solids::ground);
+    pile_afloat.afloat = true, pile_afloat.tensor = LR_TENSOR_FULL, pile_afloat.bodies = 60;
+    PlayedScene& paced_pile = pile("pile_at_rates", Solids::ground);
+    paced_pile.divisors[0] = 2, paced_pile.divisors[1] = 2, paced_pile.born_and_dying = true;
+    PlayedScene& apart_pile = pile("pile_at_two_rates", Solids::terrain);
+    apart_pile.divisors[0] = 3, apart_pile.divisors[1] = 1, apart_pile.resting = true;
+
     // Storms of more bodies than are stepped in one piece.
     const auto storm = [&](const char* name) -> PlayedScene& {
         PlayedScene& scene = add(name);
@@ -189,6 +207,9 @@ public:
         build();
         colliders_.place(world);
         for (int32_t kind : scene_.sources) add_wind(kind);
+        for (size_t b = 0; b < 2 && scene_.meeting; ++b)
+            for (size_t with = 0; with <= b; ++with)
+                REQUIRE(lr_batch_set_pair_contact(world.get(), batches[b], batches[with], 1) == LR_OK);
         if (scene_.afloat) set_water(world, sea()); // not anew after a snapshot: that brings it back
         for (size_t b = 0; b < 2; ++b) {
             populate(b);
@@ -297,6 +318,8 @@ private:
             for (float& x : d.position) x *= 0.4f;
             d.position[1] = 0.15f * d.position[1] + 0.35f;
         }
+        if (scene_.meeting) // over the box, the sphere and the open ground alike
+            for (size_t k = 0; k < 3; ++k) d.position[k] = k == 1 ? d.position[k] : 0.12f * d.position[k] + 0.5f;
         for (float& q : d.orientation) q = random.real(-1.0, 1.0);
         for (float& v : d.linear_velocity) v = random.real(-0.5, 0.5);
         for (float& w : d.angular_velocity) w = random.real(-5.0, 5.0);
