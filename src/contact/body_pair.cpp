@@ -113,8 +113,14 @@ void draw_out(const PlacedPair& pair, Vector n, float separation, float apart, D
             closest.state = Closest::State::apart;
             closest.normal = n;
             closest.distance = apart;
-            closest.on_b = pair.point_b(farthest_of_b(pair, n, along));
-            closest.on_a = closest.on_b + apart * n;
+            // Of the larger core the farthest point may lie far from the other.
+            if (pair.a->core_reach < pair.ratio * pair.b->core_reach) {
+                closest.on_a = pair.point_a(farthest_of_a(pair, -n, along)) + shift;
+                closest.on_b = closest.on_a - apart * n;
+            } else {
+                closest.on_b = pair.point_b(farthest_of_b(pair, n, along));
+                closest.on_a = closest.on_b + apart * n;
+            }
         }
         const float here = closest.distance - dot(shift, closest.normal);
         const float before = best.separation;

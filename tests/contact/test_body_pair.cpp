@@ -456,3 +456,27 @@ TEST_CASE("bounds hold the body and no more; ellipsoids keep their volume") {
         CHECK(volume == doctest::Approx(wanted).epsilon(0.04));
     }
 }
+
+TEST_CASE("of a body deep in one that is far larger, contacts lie on both") {
+    test::Random random(13);
+    const std::vector<MeetingShape> pool = some_shapes(0.05f, random);
+    double worst = 0.0;
+    uint32_t found = 0;
+    for (uint32_t i = 0; i < test::rounds(6000); ++i) {
+        const MeetingShape &small = pool[random.below(60)], &large = pool[random.below(60)];
+        const auto ratio = static_cast<float>(random.logarithmic(1.0, 1e5));
+        const Vector somewhere = 0.5f * ratio * large.shape.reach * random.real(0.0, 1.0) * test::any_direction(random);
+        const Pose at_a{somewhere, test::any_rotation(random)};
+        const Pose at_b{{0.0f, 0.0f, 0.0f}, test::any_rotation(random)};
+        PairContact out[most_pair_contacts];
+        const uint32_t count = find_pair_contacts(small, 1.0f, at_a, large, ratio, at_b, 1e-3f, out);
+        for (uint32_t k = 0; k < count; ++k) {
+            ++found;
+            worst = std::max({worst, static_cast<double>(length(out[k].arm_a) / small.shape.reach),
+                              static_cast<double>(length(out[k].arm_b) / (ratio * large.shape.reach))});
+        }
+    }
+    INFO(found << " contacts, farthest " << worst << " of the reach");
+    CHECK(found > test::rounds(3000));
+    CHECK(worst < 1.1);
+}
