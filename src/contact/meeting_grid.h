@@ -45,7 +45,9 @@ public:
                     for (int32_t z = first[2]; z <= last[2]; ++z) {
                         const uint32_t id = hash(level, x, y, z), bucket = id & mask_;
                         for (uint32_t i = first_[bucket]; i < first_[bucket + 1]; ++i)
-                            if (sorted_[i].cell == id && overlap(sorted_[i], around)) function(sorted_[i]);
+                            if (sorted_[i].cell == id && overlap(sorted_[i], around) &&
+                                lies_in(sorted_[i], size, x, y, z))
+                                function(sorted_[i]);
                     }
         }
     }
@@ -67,6 +69,13 @@ private:
     static uint32_t hash(uint32_t level, int32_t x, int32_t y, int32_t z) {
         const uint32_t h = cell_hash(x, y, z) ^ level * 0x9e3779b9u;
         return h == nowhere ? 0 : h;
+    }
+    // Cells nearby may have the same hash: a box is seen in its own alone, and so once.
+    static bool lies_in(const MeetingBox& box, float size, int32_t x, int32_t y, int32_t z) {
+        const int32_t of[3] = {x, y, z};
+        bool in = true;
+        for (size_t k = 0; k < 3; ++k) in = in && cell(0.5f * (box.low[k] + box.high[k]), size) == of[k];
+        return in;
     }
     static bool overlap(const MeetingBox& a, const MeetingBox& b) {
         bool in = true;
