@@ -29,7 +29,7 @@ void CrowdStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest)
     if (body.speed > body.moving) world_->batches[at_rest.batch].batch->note_rest(at_rest.index);
 }
 
-void CrowdStep::hold(uint32_t substep) {
+void CrowdStep::hold(uint32_t substep, Held which) {
     uint32_t groups = 0;
     for (uint32_t m = 0; m < member_count_; ++m) groups += (crowd_->members[m].count + lanes - 1) / lanes;
     workers_.run(groups, 4, [&](uint32_t begin, uint32_t end) {
@@ -37,12 +37,12 @@ void CrowdStep::hold(uint32_t substep) {
             const CrowdMember* member = crowd_->members.data();
             uint32_t group = at;
             for (; group >= (member->count + lanes - 1) / lanes; ++member) group -= (member->count + lanes - 1) / lanes;
-            hold_group(*member, group * lanes, substep);
+            hold_group(*member, group * lanes, substep, which);
         }
     });
 }
 
-void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t substep) {
+void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t substep, Held which) {
     const BatchArrays& from = member.item.batch->arrays();
     const uint32_t count = std::min(lanes, member.count - first);
     // Copies: behind the last there are bodies at rest, or none.
@@ -66,12 +66,15 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
     ContactGroup group(member.run.step, member.item.batch->step.body, arrays, count);
     group.collect(began_rows, begin, end, h);
     const uint32_t* const place = crowd_->place.data() + member.first + first;
-    for (uint32_t i = 0; i < count && place_count_ != 0; ++i)
-        if (place[i] != none) take_out(member, group, i, place[i]);
+    const auto touches = [&](uint32_t i) { return place_count_ != 0 && place[i] != none; };
+    for (uint32_t i = 0; i < count && which == Held::apart; ++i)
+        if (touches(i)) take_out(member, group, i, place[i]);
     group.solve(began_rows, h);
-    for (size_t f = 0; f < pose_fields; ++f) std::copy_n(field[f], count, from.field[f] + first);
+    for (size_t f = 0; f < pose_fields; ++f)
+        for (uint32_t i = 0; i < count; ++i)
+            if (which == Held::apart || touches(i)) from.field[f][first + i] = field[f][i];
     for (uint32_t i = 0; i < count; ++i) {
-        if (place_count_ != 0 && place[i] != none) continue;
+        if (touches(i) != (which == Held::touching)) continue;
         const BodyAfter body = body_after(
             member.run, group, i, first + i, [&](size_t f) { return field[f][i]; }, began_rows);
         enter_body(member.run.book, body, member.run.step.settings->may_rest, h, last(substep),
