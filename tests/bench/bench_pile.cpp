@@ -38,6 +38,7 @@ Cost timed_step(PileScene& scene, uint32_t awake) {
 
 double quantile(const std::vector<Cost>& costs, double Cost::*field, double part) {
     std::vector<double> values;
+    values.reserve(costs.size());
     for (const Cost& cost : costs) values.push_back(cost.*field);
     std::sort(values.begin(), values.end());
     return values[std::min(values.size() - 1, static_cast<size_t>(part * static_cast<double>(values.size())))];
@@ -57,13 +58,11 @@ struct Phase {
         const double median = quantile(with, &Cost::cpu, 0.5);
         const auto late =
             std::count_if(with.begin(), with.end(), [](const Cost& cost) { return cost.wall > 1e3 / 60.0; });
-        std::printf(
-            "  %-8s %4.0f steps  cpu ms: median %8.3f, 99 %% %8.3f, mean %8.3f (alone %7.3f, %5.1f times)  wall ms: "
-            "median %8.3f, 99 %% %8.3f, over 1/60 s %3.0f %%  awake %6.0f, %7.0f ns of it a substep, %6.0f ns of all\n",
-            name, steps, median, quantile(with, &Cost::cpu, 0.99), cpu / steps, alone / steps, cpu / alone,
-            quantile(with, &Cost::wall, 0.5), quantile(with, &Cost::wall, 0.99),
-            100.0 * static_cast<double>(late) / steps, awake / steps,
-            awake > 0.0 ? 1e6 * cpu / (awake * substeps) : 0.0, 1e6 * cpu / (steps * bodies * substeps));
+        std::printf("%-9s %5.0f  %8.2f %8.2f %8.2f  %8.2f %8.2f %5.0f%%  %8.0f %7.2f %7.2f  %8.3f %6.1f", name, steps,
+                    median, quantile(with, &Cost::cpu, 0.99), cpu / steps, quantile(with, &Cost::wall, 0.5),
+                    quantile(with, &Cost::wall, 0.99), 100.0 * static_cast<double>(late) / steps, awake / steps,
+                    awake > 0.0 ? 1e3 * cpu / (awake * substeps) : 0.0, 1e3 * cpu / (steps * bodies * substeps),
+                    alone / steps, cpu / alone);
     }
 };
 
@@ -79,8 +78,9 @@ struct Run {
     }
     void end(const Phase& phase) {
         phase.print(options.bodies);
-        std::printf("           then awake %u (alone %u), %.4f m high (alone %.4f), hash %016llx\n", seen.awake,
-                    alone.awake, seen.height, alone.height, static_cast<unsigned long long>(with.hash()));
+        if (!phase.with.empty())
+            std::printf("  %6u %6u  %7.4f %7.4f  %016llx\n", seen.awake, alone.awake, seen.height, alone.height,
+                        static_cast<unsigned long long>(with.hash()));
         std::fflush(stdout);
     }
 
@@ -132,6 +132,11 @@ bool run(const Options& options, float layers, uint32_t workers) {
     r.seen.awake = r.alone.awake = options.bodies;
     std::printf("%u bodies, %.0f layers on %.2f m x %.2f m, workers %u\n", options.bodies, static_cast<double>(layers),
                 static_cast<double>(r.with.side()), static_cast<double>(r.with.side()), workers);
+    std::printf("%15s  %26s  %24s  %24s  %15s  %13s  %15s\n", "", "cpu, ms a step", "wall, ms a step",
+                "us a substep of one", "alone: cpu, ms", "awake then", "height then, m");
+    std::printf("%-9s %5s  %8s %8s %8s  %8s %8s %6s  %8s %7s %7s  %8s %6s  %6s %6s  %7s %7s  %s\n", "", "steps",
+                "median", "99 %", "mean", "median", "99 %", "> 1/60", "awake", "awake", "all", "mean", "times", "with",
+                "alone", "with", "alone", "hash");
     r.land();
     r.lie();
     if (!r.walk()) return false;
