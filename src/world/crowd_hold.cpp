@@ -145,7 +145,8 @@ uint32_t CrowdStep::list_units() {
                                std::min(block_contacts, c.held_count[place] - k),
                                0,
                                0,
-                               0};
+                               0,
+                               false};
         const uint32_t first = used;
         for (uint32_t i = c.first_pair[body]; i < c.first_pair[body + 1]; ++i) {
             const Crowd::Pair& pair = c.pairs[i];
@@ -153,7 +154,8 @@ uint32_t CrowdStep::list_units() {
             const uint32_t other = c.place[pair.b];
             uint32_t at = used++;
             for (; at > first && c.units[at - 1].b > other; --at) c.units[at] = c.units[at - 1];
-            c.units[at] = {place, other, c.pair_contacts.data() + size_t{block_contacts} * i, pair.count, 0, 0, 0};
+            c.units[at] = {place, other, c.pair_contacts.data() + size_t{block_contacts} * i, pair.count, 0, 0,
+                           0,     false};
         }
     }
     return used;
