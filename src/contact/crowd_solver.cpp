@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace lr {
 namespace {
@@ -28,25 +29,52 @@ bool CrowdSolver::reserve_bodies(uint32_t count) {
     return true;
 }
 
-// Each unit takes the lowest colour that neither of its bodies has yet.
+// Impulses are counted in the lighter body's mass unit: of a pair whose sizes differ by a thousand the other way round would
+// overflow.
+void CrowdSolver::order_pairs(const CrowdKind* kinds, CrowdUnit* units, uint32_t unit_count) {
+    const auto mass = [&](uint32_t body) {
+        const float s = bodies_[body].scale;
+        return kinds[kind_of_[body / lanes]].body->unit_mass * s * s * s;
+    };
+    for (uint32_t i = 0; i < unit_count; ++i) {
+        CrowdUnit& unit = units[i];
+        unit.swapped = unit.b != CrowdUnit::nobody && mass(unit.b) < mass(unit.a);
+        if (unit.swapped) std::swap(unit.a, unit.b);
+    }
+}
+
+// Each pair takes the lowest colour that neither of its bodies has yet. What is not moved comes last in each sweep: it must hold
+// better than bodies hold each other.
 void CrowdSolver::colour(CrowdUnit* units, uint32_t unit_count) {
     std::fill_n(used_colours_.data(), body_count_, uint64_t{0});
     colour_count_ = 0;
     uint32_t late = usual_colours;
     for (uint32_t i = 0; i < unit_count; ++i) {
         CrowdUnit& unit = units[i];
-        uint64_t used = used_colours_[unit.a];
-        if (unit.b != CrowdUnit::nobody) used |= used_colours_[unit.b];
+        if (unit.b == CrowdUnit::nobody) continue;
+        uint64_t &of_a = used_colours_[unit.a], &of_b = used_colours_[unit.b];
+        const uint64_t used = of_a | of_b;
         unit.colour = used == ~uint64_t{0} ? late++ : static_cast<uint32_t>(std::countr_one(used));
         colour_count_ = std::max(colour_count_, unit.colour + 1);
         if (unit.colour >= usual_colours) continue;
-        used_colours_[unit.a] |= uint64_t{1} << unit.colour;
-        if (unit.b != CrowdUnit::nobody) used_colours_[unit.b] |= uint64_t{1} << unit.colour;
+        of_a |= uint64_t{1} << unit.colour;
+        of_b |= uint64_t{1} << unit.colour;
+    }
+    const uint32_t pairs = colour_count_;
+    uint32_t before = CrowdUnit::nobody, colour = 0;
+    for (uint32_t i = 0; i < unit_count; ++i) {
+        CrowdUnit& unit = units[i];
+        if (unit.b != CrowdUnit::nobody) continue;
+        colour = unit.a == before ? colour + 1 : pairs;
+        before = unit.a;
+        unit.colour = colour;
+        colour_count_ = std::max(colour_count_, colour + 1);
     }
 }
 
 // Blocks hold units of one colour and of the same kinds, those with about as many contacts together.
-bool CrowdSolver::lay_out(const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units, uint32_t unit_count) {
+bool CrowdSolver::lay_out(const CrowdKind* kinds, const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units,
+                          uint32_t unit_count) {
     if (!grow(*allocator_, order_, unit_count) || !grow(*allocator_, spare_, unit_count)) return false;
     group_count_ = 0;
     uint32_t kind_count = 1;
@@ -56,6 +84,7 @@ bool CrowdSolver::lay_out(const CrowdRange* ranges, uint32_t range_count, CrowdU
         group_count_ = std::max(group_count_, ranges[r].begin / lanes + groups);
         kind_count = std::max(kind_count, ranges[r].kind + 1);
     }
+    order_pairs(kinds, units, unit_count);
     colour(units, unit_count);
     const auto kind_a = [&](const CrowdUnit& u) { return kind_of_[u.a / lanes]; };
     const auto kind_b = [&](const CrowdUnit& u) {
@@ -130,9 +159,10 @@ void CrowdSolver::fill(const CrowdKind* kinds, const CrowdUnit* const* units, Pa
             const bool there = lane < count && k < units[lane]->count;
             const CrowdContact none{{}, {}, {0.0f, 1.0f, 0.0f}, no_contact, {}, {}, 0.0f, 0.0f, false};
             const CrowdContact& c = there ? units[lane]->contact[k] : none;
-            put(to.arm_a, lane, c.arm_a);
-            put(to.arm_b, lane, c.arm_b);
-            put(to.normal, lane, c.normal);
+            const bool swapped = there && units[lane]->swapped;
+            put(to.arm_a, lane, swapped ? c.arm_b : c.arm_a);
+            put(to.arm_b, lane, swapped ? c.arm_a : c.arm_b);
+            put(to.normal, lane, swapped ? -c.normal : c.normal);
             put(to.surface, lane, c.surface);
             put(to.lag, lane, c.lag);
             to.gap[lane] = c.gap;
@@ -190,7 +220,7 @@ void CrowdSolver::sweep(const CrowdTarget& target, const CrowdInput& in, const W
 bool CrowdSolver::solve(const CrowdTarget& target, float h, float gravity, const CrowdKind* kinds,
                         const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units, uint32_t unit_count,
                         const Workers& workers) {
-    if (!lay_out(ranges, range_count, units, unit_count)) return false;
+    if (!lay_out(kinds, ranges, range_count, units, unit_count)) return false;
     CrowdBody& nobody = bodies_[body_count_];
     nobody = CrowdBody{};
     nobody.q[3] = nobody.q0[3] = nobody.scale = 1.0f;

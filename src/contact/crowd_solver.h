@@ -27,6 +27,7 @@ struct CrowdUnit {
     uint32_t count;
     // Of the solver.
     uint32_t colour, block, lane;
+    bool swapped; // a and b are not those of the contacts
 };
 
 // Bodies [begin, begin + count) are of a kind; each kind begins at a multiple of contact_lanes.
@@ -42,8 +43,8 @@ public:
     bool reserve_bodies(uint32_t count);
     CrowdBody* bodies() { return bodies_.data(); }
 
-    // Units in an order that is the same on every machine: of the first unit's bodies no earlier one knows. False when out
-    // of memory, and then nothing has been done.
+    // Units in an order that is the same on every machine; those of a body with nobody one after the other. The bodies of a unit
+    // may change places. False when out of memory, and then nothing has been done.
     bool solve(const CrowdTarget& target, float h, float gravity, const CrowdKind* kinds, const CrowdRange* ranges,
                uint32_t range_count, CrowdUnit* units, uint32_t unit_count, const Workers& workers);
 
@@ -54,7 +55,9 @@ public:
     }
 
 private:
-    bool lay_out(const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units, uint32_t unit_count);
+    bool lay_out(const CrowdKind* kinds, const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units,
+                 uint32_t unit_count);
+    void order_pairs(const CrowdKind* kinds, CrowdUnit* units, uint32_t unit_count);
     void colour(CrowdUnit* units, uint32_t unit_count);
     void fill(const CrowdKind* kinds, const CrowdUnit* const* units, PairBlock& block) const;
     template <class Function> void each_block(const Workers& workers, Function&& function);

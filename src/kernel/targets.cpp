@@ -44,10 +44,10 @@ const KernelTarget* built_targets(size_t& count) {
      &N_##target::combine, &N_##target::settle,                                                                        \
      {&N_##target::near_surface, &N_##target::ahead_of, &N_##target::evaluate_surface, &N_##target::step_wet,          \
       &N_##target::settle_wet}},
-    // clang-format on
     static constexpr KernelTarget targets[] = {
         LR_FOR_BUILT_TARGETS(LR_TARGET)
     };
+    // clang-format on
 #undef LR_TARGET
     count = sizeof(targets) / sizeof(targets[0]);
     return targets;

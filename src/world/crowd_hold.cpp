@@ -68,7 +68,7 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
     const uint32_t* const place = crowd_->place.data() + member.first + first;
     const auto touches = [&](uint32_t i) { return place_count_ != 0 && place[i] != none; };
     for (uint32_t i = 0; i < count && which == Held::apart; ++i)
-        if (touches(i)) take_out(member, group, i, place[i]);
+        if (touches(i)) take_out(group, i, place[i]);
     group.solve(began_rows, h);
     for (size_t f = 0; f < pose_fields; ++f)
         for (uint32_t i = 0; i < count; ++i)
@@ -84,7 +84,7 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
 }
 
 // A body's contacts with what it does not move, to be solved with the others.
-void CrowdStep::take_out(const CrowdMember& member, ContactGroup& group, uint32_t lane, uint32_t place) {
+void CrowdStep::take_out(ContactGroup& group, uint32_t lane, uint32_t place) {
     Crowd& c = *crowd_;
     const uint32_t count = group.contacts(lane), first = held_used_.fetch_add(count, std::memory_order_relaxed);
     c.first_held[place] = first;
@@ -104,7 +104,6 @@ void CrowdStep::take_out(const CrowdMember& member, ContactGroup& group, uint32_
                                       solid};
     }
     group.take_out(lane);
-    static_cast<void>(member);
 }
 
 void CrowdStep::fill_body(uint32_t place) {
@@ -146,7 +145,8 @@ uint32_t CrowdStep::list_units() {
                                std::min(block_contacts, c.held_count[place] - k),
                                0,
                                0,
-                               0};
+                               0,
+                               false};
         const uint32_t first = used;
         for (uint32_t i = c.first_pair[body]; i < c.first_pair[body + 1]; ++i) {
             const Crowd::Pair& pair = c.pairs[i];
@@ -154,7 +154,8 @@ uint32_t CrowdStep::list_units() {
             const uint32_t other = c.place[pair.b];
             uint32_t at = used++;
             for (; at > first && c.units[at - 1].b > other; --at) c.units[at] = c.units[at - 1];
-            c.units[at] = {place, other, c.pair_contacts.data() + size_t{block_contacts} * i, pair.count, 0, 0, 0};
+            c.units[at] = {place, other, c.pair_contacts.data() + size_t{block_contacts} * i, pair.count, 0, 0,
+                           0,     false};
         }
     }
     return used;

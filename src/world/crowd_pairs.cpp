@@ -1,6 +1,7 @@
 // Which bodies of a crowd touch each other in a substep.
 #include "world/crowd_step.h"
 
+#include "contact/pair_way.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -15,11 +16,9 @@ constexpr uint32_t grain = 128; // bodies: some ten microseconds
 
 // A body of the crowd through the substep.
 struct CrowdStep::Placed {
-    const CrowdMember& member;
     const Batch& batch;
-    uint32_t body;
-    float scale;
-    Pose from, to;
+    uint32_t index; // in the crowd
+    PairBody body;
     float margin; // m
 };
 
@@ -74,12 +73,11 @@ void CrowdStep::meet(uint32_t body) {
     const CrowdMember& member = member_of(body);
     const Batch& batch = *member.item.batch;
     const uint32_t index = body - member.first;
-    const Placed one{member,
-                     batch,
+    const float scale = batch.arrays().field[field_scale][index];
+    const Pose from = began(body), to = pose_of(batch.arrays(), index);
+    const Placed one{batch,
                      body,
-                     batch.arrays().field[field_scale][index],
-                     began(body),
-                     pose_of(batch.arrays(), index),
+                     {batch.meeting, scale, from, to, way_of(from, to, batch.shape.reach * scale)},
                      margin_of(member, index)};
     if (count <= Crowd::most_seen) {
         const uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
@@ -100,23 +98,18 @@ void CrowdStep::meet(const Placed& one, uint32_t other, uint32_t at) {
     const float scale = batch.arrays().field[field_scale][index];
     const Pose from = began(other), to = pose_of(batch.arrays(), index);
     const float margin = std::min(one.margin, margin_of(member, index));
-    const float within = margin + way_of(one.from, one.to, one.batch.shape.reach * one.scale) +
-                         way_of(from, to, batch.shape.reach * scale);
-    PairContact found[most_pair_contacts];
-    const uint32_t count =
-        find_pair_contacts(one.batch.meeting, one.scale, one.from, batch.meeting, scale, from, within, found);
+    WayContact found[most_pair_contacts];
     Crowd::Pair& pair = crowd_->pairs[at];
     CrowdContact* const contacts = crowd_->pair_contacts.data() + size_t{block_contacts} * at;
-    pair = {one.body, other, 0};
-    if (count == 0) return;
+    pair = {one.index, other,
+            find_way_contacts(one.body, {batch.meeting, scale, from, to, way_of(from, to, batch.shape.reach * scale)},
+                              margin, found)};
+    if (pair.count == 0) return;
     const float friction = pair_friction(one.batch.contact, batch.contact);
     const float restitution = pair_restitution(one.batch.contact, batch.contact);
-    for (uint32_t k = 0; k < count; ++k) {
-        const PairContact& c = found[k];
-        const Vector moved = to_outer(one.to, c.arm_a) - to_outer(one.from, c.arm_a);
-        const Vector moved_other = to_outer(to, c.arm_b) - to_outer(from, c.arm_b);
-        if (!(c.gap + dot(c.normal, moved - moved_other) < margin)) continue;
-        contacts[pair.count++] = {c.arm_a, c.arm_b, c.normal, c.gap, {}, {}, friction, restitution, false};
+    for (uint32_t k = 0; k < pair.count; ++k) {
+        const PairContact& c = found[k].begin;
+        contacts[k] = {c.arm_a, c.arm_b, c.normal, c.gap, {}, {}, friction, restitution, false};
     }
 }
 

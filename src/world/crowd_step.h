@@ -49,7 +49,7 @@ private:
     enum class Held { apart, touching };
     void hold(uint32_t substep, Held which);
     void hold_group(const CrowdMember& member, uint32_t first, uint32_t substep, Held which);
-    void take_out(const CrowdMember& member, ContactGroup& group, uint32_t lane, uint32_t place);
+    void take_out(ContactGroup& group, uint32_t lane, uint32_t place);
     bool solve();
     void fill_body(uint32_t place);
     uint32_t list_units();

@@ -1,5 +1,6 @@
 #include "world/resting_neighbours.h"
 
+#include "contact/pair_way.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -49,12 +50,6 @@ Pose pose_of(const BatchArrays& a, uint32_t i) {
             {a.field[field_qx][i], a.field[field_qy][i], a.field[field_qz][i], a.field[field_qw][i]}};
 }
 
-// Of a rotation by an angle, 2 |sine of half of it| is the chord at distance 1.
-float way_of(const Pose& from, const Pose& to, float reach) {
-    const Rotation turn = to.rotation * inverse(from.rotation);
-    return length(to.position - from.position) + 2.0f * reach * length({turn.x, turn.y, turn.z});
-}
-
 RestingNeighbours::RestingNeighbours(const lr_world& world, uint32_t slot) : world_(&world), slot_(slot) {
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         const Batch& batch = *world.batches[other].batch;
@@ -65,7 +60,7 @@ RestingNeighbours::RestingNeighbours(const lr_world& world, uint32_t slot) : wor
 uint32_t RestingNeighbours::touched_by(uint32_t key, float scale, const Pose& from, const Pose& to, float margin,
                                        RestingTouch (&out)[most_resting]) const {
     const Batch& own = *world_->batches[slot_].batch;
-    const float within = margin + way_of(from, to, own.shape.reach * scale);
+    const float way = way_of(from, to, own.shape.reach * scale), within = margin + way;
     const Bounds box = bounds(own.meeting, scale, from);
     const float low[3] = {box.low.x - within, box.low.y - within, box.low.z - within};
     const float high[3] = {box.high.x + within, box.high.y + within, box.high.z + within};
@@ -83,20 +78,19 @@ uint32_t RestingNeighbours::touched_by(uint32_t key, float scale, const Pose& fr
             near.take({other, its, index});
         });
     });
+    const PairBody moving{own.meeting, scale, from, to, way};
     uint32_t count = 0;
     for (uint32_t n = 0; n < near.count; ++n) {
         const Neighbour& one = near.found[n];
         const Batch& batch = *world_->batches[one.batch].batch;
-        PairContact found[most_pair_contacts];
-        const uint32_t contacts =
-            find_pair_contacts(own.meeting, scale, from, batch.meeting, batch.arrays().field[field_scale][one.index],
-                               pose_of(batch.arrays(), one.index), within, found);
+        const Pose pose = pose_of(batch.arrays(), one.index);
+        WayContact found[most_pair_contacts];
         RestingTouch& touch = out[count];
-        touch.count = 0;
-        for (uint32_t k = 0; k < contacts; ++k) {
-            PairContact& c = found[k];
-            c.gap += dot(c.normal, to_outer(to, c.arm_a) - to_outer(from, c.arm_a));
-            if (c.gap < margin) touch.contact[touch.count++] = c;
+        touch.count = find_way_contacts(
+            moving, {batch.meeting, batch.arrays().field[field_scale][one.index], pose, pose, 0.0f}, margin, found);
+        for (uint32_t k = 0; k < touch.count; ++k) {
+            touch.contact[k] = found[k].begin;
+            touch.contact[k].gap = found[k].end;
         }
         if (touch.count == 0) continue;
         touch.batch = one.batch;

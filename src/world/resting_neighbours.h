@@ -29,7 +29,5 @@ float pair_friction(const ContactSettings& a, const ContactSettings& b);
 float pair_restitution(const ContactSettings& a, const ContactSettings& b);
 
 Pose pose_of(const BatchArrays& arrays, uint32_t index);
-// How far the farthest point of a body of this reach (m) goes.
-float way_of(const Pose& from, const Pose& to, float reach);
 
 } // namespace lr

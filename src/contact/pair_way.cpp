@@ -1,0 +1,67 @@
+#include "contact/pair_way.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+Vector moved(const PairBody& body, Vector arm) {
+    return to_outer(body.to, arm) - to_outer(body.from, arm);
+}
+
+// The body's point that is farthest along a direction at the end of its way, body frame.
+Vector farthest(const PairBody& body, Vector direction) {
+    const BodyShape& s = body.shape.shape;
+    const Vector d = rotate(inverse(body.to.rotation), direction);
+    uint32_t best = 0;
+    float most = d.x * s.x[0] + d.y * s.y[0] + d.z * s.z[0];
+    for (uint32_t i = 1; i < s.count; ++i) {
+        const float along = d.x * s.x[i] + d.y * s.y[i] + d.z * s.z[i];
+        best = along > most ? i : best;
+        most = along > most ? along : most;
+    }
+    return body.scale * (Vector{s.x[best], s.y[best], s.z[best]} + s.radius * d);
+}
+
+} // namespace
+
+// Of a rotation by an angle, 2 |sine of half of it| is the chord at distance 1.
+float way_of(const Pose& from, const Pose& to, float reach) {
+    const Rotation turn = to.rotation * inverse(from.rotation);
+    return length(to.position - from.position) + 2.0f * reach * length({turn.x, turn.y, turn.z});
+}
+
+uint32_t find_way_contacts(const PairBody& a, const PairBody& b, float margin, WayContact (&out)[most_pair_contacts]) {
+    PairContact found[most_pair_contacts];
+    const uint32_t count =
+        find_pair_contacts(a.shape, a.scale, a.from, b.shape, b.scale, b.from, margin + a.way + b.way, found);
+    if (count == 0) return 0;
+    uint32_t kept = 0;
+    float least = margin;
+    for (uint32_t k = 0; k < count; ++k) {
+        const PairContact& c = found[k];
+        const float end = c.gap + dot(c.normal, moved(a, c.arm_a) - moved(b, c.arm_b));
+        least = std::min(least, end);
+        if (end < margin) out[kept++] = {c, end};
+    }
+    // The plane between them as the substep begins is between them at its end as well: else what turns fast brings other points
+    // through than those that were near.
+    const Vector n = found[0].normal;
+    const float slop = 1e-3f * std::min(a.scale * a.shape.shape.reach, b.scale * b.shape.shape.reach);
+    if (!(found[0].gap > -slop)) return kept;
+    const Vector arm_a = farthest(a, -n), arm_b = farthest(b, n);
+    const float apart = dot(n, to_outer(a.to, arm_a) - to_outer(b.to, arm_b));
+    if (!(apart < least - slop)) return kept;
+    uint32_t at = kept;
+    if (kept == most_pair_contacts) {
+        at = 0;
+        for (uint32_t k = 1; k < kept; ++k) at = out[k].end > out[at].end ? k : at;
+    } else {
+        ++kept;
+    }
+    out[at] = {{arm_a, arm_b, n, apart - dot(n, moved(a, arm_a) - moved(b, arm_b))}, apart};
+    return kept;
+}
+
+} // namespace lr
