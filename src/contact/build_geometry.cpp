@@ -180,6 +180,21 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
     return true;
 }
 
+float steepest_secant(const uint32_t (&counts)[2], const float (&spacing)[2], const float* heights) {
+    double most = 0.0; // square of the slope
+    const auto slope = [&](size_t from, size_t to, uint32_t axis) {
+        const double rise = static_cast<double>(heights[to]) - static_cast<double>(heights[from]);
+        return rise * rise / (static_cast<double>(spacing[axis]) * static_cast<double>(spacing[axis]));
+    };
+    for (uint32_t k = 0; k + 1 < counts[1]; ++k)
+        for (uint32_t i = 0; i + 1 < counts[0]; ++i) {
+            const size_t at = i + size_t{counts[0]} * k, along_x = at + 1, along_z = at + counts[0];
+            most = std::max(most, slope(at, along_x, 0) + slope(along_x, along_z + 1, 1));
+            most = std::max(most, slope(at, along_z, 1) + slope(along_z, along_z + 1, 0));
+        }
+    return static_cast<float>(std::min(std::sqrt(1.0 + most) * 1.000001, 1e30));
+}
+
 bool build_coarse(const uint32_t (&counts)[2], const float* heights, std::vector<float>& coarse,
                   uint32_t (&coarse_counts)[2], float& lowest, float& highest) {
     constexpr uint32_t cells = HeightfieldGeometry::coarse_cells;

@@ -31,5 +31,8 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
 // The coarse heights of a HeightfieldGeometry. False: fewer than 2 samples along a side, or a height that is not finite.
 bool build_coarse(const uint32_t (&counts)[2], const float* heights, std::vector<float>& coarse,
                   uint32_t (&coarse_counts)[2], float& lowest, float& highest);
+// The secant of the angle of the steepest triangle, or a little more: along the surface nothing rises faster than the root of its square
+// less 1.
+float steepest_secant(const uint32_t (&counts)[2], const float (&spacing)[2], const float* heights);
 
 } // namespace lr

@@ -174,8 +174,13 @@ void Colliders::add_near(uint32_t slot) {
     near.coarse_size =
         static_cast<float>(HeightfieldGeometry::coarse_cells) * std::min(field.spacing[0], field.spacing[1]);
     near.coarse = field.coarse;
-    near.lowest = field.lowest;
     near.highest = field.highest;
+    near.heights = field.heights;
+    near.secant = field.secant;
+    for (size_t k = 0; k < 2; ++k) {
+        near.samples[k] = field.counts[k];
+        near.inverse_spacing[k] = 1.0f / field.spacing[k];
+    }
 }
 
 void Colliders::fill_near() {
@@ -210,13 +215,20 @@ bool Colliders::in_reach(const Collider& c, const Box& box) const {
            !outside(span(box, axes.z, c.begin.position), own.high.z);
 }
 
-bool Colliders::any_candidate(Vector low, Vector high, uint32_t layers) const {
-    const Box box{low, high};
+bool Colliders::all_grounds(uint32_t layers) const {
+    return std::all_of(unbounded_.data(), unbounded_.data() + unbounded_count_,
+                       [&](uint32_t slot) { return (colliders_[slot].layers & layers) != 0; });
+}
+
+bool Colliders::any_ground(const Box& box, uint32_t layers) const {
+    return std::any_of(unbounded_.data(), unbounded_.data() + unbounded_count_, [&](uint32_t slot) {
+        return (colliders_[slot].layers & layers) != 0 && in_reach(colliders_[slot], box);
+    });
+}
+
+bool Colliders::any_finite(const Box& box, uint32_t layers) const {
     bool any = false;
     const auto take = [&](uint32_t slot) { any = any || (colliders_[slot].layers & layers) != 0; };
-    for (uint32_t i = 0; i < unbounded_count_ && !any; ++i)
-        if (in_reach(colliders_[unbounded_[i]], box)) take(unbounded_[i]);
-    if (any) return true;
     still_grid_.query(box, [&](const Proxy& p) {
         if (slots_[p.slot].where == Where::still) take(p.slot);
     });

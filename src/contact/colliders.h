@@ -82,8 +82,11 @@ public:
     uint32_t candidates(Vector low, Vector high, uint32_t layers, Candidate (&out)[most_candidates],
                         uint32_t& missed) const;
 
-    // Whether there would be any.
-    bool any_candidate(Vector low, Vector high, uint32_t layers) const;
+    // Whether there would be any: planes and heightfields, or others.
+    bool any_ground(const Box& box, uint32_t layers) const;
+    bool any_finite(const Box& box, uint32_t layers) const;
+    // Whether each plane and heightfield is in one of `layers`.
+    bool all_grounds(uint32_t layers) const;
     // Before a step: each collider that was made or placed since the last.
     template <class F> void for_fresh(F&& f) {
         if (!any_fresh_) return;

@@ -76,7 +76,6 @@ ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, c
         const Vicinity around = vicinity(step, arrays, i, step.dt);
         uint32_t missed = 0;
         near.count = step.colliders->candidates(around.low, around.high, step.settings->layers, near.candidate, missed);
-        missed_ += missed;
         for (uint32_t k = 0; k < near.count; ++k) {
             const uint32_t slot = near.candidate[k].slot;
             if (!is_ground(step.colliders->at(slot))) continue;
@@ -182,10 +181,9 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
         s.collider = grounds_[g];
         if (const HeightfieldGeometry* const f = c.geometry.heightfield) {
             s.heights = f->heights;
-            s.lowest = f->lowest;
+            s.secant = f->secant;
             for (size_t k = 0; k < 2; ++k) {
                 s.counts[k] = f->counts[k];
-                s.spacing[k] = f->spacing[k];
                 s.inverse_spacing[k] = 1.0f / f->spacing[k];
             }
         }
@@ -345,6 +343,7 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
     : begin_(begin), end_(begin), live_(live) {
     constexpr uint32_t at_a_time = field_block / 2;
     const uint32_t last = std::min(end, begin + near_range);
+    const bool all_grounds = step.colliders->all_grounds(step.settings->layers);
     while (end_ < last && count_ + at_a_time <= field_block) {
         const uint32_t from = end_, to = std::min(from + at_a_time, last);
         step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, from, to,
@@ -353,10 +352,15 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
         // of the others, to the bit.
         for (uint32_t i = from; i < std::min(to, live); ++i) {
             if (step.resting) near_[i - begin] = 1; // what they rest on is not looked for twice
-            if (near_[i - begin] == 0) continue;
-            const Vicinity around = vicinity(step, arrays, i, dt);
+            const uint32_t mark = near_[i - begin];
+            if (mark == 0) continue;
             const auto reached = [&] {
-                return around.finite() && step.colliders->any_candidate(around.low, around.high, step.settings->layers);
+                const Vicinity around = vicinity(step, arrays, i, dt);
+                const Box box{around.low, around.high};
+                const bool over_ground = (mark & near_ground) != 0;
+                return around.finite() &&
+                       ((over_ground && all_grounds) || step.colliders->any_finite(box, step.settings->layers) ||
+                        (over_ground && step.colliders->any_ground(box, step.settings->layers)));
             };
             if (step.resting || reached())
                 index_[count_++] = i;

@@ -8,6 +8,7 @@
 #include "kernel/contact.h"
 #include "kernel/wind.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace lr {
@@ -120,7 +121,6 @@ public:
     // With one of them, in the last substep: at its strongest contact, and the impulse of all. before: as for resolve().
     Touch meeting(uint32_t lane, uint32_t collider, const LaneRow (&before)[pose_fields]) const;
     bool touches(uint32_t lane) const { return touches_[lane]; }
-    uint32_t missed() const { return missed_; } // candidates without room
 
 private:
     struct Near {
@@ -143,7 +143,7 @@ private:
     const ContactStep* step_;
     const BodyConstants* body_;
     BatchArrays arrays_;
-    uint32_t count_, missed_ = 0;
+    uint32_t count_;
     uint32_t ground_count_ = 0;
     uint32_t grounds_[contact_lanes * most_candidates]; // room for all: none may be left out for the company's sake
     uint8_t filled_[contact_lanes];
@@ -157,12 +157,21 @@ private:
 // the bodies that may touch something within `dt`. Over a longer range few of them fill more of a group's lanes.
 class NearContacts {
 public:
-    static constexpr uint32_t near_range = 4 * field_block;
+    static constexpr uint32_t near_range = 16 * field_block;
     NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin, uint32_t end,
                  float dt);
     uint32_t end() const { return end_; } // of the bodies that were looked at
     uint32_t count() const { return count_; }
     uint32_t index(uint32_t i) const { return index_[i]; }
+    bool holds(uint32_t body) const { return near_[body - begin_] != 0; }
+    // By the class of each, less than `classes`, and then by index: alike ones share vectors, which are done with the last of their lanes.
+    template <class Class> void arrange(uint32_t classes, Class&& class_of) {
+        uint32_t sorted[field_block], at = 0;
+        for (uint32_t c = 0; c < classes; ++c)
+            for (uint32_t i = 0; i < count_; ++i)
+                if (class_of(index_[i]) == c) sorted[at++] = index_[i];
+        std::copy_n(sorted, count_, index_);
+    }
     // Is there a body in this lane block that is not among them?
     bool others(uint32_t begin) const;
 

@@ -22,6 +22,7 @@ struct HeightfieldGeometry {
     float spacing[2];     // m
     const float* heights; // m, x varies fastest
     float lowest, highest;
+    float secant; // of the angle of its steepest triangle, or a little more
     // The greatest height within each square of coarse_cells x coarse_cells cells and in the squares around it.
     static constexpr uint32_t coarse_cells = 4;
     uint32_t coarse_counts[2];

@@ -91,6 +91,7 @@ lr_status make_heightfield(Allocator& allocator, const lr_collider_desc& desc, S
         return LR_ERROR_OUT_OF_MEMORY;
     std::copy_n(desc.counts, 2, field.counts);
     std::copy_n(desc.spacing, 2, field.spacing);
+    field.secant = steepest_secant(field.counts, field.spacing, desc.heights);
     field.heights = to.points.data();
     field.coarse = to.more.data();
     to.box = {{0.0f, field.lowest, 0.0f},

@@ -20,7 +20,7 @@ float extent(const Box& box) {
 // For the bits of `count` proxies, never fewer for more: a few bits in a hundred are set, one in ten or twenty where there are so many
 // that they would not stay in a cache.
 uint64_t ProxyGrid::words_for(uint64_t count) const {
-    const uint64_t each = fine_ ? 128 : 32, most_each = 16;
+    const uint64_t each = fine_ ? 512 : 128, most_each = 16;
     return spare_words + std::max(each * std::min(count, 128 * few / each), most_each * count);
 }
 

@@ -127,8 +127,8 @@ template <class Found> void ProxyGrid::query(const Box& box, Found&& found) cons
     }
 }
 
-// Whether a body about `position` that reaches no farther than `reach` (m) can touch anything: what the kernel computes for
-// its vectors.
+// Whether a body about `position` that reaches no farther than `reach` (m) can touch anything; where this says no, the
+// kernel does so too.
 bool maybe_near(const NearColliders& near, Vector position, float reach);
 
 } // namespace lr

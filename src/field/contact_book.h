@@ -29,6 +29,7 @@ struct BodyAfter {
     uint32_t index;
     float speed;         // m/s, of its fastest point
     float still, moving; // m/s: below the one it lies still, above the other it moves
+    bool moved;          // by a bit at least
     bool touches;
     uint32_t now[most_touches]; // as ContactBook::touching
 };
@@ -60,9 +61,9 @@ template <class Meeting>
 void enter_body(const ContactBook& book, const BodyAfter& body, bool may_rest, float seconds, bool last,
                 const Meeting& meeting) {
     const uint32_t at = body.index;
-    // What trembles by ten times as much takes four times as long.
+    // What trembles by ten times as much takes four times as long, what has not moved by a bit a tenth.
     const bool moves = !body.touches || body.speed > body.moving;
-    const float share = moves ? 0.0f : body.speed > body.still ? 0.25f : 1.0f;
+    const float share = moves ? 0.0f : body.speed > body.still ? 0.25f : body.moved ? 1.0f : 10.0f;
     book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
     if (last && may_rest && book.rest_time[at] >= time_to_rest) book.comes_to_rest(book.batch, at);
     if (!last && body.now[0] == 0) return; // it may come back within the step

@@ -53,7 +53,7 @@ void enter(const ContactRun& run, const ContactGroup& group, const States& state
     if (!run.book.rest_time) return;
     for (uint32_t i = 0; i < states.bodies(first); ++i) {
         const auto value = [&](size_t f) { return states.field[f][first + i]; };
-        const BodyAfter body = body_after(run, group, i, states.near->index(first + i), value);
+        const BodyAfter body = body_after(run, group, i, states.near->index(first + i), value, before);
         enter_body(run.book, body, run.step.settings->may_rest, seconds, last,
                    [&](uint32_t collider) { return group.meeting(i, collider, before); });
     }
@@ -62,16 +62,19 @@ void enter(const ContactRun& run, const ContactGroup& group, const States& state
 // Bodies that were far all through the step touch nothing.
 void leave(const ContactBook& book, const NearContacts& near, uint32_t begin, uint32_t end) {
     if (!book.rest_time) return;
-    uint32_t next = 0;
     for (uint32_t i = begin; i < end; ++i) {
-        if (next < near.count() && near.index(next) == i) {
-            ++next;
-            continue;
-        }
+        if (near.holds(i)) continue;
         book.rest_time[i] = 0.0f;
         if (book.notes.noted && book.touching[0][i] != 0) book.notes.noted[book.notes.slot(i)] |= noted_touch;
         for (uint32_t* row : book.touching) row[i] = 0;
     }
+}
+
+// Bodies in the air, those that touch something and move, and those that hardly do: the solver's sweeps go on until the last body of a
+// vector is done.
+void arrange(const ContactBook& book, NearContacts& near) {
+    if (!book.rest_time) return;
+    near.arrange(3, [&](uint32_t i) { return book.touching[0][i] == 0 ? 0u : book.rest_time[i] == 0.0f ? 1u : 2u; });
 }
 
 void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, States& states, uint32_t first) {
@@ -124,13 +127,14 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
         }
     };
     for (uint32_t at = begin, last = begin; at < end; at = last) {
-        const NearContacts near(run.step, arrays, live, at, end, run.step.dt);
+        NearContacts near(run.step, arrays, live, at, end, run.step.dt);
         last = near.end();
         leave(run.book, near, at, std::min(last, live));
         if (near.count() == 0) {
             step_lanes(at, last);
             continue;
         }
+        arrange(run.book, near);
         States states;
         states.take(arrays, near);
         states.take_forces(in.external);
@@ -150,6 +154,7 @@ ContactPass::ContactPass(const ContactRun& run, const BodyConstants& body, const
     : run_(&run), body_(&body), arrays_(&arrays), substep_(substep),
       near_(run.step, arrays, live, begin, end, static_cast<float>(run.time.h)) {
     if (substep + 1 == run.time.substeps) leave(run.book, near_, begin, std::min(end, live));
+    arrange(run.book, near_);
     for (size_t f = 0; f < pose_fields && near_.count() != 0; ++f)
         for (uint32_t i = 0; i < field_block; ++i)
             before_[f][i] = arrays.field[f][near_.index(std::min(i, near_.count() - 1))];

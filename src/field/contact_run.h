@@ -20,16 +20,18 @@ struct ContactRun {
     float still; // m/s times sqrt(reach in m): slower bodies that touch something lie still
 };
 
-// value(field): of the body after the substep.
+// value(field): of the body after the substep; before: as it was before it.
 template <class Value>
 BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t lane, uint32_t index,
-                     const Value& value) {
+                     const Value& value, const LaneRow (&before)[pose_fields]) {
     const auto size = [&](size_t f) {
         return std::sqrt(value(f) * value(f) + value(f + 1) * value(f + 1) + value(f + 2) * value(f + 2));
     };
     const float reach = run.step.shape->reach * value(field_scale);
     const float still = run.still * std::sqrt(reach), speed = size(field_vx) + reach * size(field_wx);
-    BodyAfter body{index, speed, still, trembling * still, group.touches(lane), {}};
+    bool moved = speed > 0.0f;
+    for (size_t f = 0; f < field_vx && !moved; ++f) moved = value(f) != before[f][lane];
+    BodyAfter body{index, speed, still, trembling * still, moved, group.touches(lane), {}};
     group.touched(lane, body.now);
     return body;
 }

@@ -32,7 +32,7 @@ struct NearPlane {
     float point[3], normal[3]; // where it is nearest to bodies in the step
     float travel;              // m, of the plane in the step
 };
-// A heightfield's outline: bodies above `coarse` are far.
+// A heightfield: bodies above `coarse`, or farther above it than its slopes could rise, are far.
 struct NearHeightfield {
     float position[3], axes[9]; // rows: its own axes in the world
     float travel;               // m, of any of its points in the step
@@ -40,7 +40,11 @@ struct NearHeightfield {
     float coarse_size;          // m, the smaller side of a square
     uint32_t counts[2];
     const float* coarse;
-    float lowest, highest, extent[2];
+    float highest, extent[2];
+    const float* heights;
+    uint32_t samples[2];
+    float inverse_spacing[2];
+    float secant; // of its steepest slope
 };
 inline constexpr uint32_t most_near_planes = 16, most_near_heightfields = 16;
 
@@ -64,8 +68,9 @@ struct ShapeConstants {
     float reach;
 };
 
-// Marks with 1 in `near` the bodies of [begin, end) that may touch a collider within `dt`; others get 0. speed: m/s that
-// they may gain beside what they have.
+// Marks in `near` the bodies of [begin, end) that may touch a collider within `dt`: near_bits by the bits, which depend on when grids
+// were built, near_ground by planes and heightfields, which do not; others get 0. speed: m/s that they may gain beside what they have.
+inline constexpr uint32_t near_bits = 1, near_ground = 2;
 using NearCollidersFunction = void (*)(const NearColliders&, float reach, float dt, float speed, const BatchArrays&,
                                        size_t begin, size_t end, uint32_t* near);
 
@@ -100,8 +105,8 @@ struct GroundSurface {
     // Of a heightfield; heights are null for a plane.
     const float* heights;
     uint32_t counts[2];
-    float spacing[2], inverse_spacing[2];
-    float lowest;
+    float inverse_spacing[2];
+    float secant; // of its steepest slope
 };
 
 // Bodies [0, count) of `arrays` after a substep, and where they were before it.

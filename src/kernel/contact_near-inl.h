@@ -45,7 +45,10 @@ HWY_INLINE hn::Mask<DF> over(const NearHeightfield& f, Vec3 x, VF reach) {
     const auto within = [&](VF at_axis, int k) LR_LAMBDA {
         return hn::And(hn::Ge(hn::Add(at_axis, reach), zero), hn::Le(hn::Sub(at_axis, reach), constant(f.extent[k])));
     };
-    return hn::And(hn::Le(hn::Sub(r.y, reach), top), hn::And(within(r.x, 0), within(r.z, 1)));
+    const auto low = hn::And(hn::Le(hn::Sub(r.y, reach), top), hn::And(within(r.x, 0), within(r.z, 1)));
+    if (hn::AllFalse(DF(), low)) return low;
+    const VF height = height_within(f.heights, f.samples, f.inverse_spacing, r);
+    return hn::And(low, hn::Le(hn::Sub(r.y, height), most_above(reach, f.secant, height)));
 }
 
 void near_colliders(const NearColliders& c, float reach, float dt, float speed, const BatchArrays& a, size_t begin,
@@ -60,22 +63,26 @@ void near_colliders(const NearColliders& c, float reach, float dt, float speed, 
         // What spins fast may go fast a moment later: added mass turns the energy of one into that of the other.
         const VF speed_now = mul_add(hn::Mul(constant(0.25f), size), hn::Sqrt(dot(w, w)), hn::Sqrt(dot(v, v)));
         const VF far = hn::Add(mul_add(travel, speed_now, size), gain);
-        auto is_near = hn::Lt(far, hn::Zero(d)); // nobody
-        if (c.everywhere) is_near = hn::Not(is_near);
+        const auto nobody = hn::Lt(far, hn::Zero(d));
+        auto over_ground = nobody;
+        if (c.everywhere) over_ground = hn::Not(over_ground);
         for (uint32_t k = 0; k < c.plane_count; ++k) {
             const NearPlane& p = c.planes[k];
             const VF above = dot(broadcast(p.normal), sub(x, broadcast(p.point)));
-            is_near = hn::Or(is_near, hn::Le(above, hn::Add(far, constant(p.travel))));
+            over_ground = hn::Or(over_ground, hn::Le(above, hn::Add(far, constant(p.travel))));
         }
         for (uint32_t k = 0; k < c.heightfield_count; ++k) {
             const NearHeightfield& f = c.heightfields[k];
-            is_near = hn::Or(is_near, over(f, x, hn::Add(far, constant(f.travel))));
+            over_ground = hn::Or(over_ground, over(f, x, hn::Add(far, constant(f.travel))));
         }
+        auto is_near = nobody;
         for (uint32_t k = 0; k < c.level_count; ++k) {
             const OccupancyLevel& l = c.levels[k];
             is_near = hn::Or(is_near, hn::Or(hn::Gt(far, constant(l.dilation)), marked(l, x)));
         }
-        hn::Store(hn::IfThenElseZero(hn::RebindMask(du, is_near), hn::Set(du, 1)), du, near + (at - begin));
+        const VU bits = hn::IfThenElseZero(hn::RebindMask(du, is_near), hn::Set(du, near_bits));
+        const VU ground = hn::IfThenElseZero(hn::RebindMask(du, over_ground), hn::Set(du, near_ground));
+        hn::Store(hn::Or(bits, ground), du, near + (at - begin));
     }
 }
 

@@ -248,7 +248,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
         const VF rolling = hn::Mul(constant(b.rolling), hn::Mul(reach, inverse));
         const VF spin_hold = constant(1.0f / most_turned<kFull>(c));
         Twist moved = way;
-        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-4f), slop), moved);
+        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-2f), slop), moved);
         Twist correction{sub(moved.v, way.v), sub(moved.u, way.u)};
         // A twist is a small rotation. The whole of it is made smaller: what no contact is against, no part of it is against.
         const VF large = hn::Mul(greatest(correction.u), inverse);
@@ -304,7 +304,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
                            r.dragged[1], r.response[2]);
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
-        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-5f), slow), t);
+        project<kFull>(c, rows, count, rolling, spin_hold, hn::Mul(constant(1e-3f), slow), t);
         // Seen from what it touches. Restitution and friction of several contacts together could give energy (Kane 1984), and still
         // surfaces have none to give.
         const Vec3 base = to_body(q, carried);

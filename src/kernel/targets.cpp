@@ -33,7 +33,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "hwy/targets.h"
-#include "langevin_rigid.h"
+#include "kernel/built_targets.h"
 
 namespace lr {
 
@@ -43,34 +43,11 @@ const KernelTarget* built_targets(size_t& count) {
     {simd, HWY_##target, &N_##target::step_range, &N_##target::ended_range, &N_##target::predict, &N_##target::evaluate,                \
      &N_##target::combine, &N_##target::settle,                                                                        \
      {&N_##target::near_surface, &N_##target::ahead_of, &N_##target::evaluate_surface, &N_##target::step_wet,          \
-      &N_##target::settle_wet}}
-    // clang-format on
+      &N_##target::settle_wet}},
     static constexpr KernelTarget targets[] = {
-#if HWY_TARGETS & HWY_AVX3
-        LR_TARGET(LR_SIMD_AVX512, AVX3),
-#endif
-#if HWY_TARGETS & HWY_AVX2
-        LR_TARGET(LR_SIMD_AVX2, AVX2),
-#endif
-#if HWY_TARGETS & HWY_SSE4
-        LR_TARGET(LR_SIMD_SSE4, SSE4),
-#endif
-#if HWY_TARGETS & HWY_SSSE3
-        LR_TARGET(LR_SIMD_SSSE3, SSSE3),
-#endif
-#if HWY_TARGETS & HWY_NEON
-        LR_TARGET(LR_SIMD_NEON, NEON),
-#endif
-#if HWY_TARGETS & HWY_WASM
-        LR_TARGET(LR_SIMD_WASM, WASM),
-#endif
-#if HWY_TARGETS & HWY_EMU128
-        LR_TARGET(LR_SIMD_EMULATED, EMU128),
-#endif
-#if HWY_TARGETS & HWY_SCALAR
-        LR_TARGET(LR_SIMD_EMULATED, SCALAR),
-#endif
+        LR_FOR_BUILT_TARGETS(LR_TARGET)
     };
+    // clang-format on
 #undef LR_TARGET
     count = sizeof(targets) / sizeof(targets[0]);
     return targets;

@@ -29,7 +29,7 @@ void CrowdStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest)
     if (body.speed > body.moving) world_->batches[at_rest.batch].batch->note_rest(at_rest.index);
 }
 
-void CrowdStep::hold(uint32_t substep) {
+void CrowdStep::hold(uint32_t substep, Held which) {
     uint32_t groups = 0;
     for (uint32_t m = 0; m < member_count_; ++m) groups += (crowd_->members[m].count + lanes - 1) / lanes;
     workers_.run(groups, 4, [&](uint32_t begin, uint32_t end) {
@@ -37,12 +37,12 @@ void CrowdStep::hold(uint32_t substep) {
             const CrowdMember* member = crowd_->members.data();
             uint32_t group = at;
             for (; group >= (member->count + lanes - 1) / lanes; ++member) group -= (member->count + lanes - 1) / lanes;
-            hold_group(*member, group * lanes, substep);
+            hold_group(*member, group * lanes, substep, which);
         }
     });
 }
 
-void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t substep) {
+void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t substep, Held which) {
     const BatchArrays& from = member.item.batch->arrays();
     const uint32_t count = std::min(lanes, member.count - first);
     // Copies: behind the last there are bodies at rest, or none.
@@ -66,13 +66,17 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
     ContactGroup group(member.run.step, member.item.batch->step.body, arrays, count);
     group.collect(began_rows, begin, end, h);
     const uint32_t* const place = crowd_->place.data() + member.first + first;
-    for (uint32_t i = 0; i < count && place_count_ != 0; ++i)
-        if (place[i] != none) take_out(member, group, i, place[i]);
+    const auto touches = [&](uint32_t i) { return place_count_ != 0 && place[i] != none; };
+    for (uint32_t i = 0; i < count && which == Held::apart; ++i)
+        if (touches(i)) take_out(group, i, place[i]);
     group.solve(began_rows, h);
-    for (size_t f = 0; f < pose_fields; ++f) std::copy_n(field[f], count, from.field[f] + first);
+    for (size_t f = 0; f < pose_fields; ++f)
+        for (uint32_t i = 0; i < count; ++i)
+            if (which == Held::apart || touches(i)) from.field[f][first + i] = field[f][i];
     for (uint32_t i = 0; i < count; ++i) {
-        if (place_count_ != 0 && place[i] != none) continue;
-        const BodyAfter body = body_after(member.run, group, i, first + i, [&](size_t f) { return field[f][i]; });
+        if (touches(i) != (which == Held::touching)) continue;
+        const BodyAfter body = body_after(
+            member.run, group, i, first + i, [&](size_t f) { return field[f][i]; }, began_rows);
         enter_body(member.run.book, body, member.run.step.settings->may_rest, h, last(substep),
                    [&](uint32_t collider) { return group.meeting(i, collider, began_rows); });
         group.visit_at_rest(i, [&](const ContactGroup::AtRest& other) { wake(body, other); });
@@ -80,7 +84,7 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
 }
 
 // A body's contacts with what it does not move, to be solved with the others.
-void CrowdStep::take_out(const CrowdMember& member, ContactGroup& group, uint32_t lane, uint32_t place) {
+void CrowdStep::take_out(ContactGroup& group, uint32_t lane, uint32_t place) {
     Crowd& c = *crowd_;
     const uint32_t count = group.contacts(lane), first = held_used_.fetch_add(count, std::memory_order_relaxed);
     c.first_held[place] = first;
@@ -100,7 +104,6 @@ void CrowdStep::take_out(const CrowdMember& member, ContactGroup& group, uint32_
                                       solid};
     }
     group.take_out(lane);
-    static_cast<void>(member);
 }
 
 void CrowdStep::fill_body(uint32_t place) {
@@ -235,6 +238,9 @@ void CrowdStep::put_back(uint32_t place, uint32_t substep) {
     body.speed = length(vector_of(from.v)) + reach * length(vector_of(from.w));
     const float still = member.run.still * std::sqrt(reach);
     body.still = heap_still * still;
+    body.moved = body.speed > 0.0f;
+    for (size_t k = 0; k < 3; ++k) body.moved = body.moved || from.x[k] != from.x0[k];
+    for (size_t k = 0; k < 4; ++k) body.moved = body.moved || from.q[k] != from.q0[k];
     body.moving = trembling * still;
     TouchList touched;
     for (uint32_t k = 0; k < c.held_count[place]; ++k) {

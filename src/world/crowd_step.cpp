@@ -135,9 +135,13 @@ void CrowdStep::run() {
         move_alone(substep);
         place_count_ = 0;
         if (!find_pairs() || !number_touching()) starved_ = true;
-        hold(substep);
+        hold(substep, Held::apart);
         if (place_count_ == 0) continue;
-        if (!solve()) starved_ = true;
+        if (!solve()) {
+            starved_ = true;
+            hold(substep, Held::touching);
+            continue;
+        }
         workers_.run(place_count_, 256, [&](uint32_t begin, uint32_t end) {
             for (uint32_t place = begin; place < end; ++place) put_back(place, substep);
         });

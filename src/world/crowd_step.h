@@ -45,9 +45,11 @@ private:
     bool number_touching();
 
     // world/crowd_hold.cpp
-    void hold(uint32_t substep);
-    void hold_group(const CrowdMember& member, uint32_t first, uint32_t substep);
-    void take_out(const CrowdMember& member, ContactGroup& group, uint32_t lane, uint32_t place);
+    // Those that touch no other that moves; the others, where there is no memory to solve them together.
+    enum class Held { apart, touching };
+    void hold(uint32_t substep, Held which);
+    void hold_group(const CrowdMember& member, uint32_t first, uint32_t substep, Held which);
+    void take_out(ContactGroup& group, uint32_t lane, uint32_t place);
     bool solve();
     void fill_body(uint32_t place);
     uint32_t list_units();

@@ -138,7 +138,7 @@ TEST_CASE("the last collider of a world goes: contacts end although nothing is h
     keep_events(world);
     add_body(world, batch, at(0.0f, 0.0101f, 0.0f));
     step_until(world, LR_CONTACT_BEGIN, 20);
-    steps(world, 10, 1.0f / 60.0f, 4);
+    steps(world, 1, 1.0f / 60.0f, 4); // and before it comes to rest
     REQUIRE(lr_collider_destroy(world.get(), &plane, 1) == LR_OK);
     steps(world, 1, 1.0f / 60.0f, 4);
     const std::vector<lr_contact_event> events = events_of(world);

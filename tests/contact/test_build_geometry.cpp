@@ -113,6 +113,39 @@ TEST_CASE("meshes with faults are refused, lines among triangles are not") {
     CHECK_FALSE(build_mesh(lost.data(), 4, good.data(), 2, normals, hidden));
 }
 
+TEST_CASE("the steepest secant is that of the plane of all samples, and no way along a surface rises faster") {
+    test::Random random(24);
+    for (uint32_t round = 0; round < 200; ++round) {
+        const uint32_t counts[2] = {2 + random.below(20), 2 + random.below(20)};
+        const float spacing[2] = {random.real(0.01, 2), random.real(0.01, 2)};
+        const double slope[2] = {static_cast<double>(random.real(-3, 3)), static_cast<double>(random.real(-3, 3))};
+        std::vector<float> heights;
+        for (uint32_t k = 0; k < counts[1]; ++k)
+            for (uint32_t i = 0; i < counts[0]; ++i)
+                heights.push_back(static_cast<float>(slope[0] * i * static_cast<double>(spacing[0]) +
+                                                     slope[1] * k * static_cast<double>(spacing[1])));
+        const double even = std::sqrt(1.0 + slope[0] * slope[0] + slope[1] * slope[1]);
+        CHECK(static_cast<double>(steepest_secant(counts, spacing, heights.data())) ==
+              doctest::Approx(even).epsilon(1e-4));
+
+        for (float& h : heights) h = random.real(-1, 1);
+        const double most = static_cast<double>(steepest_secant(counts, spacing, heights.data()));
+        // Between neighbours, and across cells along the edge that their triangles share.
+        for (uint32_t k = 0; k + 1 < counts[1]; ++k)
+            for (uint32_t i = 0; i + 1 < counts[0]; ++i) {
+                const auto rise = [&](uint32_t x, uint32_t z) {
+                    const size_t at = i + size_t{counts[0]} * k;
+                    const double way =
+                        std::hypot(static_cast<double>(spacing[0]) * x, static_cast<double>(spacing[1]) * z);
+                    return (static_cast<double>(heights[at + x + size_t{counts[0]} * z]) -
+                            static_cast<double>(heights[at])) /
+                           way;
+                };
+                for (const double r : {rise(1, 0), rise(0, 1), rise(1, 1)}) CHECK(std::sqrt(1.0 + r * r) <= most);
+            }
+    }
+}
+
 TEST_CASE("coarse heights are over all samples in a square and around it") {
     test::Random random(23);
     for (uint32_t round = 0; round < 200; ++round) {

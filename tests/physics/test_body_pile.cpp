@@ -1,0 +1,92 @@
+// Bodies dropped into a bin: the energy of the pile, its rest, what overlaps in it.
+#include "support/body_contact.h"
+
+using namespace test;
+
+namespace {
+
+constexpr double gravity = 9.81;
+#ifdef LR_TEST_QUICK
+constexpr uint32_t dropped = 60;
+#else
+constexpr uint32_t dropped = 300;
+#endif
+
+double energy_of(const World& world, lr_batch batch, const lr_asset_info& info) {
+    const lr_batch_view v = view_of(world, batch);
+    double sum = 0.0;
+    for (uint32_t i = 0; i < v.count; ++i) {
+        sum += gravity * (info.mass - info.fluid_density * info.volume) * wide(v.position[1][i]);
+        for (size_t k = 0; k < 3; ++k) {
+            const double speed = wide(v.velocity[k][i]), spin = wide(v.spin[k][i]);
+            sum += 0.5 * (info.mass + info.added_mass[7 * k]) * speed * speed;
+            sum += 0.5 * (info.inertia[4 * k] + info.added_mass[7 * (k + 3)]) * spin * spin;
+        }
+    }
+    return sum;
+}
+
+void add_bin(const World& world, float half, float high) {
+    add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+    for (int side = 0; side < 4; ++side) {
+        const bool x = side % 2 == 0;
+        lr_collider_desc wall = box_collider(x ? half : 2.0f * half, high, x ? 2.0f * half : half);
+        wall.position[x ? 0 : 2] = side < 2 ? 2.0f * half : -2.0f * half;
+        add_collider(world, wall);
+    }
+}
+
+} // namespace
+
+TEST_CASE("a pile in a bin loses energy, comes to rest, and nothing is outside") {
+    struct Kind {
+        const char* name;
+        Asset asset;
+        float half;
+    };
+    const Kind kinds[] = {{"boxes", make(rigid_box(0.04, 0.03, 0.05, 300.0)), 0.15f},
+                          {"cards", make(rigid_box(0.05, 0.0006, 0.035, 600.0)), 0.12f},
+                          {"flat ellipsoids", make(ellipsoid(0.03, 0.02, 0.001, 500.0)), 0.12f}};
+    for (const Kind& kind : kinds) {
+        Random random(5);
+        const World world = make(world_desc());
+        const lr_batch batch = add_batch(world, unloaded(), kind.asset, dropped);
+        lr_batch_contact c = contact_desc(0.5f, 0.1f, 0.05f);
+        c.flags = 0;
+        set_contact(world, batch, c);
+        set_pair(world, batch, batch);
+        add_bin(world, kind.half, 2.0f);
+        const auto room = 0.6 * wide(kind.half);
+        for (uint32_t i = 0; i < dropped; ++i) {
+            lr_body_desc d = body_desc();
+            d.position[0] = random.real(-room, room), d.position[2] = random.real(-room, room);
+            d.position[1] = 0.06f + 0.006f * static_cast<float>(i);
+            for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+            add_body(world, batch, d);
+        }
+        const lr_asset_info info = info_of(kind.asset);
+        const double unit = info.mass * gravity * wide(kind.half) * dropped;
+        double former = energy_of(world, batch, info), rise = 0.0, late = 0.0;
+        double least = former;
+        std::string text;
+        for (int n = 0; n < 600; ++n) {
+            steps(world, 1, 1.0f / 60.0f, 4);
+            const double now = energy_of(world, batch, info);
+            rise = std::max(rise, (now - former) / unit);
+            if (n >= 120) late = std::max(late, (now - least) / unit);
+            former = now;
+            least = std::min(least, now);
+            if (n % 60 == 59) text += " " + std::to_string(view_of(world, batch).awake_count);
+        }
+        const lr_batch_view v = view_of(world, batch);
+        double out = 0.0, low = 1.0;
+        for (uint32_t i = 0; i < v.count; ++i) {
+            out = std::max({out, std::abs(wide(v.position[0][i])), std::abs(wide(v.position[2][i]))});
+            low = std::min(low, wide(v.position[1][i]));
+        }
+        MESSAGE(std::string(kind.name) << ": rise " << rise << ", late " << late << ", out " << out / wide(kind.half)
+                                       << ", low " << low << ", awake" << text);
+        CHECK(out < wide(kind.half));
+        CHECK(low > 0.0);
+    }
+}
