@@ -46,7 +46,7 @@ public:
                         const uint32_t id = hash(level, x, y, z), bucket = id & mask_;
                         for (uint32_t i = first_[bucket]; i < first_[bucket + 1]; ++i)
                             if (sorted_[i].cell == id && overlap(sorted_[i], around) &&
-                                lies_in(sorted_[i], size, x, y, z))
+                                lies_in(sorted_[i], inverse, x, y, z))
                                 function(sorted_[i]);
                     }
         }
@@ -71,10 +71,10 @@ private:
         return h == nowhere ? 0 : h;
     }
     // Cells nearby may have the same hash: a box is seen in its own alone, and so once.
-    static bool lies_in(const MeetingBox& box, float size, int32_t x, int32_t y, int32_t z) {
+    static bool lies_in(const MeetingBox& box, float inverse_size, int32_t x, int32_t y, int32_t z) {
         const int32_t of[3] = {x, y, z};
         bool in = true;
-        for (size_t k = 0; k < 3; ++k) in = in && cell(0.5f * (box.low[k] + box.high[k]), size) == of[k];
+        for (size_t k = 0; k < 3; ++k) in = in && cell(0.5f * (box.low[k] + box.high[k]), inverse_size) == of[k];
         return in;
     }
     static bool overlap(const MeetingBox& a, const MeetingBox& b) {
