@@ -37,4 +37,9 @@ build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --cou
     --ground --walk 11.5 --gusts 15.5 --check --threads "$(nproc)" --at 3,6,11,14.5,17,19.5 --width 960 --height 540 \
     --png demo/leaves_on_the_ground.png --json demo/leaves_on_the_ground.json
 
-printf '\nLook at demo/leaf_storm.png (the storm), demo/tracks.png (single falls), and demo/leaves_on_the_ground.png.\n'
+step "Leaves lie on leaves: a heap, somebody walks through it, and a gust takes it"
+build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --count 1800 --ground --heap --fall 2 \
+    --walk 1.6 --gusts 6 --gust-speed 5 --substeps 2 --seconds 7.3 --check --threads "$(nproc)" \
+    --at 1.2,2.8,4.4,5.1,6.7,7.3 --width 960 --height 540 --png demo/a_heap_of_leaves.png --json demo/a_heap_of_leaves.json
+
+printf '\nLook at demo/leaf_storm.png (the storm), demo/tracks.png (single falls), demo/leaves_on_the_ground.png, and\ndemo/a_heap_of_leaves.png.\n'

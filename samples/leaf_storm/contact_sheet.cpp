@@ -43,8 +43,12 @@ int sheet_height(const Options& options) {
     return rows * (options.height + gap) - gap;
 }
 
-// At the height of a child's eyes.
-View view_of_ground(const Park& park) {
+// At the height of a child's eyes; before a heap crouched down.
+View view_of_ground(const Park& park, bool heap) {
+    if (heap) {
+        const Park::Place at = park.heap();
+        return {{at.x, at.y + 0.75f, at.z + 1.9f}, -0.27f, 0.1f, 400.0f, 26.0f, {0.48f, 0.45f, -0.7531f}};
+    }
     const double z = 4.0;
     const auto floor = static_cast<float>(park.terrain().at(0.0, z).height);
     return {{0.0f, floor + 1.25f, static_cast<float>(z)}, -0.19f, 0.1f, 400.0f, 26.0f, {0.48f, 0.45f, -0.7531f}};
@@ -65,7 +69,7 @@ Mesh drawn_mesh(const Options& options, const Storm& storm, std::size_t kind, st
 }
 
 ContactSheet::ContactSheet(const Options& options, const Storm& storm)
-    : view_(storm.park() ? view_of_ground(*storm.park()) : view_of(storm.box())),
+    : view_(storm.park() ? view_of_ground(*storm.park(), options.heap) : view_of(storm.box())),
       picture_(sheet_width(options), sheet_height(options), from_srgb(22, 20, 18)) {
     renderer_ = std::make_unique<Renderer>(options.width, options.height);
     if (storm.park()) scenery_ = std::make_unique<Scenery>(*storm.park());

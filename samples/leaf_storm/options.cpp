@@ -69,6 +69,8 @@ void add_ground_options(CLI::App& app, Options& options) {
     auto* const ground =
         app.add_flag("--ground", options.ground,
                      "leaves set out above rolling ground with a bench, a wall and stones, land, and lie");
+    app.add_flag("--heap", options.heap, "they meet each other, and set out above one place: they lie there in a heap")
+        ->needs(ground);
     app.add_option("--fall", options.fall, "s in which all of them set out")
         ->needs(ground)
         ->check(within(0.1, 1e6, "from 0.1 to 1e6 s"));

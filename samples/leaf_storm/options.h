@@ -32,6 +32,7 @@ struct Options {
     bool quiet = false;
 
     bool ground = false;
+    bool heap = false;
     double fall = 7.0;       // s in which all leaves set out
     double walk = -1.0;      // s: when somebody walks through; negative: nobody does
     double gusts = -1.0;     // s: when a gust comes; negative: none

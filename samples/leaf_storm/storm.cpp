@@ -83,6 +83,14 @@ Storm::Storm(const Options& options) : options_(options), world_(create_world(op
             fill(kind, first);
         first += kind.count;
     }
+    if (options.heap) let_meet();
+}
+
+void Storm::let_meet() {
+    for (std::size_t a = 0; a < kinds_.size(); ++a)
+        for (std::size_t b = 0; b <= a; ++b)
+            check(lr_batch_set_pair_contact(world_.get(), kinds_[a].batch, kinds_[b].batch, 1),
+                  "the leaves cannot meet each other", "try a smaller --count");
 }
 
 void Storm::fill(Kind& kind, std::uint64_t first) {
@@ -99,8 +107,10 @@ void Storm::fill_from_above(Kind& kind) {
     check(lr_emitter_desc_init(&emitter, sizeof emitter), "lr_emitter_desc_init");
     emitter.shape = LR_EMIT_BOX;
     const float middle[3] = {-1.0f, 3.6f, -1.8f}, half[3] = {5.5f, 0.9f, 5.0f};
-    std::copy(middle, middle + 3, emitter.position);
-    std::copy(half, half + 3, emitter.size);
+    const Park::Place heap = park_->heap();
+    const float over_heap[3] = {heap.x - 0.3f, heap.y + 1.5f, heap.z}, of_heap[3] = {0.25f, 0.5f, 0.25f};
+    std::copy_n(options_.heap ? over_heap : middle, 3, emitter.position);
+    std::copy_n(options_.heap ? of_heap : half, 3, emitter.size);
     emitter.rate = static_cast<float>(kind.count / options_.fall);
     if (!options_.same_size) emitter.scale_min = 0.7f, emitter.scale_max = 1.3f;
     check(lr_batch_set_emitter(world_.get(), kind.batch, &emitter), "emitter", "try a longer --fall");

@@ -86,6 +86,29 @@ def check_ground(asset, mesh, path):
                 assert same < 0.995 * 320 * 150, f"frames {k} and {i} are alike: {same} pixels"
 
 
+def check_heap(asset, mesh, path):
+    """Leaves that meet each other lie on each other; those that do not all lie on the ground."""
+    scene = ["--asset", asset, "--count", 300, "--seconds", 4, "--ground", "--fall", 0.5, "--substeps", 2, "--at", "4", "--check",
+             "--wind", "0,0,0", "--quiet", "--mesh", mesh]
+
+    def report(*more):
+        run(*scene, "--json", path("h.json"), *more)
+        with open(path("h.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    heap = report("--heap")
+    lies = heap["ground"]["checks"][0]
+    assert heap["ground"]["fell_through"] == 0 and lies["bodies"] == 300, lies
+    assert lies["at_rest"] > 200 and lies["below_2_mm"] == 0 and lies["deepest_m"] < 2e-3, lies
+    assert lies["above_2_mm"] > 20 and lies["highest_m"] > 0.01, lies
+    assert report("--heap", "--threads", 3)["state_hash"] == heap["state_hash"]
+    assert report("--heap", "--simd", "emulated")["state_hash"] == heap["state_hash"]
+    alone = report()["ground"]["checks"][0]
+    assert alone["above_2_mm"] == 0 and alone["highest_m"] < 1e-3, alone
+    two = report("--heap", "--asset", asset)
+    assert two["ground"]["fell_through"] == 0 and two["state_hash"] != heap["state_hash"]
+
+
 def main(asset, mesh):
     storm = ["--asset", asset, "--count", 600, "--seconds", 1, "--quiet"]
     with tempfile.TemporaryDirectory() as folder:
@@ -98,6 +121,8 @@ def main(asset, mesh):
                 return json.load(file)
 
         check_ground(asset, mesh, path)
+        if mesh:
+            check_heap(asset, mesh, path)
         first = report("--csv", path("r.csv"))
         assert first["bodies"] == 600 and first["steps"] == 60 and first["body_steps"] == 600 * 60 * 4
         assert 0.05 < first["descent_m_s"]["mean"] < 5.0, first["descent_m_s"]
@@ -128,7 +153,7 @@ def main(asset, mesh):
         for bad in ([], ["--asset", path("none.lrb")], [*storm, "--dt", "nan"], [*storm, "--dt", "0"], [*storm, "--substeps", "0"],
                     [*storm, "--wind", "1,2"], [*storm, "--wind", "1,inf,2"], [*storm, "--count", "0"],
                     [*storm, "--simd", "mmx"], [*storm, "--threads", "99"], [*storm, "--what"],
-                    [*storm, "--walk", 1], [*storm, "--gusts", 1], [*storm, "--check"], [*storm, "--at", "0.5,0.2"],
+                    [*storm, "--walk", 1], [*storm, "--heap"], [*storm, "--gusts", 1], [*storm, "--check"], [*storm, "--at", "0.5,0.2"],
                     [*storm, "--at", "0.5,2"], [*storm, "--rate", 0], [*storm, "--ground", "--gust-speed", "nan"],
                     [*storm, "--csv", path("x"), "--json", path("x")], [*storm, "--csv", asset]):
             assert run(*bad, code=1).stderr, bad

@@ -177,6 +177,10 @@ void Park::move(double to) {
     walks_ = walks;
 }
 
+Park::Place Park::heap() const {
+    return {0.1f, static_cast<float>(terrain_.at(0.1, walker_z).height), static_cast<float>(walker_z)};
+}
+
 bool Park::furnished(double x, double z, double reach) const {
     return std::any_of(footprints_.begin(), footprints_.end(),
                        [&](const Footprint& at) { return std::hypot(x - at.x, z - at.z) < at.radius + reach; });

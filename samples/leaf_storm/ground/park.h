@@ -33,6 +33,12 @@ public:
     const float* walker() const { return walks_ ? pieces_.back().position : nullptr; }
     static constexpr float walker_radius = 0.24f, walker_half_length = 0.62f; // m
 
+    // Where the heap of --heap comes to lie, m: on the walker's way.
+    struct Place {
+        float x, y, z;
+    };
+    Place heap() const;
+
     // Whether something else than the ground may be under a place, or within `reach` (m) of it.
     bool furnished(double x, double z, double reach) const;
 
