@@ -9,7 +9,8 @@ namespace {
 
 constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 constexpr uint32_t usual_colours = 64; // by bits; what finds none goes into blocks of its own
-constexpr uint32_t crowd_sweeps = 16, roll_every = 4;
+constexpr uint32_t crowd_sweeps = 20, roll_every = 4;
+constexpr uint32_t held_sweeps = 4; // more over what is not moved: no heap may press anything into a collider
 // Blocks and groups of bodies for which another thread is called: some microseconds of work.
 constexpr uint32_t block_grain = 16, group_grain = 64;
 
@@ -60,12 +61,12 @@ void CrowdSolver::colour(CrowdUnit* units, uint32_t unit_count) {
         of_a |= uint64_t{1} << unit.colour;
         of_b |= uint64_t{1} << unit.colour;
     }
-    const uint32_t pairs = colour_count_;
+    pair_colours_ = colour_count_;
     uint32_t before = CrowdUnit::nobody, colour = 0;
     for (uint32_t i = 0; i < unit_count; ++i) {
         CrowdUnit& unit = units[i];
         if (unit.b != CrowdUnit::nobody) continue;
-        colour = unit.a == before ? colour + 1 : pairs;
+        colour = unit.a == before ? colour + 1 : pair_colours_;
         before = unit.a;
         unit.colour = colour;
         colour_count_ = std::max(colour_count_, colour + 1);
@@ -174,8 +175,8 @@ void CrowdSolver::fill(const CrowdKind* kinds, const CrowdUnit* const* units, Pa
 }
 
 // Blocks of a colour side by side, colours one after the other.
-template <class Function> void CrowdSolver::each_block(const Workers& workers, Function&& function) {
-    for (uint32_t colour = 0; colour < colour_count_; ++colour) {
+template <class Function> void CrowdSolver::each_block(const Workers& workers, uint32_t from, Function&& function) {
+    for (uint32_t colour = from; colour < colour_count_; ++colour) {
         const uint32_t first = first_block_[colour], count = first_block_[colour + 1] - first;
         workers.run(count, block_grain, [&](uint32_t begin, uint32_t end) {
             for (uint32_t i = begin; i < end; ++i) function(blocks_[first + i]);
@@ -198,7 +199,7 @@ void CrowdSolver::sweep(const CrowdTarget& target, const CrowdInput& in, const W
         const auto note = [&](bool change) {
             if (change) changed.store(true, std::memory_order_relaxed);
         };
-        each_block(workers, [&](PairBlock& block) { note(target.sweep(in, block)); });
+        each_block(workers, 0, [&](PairBlock& block) { note(target.sweep(in, block)); });
         if (rolls && (n % roll_every == roll_every - 1))
             each_group(workers, [&](uint32_t kind, uint32_t begin) { note(target.roll(in, kind, begin)); });
         if (!changed) break;
@@ -213,8 +214,10 @@ void CrowdSolver::sweep(const CrowdTarget& target, const CrowdInput& in, const W
         const bool onward = former > 0.0 && squares <= former; // else it begins anew
         const float part = onward ? static_cast<float>(squares / former) : 0.0f;
         former = squares;
-        each_block(workers, [&](PairBlock& block) { target.follow(in, block, part); });
+        each_block(workers, 0, [&](PairBlock& block) { target.follow(in, block, part); });
     }
+    for (uint32_t n = 0; n < held_sweeps; ++n)
+        each_block(workers, pair_colours_, [&](PairBlock& block) { target.sweep(in, block); });
 }
 
 bool CrowdSolver::solve(const CrowdTarget& target, float h, float gravity, const CrowdKind* kinds,
@@ -232,11 +235,11 @@ bool CrowdSolver::solve(const CrowdTarget& target, float h, float gravity, const
         for (uint32_t b = begin; b < end; ++b) fill(kinds, order_.data() + first_unit_[b], blocks_[b]);
     });
     each_group(workers, [&](uint32_t kind, uint32_t begin) { target.begin(in, kind, begin); });
-    each_block(workers, [&](PairBlock& block) { target.way(in, block); });
+    each_block(workers, 0, [&](PairBlock& block) { target.way(in, block); });
     sweep(target, in, workers, rolls);
     each_group(workers, [&](uint32_t kind, uint32_t begin) { target.move(in, kind, begin); });
-    each_block(workers, [&](PairBlock& block) { target.touch(in, block); });
-    each_block(workers, [&](PairBlock& block) { target.velocity(in, block); });
+    each_block(workers, 0, [&](PairBlock& block) { target.touch(in, block); });
+    each_block(workers, 0, [&](PairBlock& block) { target.velocity(in, block); });
     sweep(target, in, workers, rolls);
     each_group(workers, [&](uint32_t kind, uint32_t begin) { target.finish(in, kind, begin); });
     return true;

@@ -60,13 +60,14 @@ private:
     void order_pairs(const CrowdKind* kinds, CrowdUnit* units, uint32_t unit_count);
     void colour(CrowdUnit* units, uint32_t unit_count);
     void fill(const CrowdKind* kinds, const CrowdUnit* const* units, PairBlock& block) const;
-    template <class Function> void each_block(const Workers& workers, Function&& function);
+    template <class Function> void each_block(const Workers& workers, uint32_t from, Function&& function);
     template <class Function> void each_group(const Workers& workers, Function&& function);
     void sweep(const CrowdTarget& target, const CrowdInput& in, const Workers& workers, bool rolls);
 
     Allocator* allocator_;
-    uint32_t body_count_ = 0, unit_count_ = 0, block_count_ = 0, colour_count_ = 0, group_count_ = 0;
-    Buffer<CrowdBody> bodies_; // and nobody
+    uint32_t body_count_ = 0, unit_count_ = 0, block_count_ = 0, group_count_ = 0;
+    uint32_t colour_count_ = 0, pair_colours_ = 0; // what is not moved has the last
+    Buffer<CrowdBody> bodies_;                     // and nobody
     Buffer<CrowdTwist> twists_;
     Buffer<uint64_t> used_colours_; // by body
     Buffer<uint32_t> kind_of_;      // by group of bodies
