@@ -163,9 +163,12 @@ TEST_CASE("a step without memory lets bodies through each other, says so, and lo
         set_contact(world, batch, contact_desc(0.5f, 0.0f));
         set_pair(world, batch, batch);
         add_collider(world, collider_desc(LR_COLLIDER_PLANE));
-        std::vector<lr_body> ids;
-        for (int i = 0; i < 40; ++i)
-            ids.push_back(add_body(world, batch, at_rest_at({0.3 * (i / 2), 0.05 + 0.099 * (i % 2), 0.0})));
+        std::vector<lr_body> ids(40);
+        for (size_t i = 0; i < 40; ++i) {
+            const size_t tower = i / 2;
+            ids[i] =
+                add_body(world, batch, at_rest_at({0.3 * static_cast<double>(tower), i % 2 == 0 ? 0.05 : 0.149, 0.0}));
+        }
         const uint64_t before = memory.calls;
         memory.fail_at = memory.calls + k;
         memory.fail_after = true;

@@ -118,8 +118,10 @@ TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes i
     set_contact(world, batch, resting_contact());
     set_pair(world, batch, batch);
     std::vector<lr_body> bodies;
-    for (int i = 0; i < 20; ++i)
-        bodies.push_back(add_body(world, batch, at_rest_at({0.1 * (i / 4), 0.0003 + 0.0006 * (i % 4), 0.0})));
+    for (int i = 0; i < 20; ++i) {
+        const int tower = i / 4;
+        bodies.push_back(add_body(world, batch, at_rest_at({0.1 * tower, 0.0003 + 0.0006 * (i % 4), 0.0})));
+    }
     steps(world, 180, frame, 2);
     REQUIRE(view_of(world, batch).awake_count == 0);
     set_wind(world, 0.4f, 0.0f, 0.0f);
@@ -140,8 +142,10 @@ TEST_CASE("bodies at rest that meet each other cost next to nothing") {
         set_contact(world, batch, resting_contact());
         set_pair(world, batch, batch);
         std::vector<lr_body> ids;
-        for (uint32_t i = 0; i < resting + 10; ++i)
-            ids.push_back(add_body(world, batch, at_rest_at({0.1 * (i % 200), 0.0, 0.1 * (i / 200)})));
+        for (uint32_t i = 0; i < resting + 10; ++i) {
+            const uint32_t row = i / 200;
+            ids.push_back(add_body(world, batch, at_rest_at({0.1 * (i % 200), 0.0, 0.1 * row})));
+        }
         REQUIRE(lr_body_set_rest(world.get(), ids.data(), resting, LR_REST_RESTING) == LR_OK);
         double best = 1e9;
         for (int n = 0; n < 20; ++n) {

@@ -39,7 +39,8 @@ TEST_CASE("cards at 10 to 20 m/s do not pass through cards at rest or in the air
         std::vector<lr_body> flying, standing;
         std::vector<Vec> velocity;
         for (uint32_t i = 0; i < shots; ++i) {
-            const Vec place{2.0 * (i % 25), 2.0 * (i / 25), 0.0};
+            const uint32_t row = i / 25;
+            const Vec place{2.0 * (i % 25), 2.0 * row, 0.0};
             const Quat turn = any_turn(random);
             const Vec n = to_world(turn, {0, 1, 0});
             lr_body_desc d = at_rest_at(place);

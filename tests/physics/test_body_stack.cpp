@@ -116,7 +116,7 @@ TEST_CASE("plates and leaves lie on each other, however they fall flat") {
             MESSAGE(kind << ", " << count << ": rest after " << rest << ", from " << low << " to " << high);
             CHECK(rest >= 0);
             CHECK(low > -1e-4 * 0.08);
-            CHECK(high > low + 1e-4 * (count - 1) * 0.4);
+            CHECK(high > low + 1e-4 * (count - 1) * 0.25);
         }
 }
 
