@@ -50,8 +50,8 @@ uint32_t find_way_contacts(const PairBody& a, const PairBody& b, float margin, W
     const Vector n = found[0].normal;
     const float slop = 1e-3f * std::min(a.scale * a.shape.shape.reach, b.scale * b.shape.shape.reach);
     if (!(found[0].gap > -slop)) return kept;
-    const Vector arm_a = farthest(a, -n), arm_b = farthest(b, n);
-    const float apart = dot(n, to_outer(a.to, arm_a) - to_outer(b.to, arm_b));
+    const Vector on_a = to_outer(a.to, farthest(a, -n)), on_b = to_outer(b.to, farthest(b, n));
+    const float apart = dot(n, on_a - on_b);
     if (!(apart < least - slop)) return kept;
     uint32_t at = kept;
     if (kept == most_pair_contacts) {
@@ -60,6 +60,10 @@ uint32_t find_way_contacts(const PairBody& a, const PairBody& b, float margin, W
     } else {
         ++kept;
     }
+    // On one line, through the point of the one that goes farther: impulses at two that are beside each other would turn both.
+    const bool first = a.way >= b.way;
+    const Vector arm_a = to_inner(a.to, first ? on_a : on_b + apart * n);
+    const Vector arm_b = to_inner(b.to, first ? on_a - apart * n : on_b);
     out[at] = {{arm_a, arm_b, n, apart - dot(n, moved(a, arm_a) - moved(b, arm_b))}, apart};
     return kept;
 }
