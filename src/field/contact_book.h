@@ -5,6 +5,7 @@
 #include "kernel/batch_arrays.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 
@@ -21,6 +22,10 @@ struct ContactBook {
 
 // A body comes to rest when it has touched something and hardly moved for so long.
 inline constexpr float time_to_rest = 0.5f; // s
+// m/s over the square root of the reach in m, of bodies that lie still: the speed of a fall by 1e-5 of it.
+inline float still_speed(float gravity) {
+    return std::sqrt(2e-5f * gravity);
+}
 // What is faster than a body that lies still by this much moves.
 inline constexpr float trembling = 10.0f;
 

@@ -102,7 +102,7 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, PairContacts& c, size_t at, V
 
 // What overlaps by more than this part of the reach is undone over several substeps: bodies that have come to lie in each other
 // must not be thrown apart.
-constexpr float pair_push = 0.02f, collider_push = 0.5f;
+constexpr float pair_push = 0.005f, collider_push = 0.5f;
 
 HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     const DF d;
@@ -306,10 +306,13 @@ void crowd_move(const CrowdInput& in, uint32_t kind, uint32_t begin) {
         store6(row + at_correction, at, correction);
         Quaternion q = load4(row + at_q, at);
         store3(row + at_x, at, add(load3(row + at_x, at), to_world(q, correction.v)));
+        const Twist met = twist_of(row, at_v, at, size.length);
+        const Twist seen{to_world(q, met.v), to_world(q, met.u)};
         q = normalised(turn(q, q, hn::Mul(half, size.inverse), correction.u));
         store3(row + at_q, at, {q.x, q.y, q.z});
         hn::Store(q.w, d, row[at_q + 3] + at);
-        store6(twist, at, twist_of(row, at_v, at, size.length));
+        // What the correction turns keeps its velocity in the world, and with it its momentum.
+        store6(twist, at, {to_body(q, seen.v), to_body(q, seen.u)});
         store3(row + at_rolled, at, {zero, zero, zero});
         hn::Store(constant(2e-5f * in.gravity * in.h), d, row[at_dust] + at);
         hn::Store(zero, d, twist[6] + at);

@@ -41,8 +41,8 @@ struct Crowd {
     Buffer<float> before; // pose_fields rows of all bodies, as the substep began
     MeetingGrid grid;
     Buffer<uint32_t> first_pair; // by body, and the end: of those that it has found
-    // By body: as many of the others whose boxes it has found as there is room for.
-    static constexpr uint32_t most_seen = 16;
+    // By body: the others whose boxes it has found; of more, the first by batch and key.
+    static constexpr uint32_t most_seen = 48;
     Buffer<uint32_t> seen;
     Buffer<Pair> pairs;
     Buffer<CrowdContact> pair_contacts; // block_contacts of each

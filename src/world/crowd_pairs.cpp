@@ -64,6 +64,18 @@ bool CrowdStep::finds(const MeetingBox& one, const MeetingBox& other) const {
     return i < j;
 }
 
+// In place of the last of a full list, if it comes before that by batch and key.
+void CrowdStep::keep_first(uint32_t* seen, uint32_t body) const {
+    const auto order = [&](uint32_t of) {
+        const CrowdMember& member = member_of(of);
+        return uint64_t{member.slot} << 32 | member.item.batch->arrays().key[of - member.first];
+    };
+    uint32_t* last = seen;
+    for (uint32_t k = 1; k < Crowd::most_seen; ++k)
+        if (order(seen[k]) > order(*last)) last = seen + k;
+    if (order(body) < order(*last)) *last = body;
+}
+
 // The contacts of a body's pairs. Gaps are those that the substep begins with, so that what goes through each other within it
 // is known by the side on which it began; those that stay open need not be held.
 void CrowdStep::meet(uint32_t body) {
@@ -79,16 +91,8 @@ void CrowdStep::meet(uint32_t body) {
                      body,
                      {batch.meeting, scale, from, to, way_of(from, to, batch.shape.reach * scale)},
                      margin_of(member, index)};
-    if (count <= Crowd::most_seen) {
-        const uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
-        for (uint32_t k = 0; k < count; ++k) meet(one, seen[k], first + k);
-        return;
-    }
-    const MeetingBox& box = c.grid.box(body);
-    uint32_t at = first;
-    c.grid.visit(box, [&](const MeetingBox& other) {
-        if (finds(box, other)) meet(one, other.body, at++);
-    });
+    const uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
+    for (uint32_t k = 0; k < count; ++k) meet(one, seen[k], first + k);
 }
 
 void CrowdStep::meet(const Placed& one, uint32_t other, uint32_t at) {
@@ -140,8 +144,10 @@ bool CrowdStep::find_pairs() {
             uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
             c.grid.visit(one, [&](const MeetingBox& other) {
                 if (!finds(one, other)) return;
-                if (count < Crowd::most_seen) seen[count] = other.body;
-                ++count;
+                if (count < Crowd::most_seen)
+                    seen[count++] = other.body;
+                else
+                    keep_first(seen, other.body);
             });
             c.first_pair[body] = count;
         }

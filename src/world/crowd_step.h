@@ -39,6 +39,7 @@ private:
     float margin_of(const CrowdMember& member, uint32_t index) const;
     bool finds(const MeetingBox& one, const MeetingBox& other) const;
     void set_box(const CrowdMember& member, uint32_t index);
+    void keep_first(uint32_t* seen, uint32_t body) const;
     struct Placed;
     void meet(uint32_t body);
     void meet(const Placed& one, uint32_t other, uint32_t at);

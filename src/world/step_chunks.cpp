@@ -72,8 +72,7 @@ ContactRun contact_run(const lr_world& world, Batch& batch, const SurfaceStep* w
                            static_cast<float>(batch.settings().fluid_density),
                            seconds,
                            world.contact_gain(batch, seconds)};
-    // The speed of a fall by 1e-5 of the reach.
-    return {step, world.target, water, time, {}, std::sqrt(2e-5f * gravity)};
+    return {step, world.target, water, time, {}, still_speed(gravity)};
 }
 
 void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const {

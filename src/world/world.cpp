@@ -4,6 +4,7 @@
 #include "world/crowd_step.h"
 #include "world/lifecycle.h"
 #include "world/lift_off.h"
+#include "world/wake_ahead.h"
 
 #include <algorithm>
 #include <bit>
@@ -300,6 +301,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
     contact_events.begin_step();
+    if (pairs.any() && any_resting()) lr::wake_ahead(*this, dt, mode);
     pace_batches(dt, substeps);
     if (colliders.any()) {
         const bool resting = any_resting();
