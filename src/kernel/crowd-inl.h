@@ -102,7 +102,7 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, PairContacts& c, size_t at, V
 
 // What overlaps by more than this part of the reach is undone over several substeps: bodies that have come to lie in each other
 // must not be thrown apart.
-constexpr float pair_push = 0.005f, collider_push = 0.5f;
+constexpr float pair_push = 0.02f, collider_push = 0.5f;
 
 HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     const DF d;

@@ -61,7 +61,7 @@ TEST_CASE("a body that lies on another falls when that goes, however it goes") {
             lr_body_force f = initialised(lr_body_force_init);
             f.body = t.below;
             f.mode = LR_FORCE_MODE_VELOCITY;
-            f.force[0] = 8.0f;
+            f.force[0] = -8.0f; // not towards the one that is far
             REQUIRE(lr_body_add_force(w, &f, 1) == LR_OK);
         } else if (how == 4) {
             REQUIRE(lr_batch_destroy(w, t.low) == LR_OK);
@@ -106,6 +106,27 @@ TEST_CASE("a hit wakes what is hit, and not what is far") {
     CHECK(woken > 3);
     CHECK(woken < 12);
     CHECK(state_of(t.world, shot).position[0] < state_of(t.world, t.above).position[0]);
+}
+
+TEST_CASE("a body at rest takes the momentum of what hits it") {
+    const World world = make(world_desc());
+    const Asset box = make(vacuum_box(0.1, 0.1, 0.1, 300.0));
+    const lr_batch batch = add_batch(world, unloaded(), box, 4);
+    set_contact(world, batch, contact_desc(0.0f, 0.0f));
+    set_pair(world, batch, batch);
+    lr_collider_desc plane = collider_desc(LR_COLLIDER_PLANE);
+    plane.friction = plane.restitution = 0.0f;
+    add_collider(world, plane);
+    const lr_body hit = add_body(world, batch, at_rest_at({0.0, 0.05, 0.0}));
+    REQUIRE(lr_body_set_rest(world.get(), &hit, 1, LR_REST_RESTING) == LR_OK);
+    lr_body_desc d = at_rest_at({-0.5, 0.05, 0.0});
+    d.linear_velocity[0] = 2.0f;
+    const lr_body shot = add_body(world, batch, d);
+    steps(world, 30, frame, 2);
+    const double after[2] = {wide(state_of(world, shot).linear_velocity[0]),
+                             wide(state_of(world, hit).linear_velocity[0])};
+    CHECK(after[0] + after[1] == doctest::Approx(2.0).epsilon(0.01));
+    CHECK(after[1] == doctest::Approx(1.0).epsilon(0.02));
 }
 
 TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes it apart") {
