@@ -36,14 +36,14 @@ public:
     bool allocate(Allocator& from, size_t count) {
         reset();
         if (count == 0) return true;
-        data_ = static_cast<T*>(from.allocate(count * sizeof(T)));
+        data_ = static_cast<T*>(from.allocate(count * sizeof(T))); // NOLINT(bugprone-sizeof-expression): pointers too
         if (!data_) return false;
         allocator_ = &from;
         size_ = count;
         return true;
     }
     void reset() {
-        if (data_) allocator_->release(data_, size_ * sizeof(T));
+        if (data_) allocator_->release(data_, size_ * sizeof(T)); // NOLINT(bugprone-sizeof-expression)
         data_ = nullptr;
         size_ = 0;
     }
