@@ -107,7 +107,7 @@ typedef uint64_t lr_body; /* batch, generation and slot in one; compare for equa
 /* Where a world takes its memory from. Both functions are given or neither; neither means the C library's.
  * `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most 128), or null.
  * `release` gets the very size and alignment that were asked for. Called only from the thread that calls the library,
- * never during lr_world_step. */
+ * during lr_world_step only where bodies meet each other (lr_batch_set_pair_contact) in greater number than ever before. */
 typedef struct lr_allocator {
     void* user;
     void* (*allocate)(void* user, uint64_t size, uint64_t alignment);

@@ -12,7 +12,7 @@ constexpr uint32_t usual_colours = 64; // by bits; what finds none goes into blo
 constexpr uint32_t crowd_sweeps = 20, roll_every = 4;
 constexpr uint32_t held_sweeps = 4; // more over what is not moved: no heap may press anything into a collider
 // Blocks and groups of bodies for which another thread is called: some microseconds of work.
-constexpr uint32_t block_grain = 16, group_grain = 64;
+constexpr uint32_t block_grain = 4, group_grain = 16;
 
 void put(LaneRow* rows, uint32_t lane, Vector v) {
     rows[0][lane] = v.x;

@@ -15,6 +15,7 @@ public:
     void open(uint32_t chunks, Task task, void* context);
     // Runs chunks until none are left. From any thread at any time: one that comes late finds none and reads nothing.
     void take();
+    bool any() const { return left_.load(std::memory_order_relaxed) != 0; }
     // Until all chunks are done, also those that others have taken.
     void wait();
 

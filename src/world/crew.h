@@ -6,6 +6,9 @@
 #include "world/chunk_queue.h"
 #include "world/worker_pool.h"
 
+#include <atomic>
+#include <thread>
+
 namespace lr {
 
 class Crew {
@@ -19,14 +22,29 @@ public:
     // `mode`: of the step, that of the caller is put back while its job system runs. Allocates nothing.
     void run(uint32_t chunks, uint32_t helpers, ChunkQueue::Task task, void* context, const FloatMode& mode);
 
+    // Between them, tasks of a job system stay from one run to the next: many runs a millisecond would be too many to enqueue.
+    void gather();
+    void dismiss(const FloatMode& mode);
+
 private:
     static void job(void* crew, uint32_t begin, uint32_t end);
+    void stay();
+    void call(uint32_t helpers, const FloatMode& mode);
+    void finish(const FloatMode& mode);
 
     // Here and not on a step's stack: a job that comes too late must still find it.
     ChunkQueue queue_;
     WorkerPool pool_{queue_};
     lr_job_system jobs_{};
     uint32_t helpers_ = 0;
+
+    // Of a job system.
+    std::thread::id caller_;
+    void* token_ = nullptr;
+    bool called_ = false;
+    std::atomic<uint32_t> present_{0};  // indices that were enqueued and have not returned
+    std::atomic<bool> gathered_{false}; // more runs are to come
+    std::atomic<bool> calling_{false};  // the caller is within enqueue
 };
 
 } // namespace lr

@@ -10,7 +10,10 @@ namespace lr {
 
 class Workers {
 public:
-    Workers(Crew& crew, const FloatMode& mode) : crew_(&crew), mode_(&mode) {}
+    Workers(Crew& crew, const FloatMode& mode) : crew_(&crew), mode_(&mode) { crew.gather(); }
+    ~Workers() { crew_->dismiss(*mode_); }
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
 
     // function(begin, end) over pieces of [0, count), `grain` long, in any order and side by side.
     template <class Function> void run(uint32_t count, uint32_t grain, const Function& function) const {
