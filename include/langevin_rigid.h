@@ -1146,7 +1146,7 @@ LR_API lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_
  * lr_batch_contact: of a pair, friction is the geometric mean of both and restitution the larger. Layers are for colliders alone.
  * Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
  * at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
- * The first pair of a batch takes up to 47 bytes for each of its capacity, unless there have been colliders. docs/body_contact.md
+ * The first pair of a batch takes up to 75 bytes for each of its capacity, unless there have been colliders. docs/body_contact.md
  * enabled: 0 or 1.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH (either), LR_ERROR_INVALID_ARGUMENT (enabled),
  * LR_ERROR_OUT_OF_MEMORY. */

@@ -15,13 +15,17 @@ namespace {
 
 using Points = std::vector<shape::HullPoint>;
 
-// Of the largest extent: how far outside what is kept a vertex may lie.
-constexpr double fine = 0.01;
+// How far outside what is kept a vertex may lie: of the largest extent, and of the width of what is long and narrow, which would sink
+// in or lean by it.
+constexpr double fine = 0.01, fine_width = 0.05;
 // Of the largest extent: bodies thinner than this lose one of their two sides, if they are plates: if this part of the plate
 // around them is filled, or if they are so thin that it does not show.
 constexpr double thin = 0.05, very_thin = 0.01, plate = 0.75;
+constexpr double wide = 4.0;          // times as wide as thick: the rounding of what is narrower would be much of it
 constexpr uint32_t most_outline = 24; // of a plate: each costs in each contact
 constexpr double full_box = 0.9;      // of the extents' box: a body with this volume is one
+// More corners than are kept, all this near an ellipsoid's surface (of its size there), which the hull fills; and no flat one.
+constexpr double round_surface = 0.03, round_volume = 0.8, round_width = 0.35;
 
 Double3 of(const shape::HullPoint& p) {
     return {p[0], p[1], p[2]};
@@ -29,8 +33,14 @@ Double3 of(const shape::HullPoint& p) {
 
 void set_bounds(BodyShape& shape) {
     float most = 0.0f;
-    for (uint32_t i = 0; i < shape.count; ++i)
-        most = std::max(most, length(Vector{shape.x[i], shape.y[i], shape.z[i]}));
+    Vector& extent = shape.extent;
+    for (uint32_t i = 0; i < shape.count; ++i) {
+        const Vector p{shape.x[i], shape.y[i], shape.z[i]};
+        most = std::max(most, length(p));
+        extent = {std::max(extent.x, std::abs(p.x)), std::max(extent.y, std::abs(p.y)),
+                  std::max(extent.z, std::abs(p.z))};
+    }
+    extent = extent + Vector{shape.radius, shape.radius, shape.radius};
     shape.reach = (most + shape.radius) * (1.0f + 1e-6f); // rounding of turned points
 }
 
@@ -104,9 +114,10 @@ bool set_hull(BodyShape& shape, const Points& all) {
     return true;
 }
 
-// Those of the points, at most `most`, whose hull leaves none of them farther outside than `fine`: always the one that is
-// farthest outside. across: of a flat body, its normal, or zero.
-Points reduced(const Points& from, double extent, Double3 across, uint32_t most) {
+// Those of the points, at most `most`, whose hull leaves none of them farther outside than it may: always the one that is
+// farthest outside. width: the least, of a flat body of its outline. across: of a flat body, its normal, or zero.
+Points reduced(const Points& from, double extent, double width, Double3 across, uint32_t most) {
+    const double enough = std::min(fine * extent, fine_width * width);
     const bool is_flat = length(across) > 0.0;
     Points kept;
     std::vector<char> used(from.size(), 0);
@@ -165,7 +176,7 @@ Points reduced(const Points& from, double extent, Double3 across, uint32_t most)
         };
         const size_t before = kept.size();
         const double far = take(outside);
-        if (far <= fine * extent) {
+        if (far <= enough) {
             kept.resize(before);
             break;
         }
@@ -215,9 +226,10 @@ bool set_plate(BodyShape& shape, const Points& points, double extent, Double3 no
         area += 0.5 * length(cross(b, of(projected[hull.points[hull.triangles[t][2]]]) - a));
     }
     if (thickness > very_thin * extent && volume < plate * area * thickness) return false;
+    if (area < wide * extent * thickness) return false;
     Points outline;
     for (const uint32_t i : hull.points) outline.push_back(projected[i]);
-    Points kept = reduced(outline, extent, normal, most_outline);
+    Points kept = reduced(outline, extent, area / extent, normal, most_outline);
     if (kept.size() < 3) return false;
     set_points(shape, kept);
     const Double3 center = to_double(shape.center);
@@ -243,6 +255,8 @@ void set_ellipsoid(BodyShape& shape, const std::array<double, 3>& center, const 
     shape.radius = 0.0f;
     shape.center = to_float(of(center));
     shape.semi_axes = to_float(of(semi));
+    shape.extent =
+        Vector{std::abs(shape.center.x), std::abs(shape.center.y), std::abs(shape.center.z)} + shape.semi_axes;
     shape.reach = static_cast<float>((length(of(center)) + std::max({semi[0], semi[1], semi[2]})) * (1.0 + 1e-6));
     shape.thickness = static_cast<float>(2.0 * std::min({semi[0], semi[1], semi[2]}));
 }
@@ -274,6 +288,24 @@ bool is_ellipsoid(const AssetData& asset, const std::array<double, 3>& semi) {
     return true;
 }
 
+// The hull of the most corners that are kept lets a ball sink in by an eighth of its radius: what is round stays so.
+bool set_round(BodyShape& shape, const Points& points, const std::array<double, 3>& middle, double volume) {
+    if (points.size() <= most_shape_points) return false;
+    std::array<double, 3> semi{};
+    for (const auto& p : points)
+        for (size_t k = 0; k < 3; ++k) semi[k] = std::max(semi[k], std::abs(p[k] - middle[k]));
+    const auto [least, most] = std::minmax_element(semi.begin(), semi.end());
+    if (*least < round_width * *most) return false;
+    if (volume < round_volume * 4.0 / 3.0 * std::numbers::pi * semi[0] * semi[1] * semi[2]) return false;
+    for (const auto& p : points) {
+        double square = 0.0;
+        for (size_t k = 0; k < 3; ++k) square += (p[k] - middle[k]) * (p[k] - middle[k]) / (semi[k] * semi[k]);
+        if (std::abs(std::sqrt(square) - 1.0) > round_surface) return false;
+    }
+    set_ellipsoid(shape, middle, semi);
+    return true;
+}
+
 bool set_from_hull(BodyShape& shape, const AssetData& asset) {
     Points all;
     for (size_t i = 0; i + 2 < asset.hull.vertices.size(); i += 3) {
@@ -299,14 +331,14 @@ bool set_from_hull(BodyShape& shape, const AssetData& asset) {
         const Double3 normal = 1.0 / size * across;
         return set_plate(shape, points, extent, normal, dot(normal, a), 1e-3 * extent, 0.0);
     }
+    const double volume = hull_volume(all, hull);
+    if (set_round(shape, points, asset.center_of_buoyancy, volume)) return true;
     Double3 normal{};
     double middle = 0.0;
     const double thickness = thinnest(points, hull_planes(all, hull), normal, middle);
-    if (thickness < thin * extent &&
-        set_plate(shape, points, extent, normal, middle, thickness, hull_volume(all, hull)))
-        return true;
+    if (thickness < thin * extent && set_plate(shape, points, extent, normal, middle, thickness, volume)) return true;
     shape = {};
-    return set_hull(shape, reduced(points, extent, {0.0, 0.0, 0.0}, most_shape_points));
+    return set_hull(shape, reduced(points, extent, thickness, {0.0, 0.0, 0.0}, most_shape_points));
 }
 
 } // namespace

@@ -30,6 +30,7 @@ struct BodyShape {
     Vector center;                       // m, of the ellipsoid; else the middle of the points
     Vector semi_axes;                    // m, of the ellipsoid, along the body axes
     float reach;                         // m: no part of it is farther from the centre of mass
+    Vector extent;                       // m: nor along the body's axes
     float thickness;                     // m: its smallest width, rounding included
 };
 

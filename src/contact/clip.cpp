@@ -1,13 +1,16 @@
 // Bodies that would pass through something within a substep.
 #include "contact/contact_group.h"
 
+#include "contact/mesh_contacts.h"
+
 #include <algorithm>
 
 namespace lr {
 namespace {
 
-constexpr uint32_t most_stops = 4; // of a body in a substep; at the last it stays
-static_assert(most_candidates <= 64);
+// Of a body in a substep; at the last it stays.
+constexpr uint32_t most_stops = 4, most_met = 32;
+constexpr float same_side = 0.9999f; // cosine: parts of one surface
 
 // How far a body reaches below the plane through nothing across n: its least n . x.
 float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
@@ -32,7 +35,8 @@ struct Side {
 
 // What a body meets on its way, and how it touches it there.
 struct Stop {
-    uint32_t candidate, count;
+    Candidate candidate;
+    uint32_t count;
     Contact contacts[most_contacts];
 };
 
@@ -40,7 +44,15 @@ struct Stop {
 // through nothing, however far it slides along. `met` is in the collider's frame; false without such a plane.
 bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
                Stop& stop, Side& side) {
-    Contact* const end = stop.contacts + find_contacts(s, scale, met, g, part, 0.2f * s.reach * scale, stop.contacts);
+    const float near = 0.2f * s.reach * scale;
+    Contact* end = stop.contacts;
+    if (g.kind == ColliderKind::mesh) {
+        MeshContacts contacts(s, scale, met, *g.mesh, near);
+        contacts.add(part, true); // this part alone was met: no neighbour sees its edges
+        end += contacts.keep(stop.contacts);
+    } else {
+        end += find_contacts(s, scale, met, g, part, near, stop.contacts);
+    }
     stop.count = 0;
     if (end == stop.contacts) return false;
     const Contact nearest =
@@ -50,6 +62,13 @@ bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
         if (c->gap <= nearest.gap + margin)
             stop.contacts[stop.count++] = {c->arm, c->normal, c->gap - std::max(nearest.gap, 0.0f)};
     return true;
+}
+
+// What goes from one pose to another is in it.
+Box around(const Pose& from, const Pose& to, float reach) {
+    const Vector a = from.position, b = to.position, half{reach, reach, reach};
+    return {Vector{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)} - half,
+            Vector{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)} + half};
 }
 
 // Moves a body out to its side of all of them; false where they leave no room.
@@ -76,9 +95,7 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
         const Pose from{{before[0][i], before[1][i], before[2][i]},
                         {before[3][i], before[4][i], before[5][i], before[6][i]}};
         const Pose to = pose_of(i);
-        const Near& near = near_[i];
-        const auto free_way = [&](const Pose& a, const Pose& b, uint32_t k) {
-            const Candidate& candidate = near.candidate[k];
+        const auto free_way = [&](const Pose& a, const Pose& b, const Candidate& candidate) {
             const Collider& c = step_->colliders->at(candidate.slot);
             if (c.geometry.kind == ColliderKind::plane) return 1.0f;
             // Solid below, so that only what is thinner than the way could be jumped.
@@ -89,37 +106,46 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
         };
         // What meets one thing slides along it, up to the next, and along both of these up to a third.
         const float margin = margin_of(i, h);
-        uint64_t met_before = 0;
-        uint32_t count = 0;
+        uint32_t count = 0, met_count = 0;
         Pose target = to;
         Side sides[most_stops];
         Stop stops[most_stops];
+        Candidate met_before[most_met];
         for (bool slides = true; slides;) {
             float free = 1.0f;
-            uint32_t first = near.count;
-            for (uint32_t k = 0; k < near.count; ++k) {
-                if ((met_before >> k & 1) != 0) continue;
-                const float here = free_way(from, target, k);
-                if (here >= free) continue;
+            Candidate candidate{};
+            each_candidate(i, around(from, target, step_->shape->reach * scale), [&](const Candidate& c) {
+                const auto same = [&](const Candidate& m) { return m.slot == c.slot && m.part.first == c.part.first; };
+                if (std::any_of(met_before, met_before + met_count, same)) return;
+                const float here = free_way(from, target, c);
+                if (here >= free) return;
                 free = here;
-                first = k;
-            }
-            if (first == near.count) break;
-            met_before |= uint64_t{1} << first;
-            const Candidate& candidate = near.candidate[first];
+                candidate = c;
+            });
+            if (!(free < 1.0f)) break;
+            met_before[met_count++] = candidate;
             const Collider& c = step_->colliders->at(candidate.slot);
             const Pose ends = pose_at(c, end), met = mix(from, target, free);
             Pose aside{to.position - from.position, to.rotation};
             Stop& stop = stops[count];
-            Side& side = sides[count++];
-            stop.candidate = first;
+            Side& side = sides[count];
+            stop.candidate = candidate;
             slides = find_side(*step_->shape, scale, relative(pose_at(c, begin + free * (end - begin)), met),
-                               c.geometry, candidate.part, margin, stop, side) &&
-                     count < most_stops;
+                               c.geometry, candidate.part, margin, stop, side);
             if (slides) {
                 side.normal = rotate(ends.rotation, side.normal);
                 side.offset += dot(side.normal, ends.position - from.position);
-                slides = keep_sides(*step_->shape, scale, sides, count, aside);
+                Side* const like = std::find_if(sides, sides + count, [&](const Side& other) {
+                    return dot(other.normal, side.normal) > same_side;
+                });
+                if (like != sides + count)
+                    like->offset = std::max(like->offset, side.offset);
+                else
+                    ++count;
+                slides =
+                    count < most_stops && met_count < most_met && keep_sides(*step_->shape, scale, sides, count, aside);
+            } else {
+                ++count;
             }
             target = slides ? Pose{from.position + aside.position, to.rotation} : met;
         }
@@ -127,7 +153,7 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
         set_pose(i, target);
         // It may have left again what it met, which takes its speed all the same.
         for (uint32_t n = 0; n < count; ++n) {
-            const uint32_t slot = near.candidate[stops[n].candidate].slot;
+            const uint32_t slot = stops[n].candidate.slot;
             const Collider& c = step_->colliders->at(slot);
             const Pose ends = pose_at(c, end);
             const SurfaceMotion motion = motion_of(c, begin, end, h);

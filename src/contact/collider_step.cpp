@@ -239,24 +239,38 @@ bool Colliders::any_finite(const Box& box, uint32_t layers) const {
     return any;
 }
 
-uint32_t Colliders::candidates(Vector low, Vector high, uint32_t layers, Candidate (&out)[most_candidates],
-                               uint32_t& missed) const {
+namespace {
+
+bool comes_before(const Candidate& a, const Candidate& b) {
+    return a.slot != b.slot ? a.slot < b.slot : a.part.first < b.part.first;
+}
+
+// Into a list in order; what it has no room for, or pushes out, is the last.
+struct CandidateList {
+    Candidate (&at)[most_candidates];
     uint32_t count = 0;
-    missed = 0;
-    const auto take = [&](uint32_t slot, ColliderPart part) {
-        if ((colliders_[slot].layers & layers) == 0) return;
-        if (count == most_candidates) ++missed;
-        uint32_t at = count;
-        for (; at > 0; --at) {
-            const Candidate& before = out[at - 1];
-            if (before.slot < slot || (before.slot == slot && before.part.first < part.first)) break;
-            if (at < most_candidates) out[at] = before;
-        }
-        if (at == most_candidates) return;
-        out[at] = {slot, part};
+    bool more = false;
+
+    void take(const Candidate& one) {
+        uint32_t place = count;
+        for (; place > 0 && comes_before(one, at[place - 1]); --place)
+            if (place < most_candidates) at[place] = at[place - 1];
+        more = more || count == most_candidates;
+        if (place == most_candidates) return;
+        at[place] = one;
         if (count < most_candidates) ++count;
+    }
+};
+
+} // namespace
+
+uint32_t Colliders::candidates(const Box& box, uint32_t layers, const Candidate* after,
+                               Candidate (&out)[most_candidates], bool& more) const {
+    CandidateList list{out};
+    const auto take = [&](uint32_t slot, ColliderPart part) {
+        const Candidate one{slot, part};
+        if ((colliders_[slot].layers & layers) != 0 && (!after || comes_before(*after, one))) list.take(one);
     };
-    const Box box{low, high};
     still_grid_.query(box, [&](const Proxy& p) {
         if (slots_[p.slot].where == Where::still) take(p.slot, p.part);
     });
@@ -265,7 +279,17 @@ uint32_t Colliders::candidates(Vector low, Vector high, uint32_t layers, Candida
     });
     for (uint32_t i = 0; i < unbounded_count_; ++i)
         if (in_reach(colliders_[unbounded_[i]], box)) take(unbounded_[i], {0, 0});
-    return count;
+    more = list.more;
+    return list.count;
+}
+
+uint32_t Colliders::grounds(const Box& box, uint32_t layers, Candidate (&out)[most_candidates]) const {
+    CandidateList list{out};
+    for (uint32_t i = 0; i < unbounded_count_; ++i) {
+        const Collider& c = colliders_[unbounded_[i]];
+        if ((c.layers & layers) != 0 && in_reach(c, box)) list.take({unbounded_[i], {0, 0}});
+    }
+    return list.count;
 }
 
 } // namespace lr

@@ -77,10 +77,13 @@ public:
     bool in_use(uint32_t slot) const { return slot < used_ && slots_[slot].where != Where::free; }
     const SharedGeometry* shared(uint32_t slot) const { return slots_[slot].shared; } // null where it has none
 
-    // Those whose boxes, over all of the step, reach into [low, high] (m, world) and that are in one of `layers`: in order of
-    // slots and parts, each once, at most most_candidates: the first ones. `missed` counts those without room. Any thread.
-    uint32_t candidates(Vector low, Vector high, uint32_t layers, Candidate (&out)[most_candidates],
-                        uint32_t& missed) const;
+    // Those whose boxes, over all of the step, reach into `box` (m, world) and that are in one of `layers`: in order of slots and
+    // parts, each once, at most most_candidates: the first ones behind `after`, which may be null. more: there are others behind
+    // them. Any thread.
+    uint32_t candidates(const Box& box, uint32_t layers, const Candidate* after, Candidate (&out)[most_candidates],
+                        bool& more) const;
+    // The same of planes and heightfields alone; of more than there is room for the first.
+    uint32_t grounds(const Box& box, uint32_t layers, Candidate (&out)[most_candidates]) const;
 
     // Whether there would be any: planes and heightfields, or others.
     bool any_ground(const Box& box, uint32_t layers) const;

@@ -1,7 +1,10 @@
 #include "contact/contact_group.h"
 
+#include "contact/mesh_contacts.h"
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace lr {
 namespace {
@@ -74,8 +77,10 @@ ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, c
     for (uint32_t i = 0; i < count; ++i) {
         Near& near = near_[i];
         const Vicinity around = vicinity(step, arrays, i, step.dt);
-        uint32_t missed = 0;
-        near.count = step.colliders->candidates(around.low, around.high, step.settings->layers, near.candidate, missed);
+        const Box box{around.low, around.high};
+        const uint32_t layers = step.settings->layers;
+        near.count = step.colliders->candidates(box, layers, nullptr, near.candidate, near.crowded);
+        if (near.crowded) near.count = step.colliders->grounds(box, layers, near.candidate);
         for (uint32_t k = 0; k < near.count; ++k) {
             const uint32_t slot = near.candidate[k].slot;
             if (!is_ground(step.colliders->at(slot))) continue;
@@ -209,21 +214,44 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
     }
 }
 
-void ContactGroup::touch_others(uint32_t i, const Near& near, float begin, float end, float h) {
-    const float margin = margin_of(i, h);
-    for (uint32_t k = 0; k < near.count; ++k) {
-        const Candidate& candidate = near.candidate[k];
+void ContactGroup::touch_others(uint32_t i, float begin, float end, float h) {
+    const float margin = margin_of(i, h), scale = arrays_.field[field_scale][i];
+    const Pose at = pose_of(i);
+    const float far = 1.2f * step_->shape->reach * scale + margin;
+    const Vector half{far, far, far};
+    Contact contacts[most_contacts];
+    const auto add_all = [&](uint32_t slot, const Pose& pose, uint32_t count) {
+        if (count == 0) return;
+        const SurfaceMotion motion = motion_of(step_->colliders->at(slot), begin, end, h);
+        for (uint32_t n = 0; n < count; ++n) add(i, slot, contacts[n], pose, motion);
+    };
+    // Of all parts of a mesh together those that hold it best: there may be hundreds of them under a body.
+    std::optional<MeshContacts> mesh;
+    uint32_t mesh_slot = 0;
+    Pose mesh_pose{};
+    const auto finish_mesh = [&] {
+        if (mesh) add_all(mesh_slot, mesh_pose, mesh->keep(contacts));
+        mesh.reset();
+    };
+    each_candidate(i, {at.position - half, at.position + half}, [&](const Candidate& candidate) {
         const Collider& c = step_->colliders->at(candidate.slot);
-        if (is_ground(c)) continue;
-        const Pose pose = pose_at(c, end);
-        Contact contacts[most_contacts];
-        const float scale = arrays_.field[field_scale][i];
-        const uint32_t count = find_contacts(*step_->shape, scale, relative(pose, pose_of(i)), c.geometry,
-                                             candidate.part, margin, contacts);
-        if (count == 0) continue;
-        const SurfaceMotion motion = motion_of(c, begin, end, h);
-        for (uint32_t n = 0; n < count; ++n) add(i, candidate.slot, contacts[n], pose, motion);
-    }
+        if (is_ground(c)) return;
+        if (candidate.slot != mesh_slot) finish_mesh();
+        if (c.geometry.kind != ColliderKind::mesh) {
+            const Pose pose = pose_at(c, end);
+            add_all(
+                candidate.slot, pose,
+                find_contacts(*step_->shape, scale, relative(pose, at), c.geometry, candidate.part, margin, contacts));
+            return;
+        }
+        if (!mesh) {
+            mesh_slot = candidate.slot;
+            mesh_pose = pose_at(c, end);
+            mesh.emplace(*step_->shape, scale, relative(mesh_pose, at), *c.geometry.mesh, margin);
+        }
+        mesh->add(candidate.part);
+    });
+    finish_mesh();
 }
 
 void ContactGroup::touch_resting(uint32_t i, const LaneRow (&before)[pose_fields], float h) {
@@ -259,7 +287,7 @@ void ContactGroup::collect(const LaneRow (&before)[pose_fields], float begin, fl
     clip(before, begin, end, h);
     std::fill(touches_, touches_ + contact_lanes, false);
     touch_grounds(bodies(before, h), begin, end, h);
-    for (uint32_t i = 0; i < count_; ++i) touch_others(i, near_[i], begin, end, h);
+    for (uint32_t i = 0; i < count_; ++i) touch_others(i, begin, end, h);
     for (uint32_t i = 0; i < count_ && step_->resting; ++i) touch_resting(i, before, h);
 }
 

@@ -123,15 +123,18 @@ public:
     bool touches(uint32_t lane) const { return touches_[lane]; }
 
 private:
+    // Of more than there is room for, grounds alone: the others are asked for again and again, a list at a time.
     struct Near {
         uint32_t count;
+        bool crowded;
         Candidate candidate[most_candidates];
     };
+    template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
     ContactBodies bodies(const LaneRow (&before)[pose_fields], float h) const;
     void press_air(const LaneRow (&before)[pose_fields], float begin, float end);
     void clip(const LaneRow (&before)[pose_fields], float begin, float end, float h);
     void touch_grounds(const ContactBodies& bodies, float begin, float end, float h);
-    void touch_others(uint32_t lane, const Near& near, float begin, float end, float h);
+    void touch_others(uint32_t lane, float begin, float end, float h);
     void touch_resting(uint32_t lane, const LaneRow (&before)[pose_fields], float h);
     void add(uint32_t lane, const ContactSlots::Slot& from);
     void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion);
@@ -152,6 +155,23 @@ private:
     AtRest at_rest_[contact_slots][contact_lanes];
     ContactSlots slots_;
 };
+
+// Those whose boxes, over all of the step, reach into the box, in order of slots and parts; of a body that is not crowded all that
+// are near it in the step.
+template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& around, Found&& found) const {
+    const Near& near = near_[i];
+    if (!near.crowded) {
+        for (uint32_t k = 0; k < near.count; ++k) found(near.candidate[k]);
+        return;
+    }
+    Candidate list[most_candidates], last{};
+    bool more = true;
+    for (const Candidate* after = nullptr; more; after = &last) {
+        const uint32_t count = step_->colliders->candidates(around, step_->settings->layers, after, list, more);
+        for (uint32_t k = 0; k < count; ++k) found(list[k]);
+        if (more) last = list[count - 1];
+    }
+}
 
 // Of [begin, end), up to near_range and as far as there is room for field_block of them, which field_block bodies always have:
 // the bodies that may touch something within `dt`. Over a longer range few of them fill more of a group's lanes.

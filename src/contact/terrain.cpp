@@ -45,7 +45,7 @@ bool covers(const Triangle& t, Vector position, float reach) {
     return true;
 }
 
-void add_triangle(const PlacedBody& body, const Triangle& t, float margin, ContactSet& set) {
+void add_triangle(const PlacedBody& body, const Triangle& t, float margin, ContactSet& set, bool alone = false) {
     const float reach = body.reach + body.radius, far = reach + margin;
     const Vector position = body.at.position;
     const float off = dot(t.normal, position - t.corners[0]);
@@ -70,7 +70,7 @@ void add_triangle(const PlacedBody& body, const Triangle& t, float margin, Conta
         // The neighbours see the edge's surroundings; here only what is over the triangle counts.
         const bool apart = along.has_points;
         along = separate_from_plane(body, collider, normal, t.one_sided);
-        if (body.count == 0 && apart) return;
+        if (body.count == 0 && apart && !alone) return;
     }
     add_manifold(body, collider, along, margin, set);
 }
@@ -208,10 +208,11 @@ Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k
     return t;
 }
 
-void add_mesh(const PlacedBody& body, const MeshGeometry& mesh, ColliderPart part, float margin, ContactSet& set) {
+void add_mesh(const PlacedBody& body, const MeshGeometry& mesh, ColliderPart part, float margin, ContactSet& set,
+              bool alone) {
     for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
         const Triangle t = mesh_triangle(mesh, i);
-        if (dot(t.normal, t.normal) > 0.5f) add_triangle(body, t, margin, set);
+        if (dot(t.normal, t.normal) > 0.5f) add_triangle(body, t, margin, set, alone);
     }
 }
 

@@ -29,7 +29,9 @@ Cells cells_between(const HeightfieldGeometry& field, float low_x, float high_x,
 // One of the two triangles of a cell; `hidden` is not set.
 Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k, bool second);
 
-void add_mesh(const PlacedBody& body, const MeshGeometry& mesh, ColliderPart part, float margin, ContactSet& set);
+// alone: without the parts around it, so that no edge is left to them.
+void add_mesh(const PlacedBody& body, const MeshGeometry& mesh, ColliderPart part, float margin, ContactSet& set,
+              bool alone = false);
 void add_heightfield(const PlacedBody& body, const HeightfieldGeometry& field, float margin, ContactSet& set);
 
 } // namespace lr

@@ -65,6 +65,8 @@ void leave(const ContactBook& book, const NearContacts& near, uint32_t begin, ui
     for (uint32_t i = begin; i < end; ++i) {
         if (near.holds(i)) continue;
         book.rest_time[i] = 0.0f;
+        if (book.stay[0][i] != 0.0f)
+            for (float* row : book.stay) row[i] = 0.0f;
         if (book.notes.noted && book.touching[0][i] != 0) book.notes.noted[book.notes.slot(i)] |= noted_touch;
         for (uint32_t* row : book.touching) row[i] = 0;
     }

@@ -17,21 +17,19 @@ struct ContactRun {
     const SurfaceStep* surface; // null without one
     StepTime time;
     ContactBook book;
-    float still; // m/s times sqrt(reach in m): slower bodies that touch something lie still
+    float still; // m/s over sqrt(reach in m): slower bodies that touch something lie still
 };
 
 // value(field): of the body after the substep; before: as it was before it.
 template <class Value>
 BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t lane, uint32_t index,
                      const Value& value, const LaneRow (&before)[pose_fields]) {
-    const auto size = [&](size_t f) {
-        return std::sqrt(value(f) * value(f) + value(f + 1) * value(f + 1) + value(f + 2) * value(f + 2));
-    };
-    const float reach = run.step.shape->reach * value(field_scale);
-    const float still = run.still * std::sqrt(reach), speed = size(field_vx) + reach * size(field_wx);
-    bool moved = speed > 0.0f;
-    for (size_t f = 0; f < field_vx && !moved; ++f) moved = value(f) != before[f][lane];
-    BodyAfter body{index, speed, still, trembling * still, moved, group.touches(lane), {}};
+    const auto now = [&](size_t f) { return Vector{value(f), value(f + 1), value(f + 2)}; };
+    BodyAfter body = body_moved(index, *run.step.shape, value(field_scale), run.still, now(field_vx), now(field_wx),
+                                {{before[0][lane], before[1][lane], before[2][lane]},
+                                 {before[3][lane], before[4][lane], before[5][lane], before[6][lane]}},
+                                {now(field_x), {value(field_qx), value(field_qy), value(field_qz), value(field_qw)}});
+    body.touches = group.touches(lane);
     group.touched(lane, body.now);
     return body;
 }

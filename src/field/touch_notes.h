@@ -10,6 +10,7 @@
 namespace lr {
 
 inline constexpr uint32_t most_touches = 4; // colliders of a body that count
+inline constexpr uint32_t stay_rows = 7;    // of ContactArrays::stay
 
 // What a body touches: the slot of a collider + 1, or this for other bodies, however many; 0: nothing.
 inline constexpr uint32_t touching_body = UINT32_MAX;

@@ -198,7 +198,7 @@ void Batch::lie_down(uint32_t index, double birth) {
 uint32_t Batch::wake(uint32_t index) {
     resting_->leave(unpack(ids_[index]).slot);
     resting_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_rest][index]);
-    if (resting_->contact.rest_time) resting_->contact.rest_time[index] = 0.0f;
+    resting_->forget_rest(index);
     for (size_t f = field_gust_x; f < fields(); ++f) arrays_.field[f][index] = 0.0f; // see LiftOff
     if (events_) events_->note_woke(unpack(ids_[index]).slot);
     swap(index, awake_);
@@ -257,6 +257,7 @@ ContactBook Batch::contact_book() {
     const ContactArrays arrays = contact_arrays();
     ContactBook book;
     book.rest_time = arrays.rest_time;
+    std::copy(arrays.stay, arrays.stay + stay_rows, book.stay);
     std::copy(arrays.touching, arrays.touching + most_touched, book.touching);
     book.comes_to_rest = [](void* batch, uint32_t index) { static_cast<Batch*>(batch)->note_rest(index); };
     book.batch = this;

@@ -234,16 +234,11 @@ void CrowdStep::put_back(uint32_t place, uint32_t substep) {
     give(field_qx, from.q, 4);
     give(field_vx, from.v, 3);
     give(field_wx, from.w, 3);
-    BodyAfter body{};
-    body.index = index;
-    const float reach = member.run.step.shape->reach * from.scale;
-    body.speed = length(vector_of(from.v)) + reach * length(vector_of(from.w));
-    const float still = member.run.still * std::sqrt(reach);
-    body.still = heap_still * still;
-    body.moved = body.speed > 0.0f;
-    for (size_t k = 0; k < 3; ++k) body.moved = body.moved || from.x[k] != from.x0[k];
-    for (size_t k = 0; k < 4; ++k) body.moved = body.moved || from.q[k] != from.q0[k];
-    body.moving = trembling * still;
+    BodyAfter body =
+        body_moved(index, *member.run.step.shape, from.scale, member.run.still, vector_of(from.v), vector_of(from.w),
+                   {vector_of(from.x0), {from.q0[0], from.q0[1], from.q0[2], from.q0[3]}},
+                   {vector_of(from.x), {from.q[0], from.q[1], from.q[2], from.q[3]}});
+    body.still *= heap_still;
     TouchList touched;
     for (uint32_t k = 0; k < c.held_count[place]; ++k) {
         const float impulse = pressed(place, k);

@@ -54,21 +54,25 @@ void Resting::destroy(Allocator& allocator, Resting* resting) {
 
 bool Resting::reserve_contact(Allocator& allocator, uint32_t lanes) {
     if (contact.rest_time) return true;
-    Buffer<float> rest_time;
+    Buffer<float> rest_time, stay;
     Buffer<uint32_t> touching;
     Buffer<uint8_t> noted, cut_noted;
-    if (!rest_time.allocate(allocator, lanes) || !touching.allocate(allocator, size_t{most_touched} * lanes) ||
-        !noted.allocate(allocator, lanes) || !cut_noted.allocate(allocator, cut_count(lanes)))
+    if (!rest_time.allocate(allocator, lanes) || !stay.allocate(allocator, size_t{stay_rows} * lanes) ||
+        !touching.allocate(allocator, size_t{most_touched} * lanes) || !noted.allocate(allocator, lanes) ||
+        !cut_noted.allocate(allocator, cut_count(lanes)))
         return false;
     std::fill_n(rest_time.data(), rest_time.size(), 0.0f);
+    std::fill_n(stay.data(), stay.size(), 0.0f);
     std::fill_n(touching.data(), touching.size(), 0u);
     std::fill_n(noted.data(), noted.size(), uint8_t{0});
     std::fill_n(cut_noted.data(), cut_noted.size(), uint8_t{0});
     rest_time_.swap(rest_time);
+    stay_.swap(stay);
     touching_.swap(touching);
     noted_.swap(noted);
     cut_noted_.swap(cut_noted);
     contact.rest_time = rest_time_.data();
+    for (size_t k = 0; k < stay_rows; ++k) contact.stay[k] = stay_.data() + k * lanes;
     for (size_t k = 0; k < most_touched; ++k) contact.touching[k] = touching_.data() + k * lanes;
     return true;
 }
@@ -99,6 +103,7 @@ void Resting::swap(uint32_t a, uint32_t b) {
     std::swap(birth_[a], birth_[b]);
     if (!contact.rest_time) return;
     std::swap(rest_time_[a], rest_time_[b]);
+    for (float* row : contact.stay) std::swap(row[a], row[b]);
     for (uint32_t* touching : contact.touching) std::swap(touching[a], touching[b]);
     std::swap(noted_[a], noted_[b]);
     for (uint32_t i : {a, b})
@@ -110,6 +115,7 @@ void Resting::move(uint32_t from, uint32_t to) {
     birth_[to] = birth_[from];
     if (!contact.rest_time) return;
     rest_time_[to] = rest_time_[from];
+    for (float* row : contact.stay) row[to] = row[from];
     for (uint32_t* touching : contact.touching) touching[to] = touching[from];
     noted_[to] = noted_[from];
     if (noted_[to] != 0) cut_noted_[to / cut_bodies] = 1;
@@ -120,9 +126,15 @@ void Resting::clear(uint32_t index) {
     forget(index);
 }
 
-void Resting::forget(uint32_t index) {
+void Resting::forget_rest(uint32_t index) {
     if (!contact.rest_time) return;
     rest_time_[index] = 0.0f;
+    for (float* row : contact.stay) row[index] = 0.0f;
+}
+
+void Resting::forget(uint32_t index) {
+    if (!contact.rest_time) return;
+    forget_rest(index);
     for (uint32_t* touching : contact.touching) touching[index] = 0;
     noted_[index] = 0;
 }
@@ -180,7 +192,7 @@ void Resting::note(uint32_t index) {
 bool Resting::any_contact(uint32_t count) const {
     bool any = false;
     for (uint32_t i = 0; i < count && contact.rest_time; ++i) {
-        any = any || rest_time_[i] != 0.0f;
+        any = any || rest_time_[i] != 0.0f || contact.stay[0][i] != 0.0f;
         for (const uint32_t* touching : contact.touching) any = any || touching[i] != 0;
     }
     return any;
@@ -217,6 +229,7 @@ void Resting::restore(const Record& r) {
     grid.clear();
     if (!contact.rest_time) return;
     std::fill_n(rest_time_.data(), rest_time_.size(), 0.0f);
+    std::fill_n(stay_.data(), stay_.size(), 0.0f);
     std::fill_n(touching_.data(), touching_.size(), 0u);
     std::fill_n(noted_.data(), noted_.size(), uint8_t{0});
     std::fill_n(cut_noted_.data(), cut_noted_.size(), uint8_t{0});

@@ -3,17 +3,20 @@
 
 #include "contact/pose.h"
 #include "contact/rest_grid.h"
+#include "field/touch_notes.h"
 #include "world/allocator.h"
 
 #include <cstdint>
 
 namespace lr {
 
-inline constexpr uint32_t most_touched = 4;
+inline constexpr uint32_t most_touched = most_touches;
 
 // By dense index, kept with the bodies as these move about. Null before Batch::reserve_contact().
 struct ContactArrays {
     float* rest_time; // s, that a body has been slow; 0 when it wakes
+    // For how long it has gone nowhere, s, and its way and turn since then, m and rad: world and body frame.
+    float* stay[stay_rows];
     // Slots of the colliders that it touches, + 1; touching_body for bodies, once; 0 behind the last.
     uint32_t* touching[most_touched];
 };
@@ -51,6 +54,8 @@ public:
     void forget_touched_bodies(uint32_t count);
     // A body's life begins anew.
     void forget(uint32_t index);
+    // It wakes.
+    void forget_rest(uint32_t index);
 
     // So many steps of the world have passed for the batch. Returns whether it is time for the rules.
     bool pass(double seconds, uint32_t steps);
@@ -105,7 +110,7 @@ private:
     double clock_ = 0.0;    // s, of the batch since the first came to rest
     double earliest_ = 0.0; // s: no birth is before it
     Buffer<double> birth_;  // s, by dense index, of bodies at rest
-    Buffer<float> rest_time_;
+    Buffer<float> rest_time_, stay_;
     Buffer<uint32_t> touching_;
     Buffer<uint8_t> noted_, cut_noted_;
 };

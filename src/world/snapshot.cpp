@@ -16,7 +16,7 @@ namespace lr {
 namespace {
 
 constexpr uint64_t magic = 0x31304e53444c524cull; // "LRLDSN01", little-endian
-constexpr uint32_t version = 7;
+constexpr uint32_t version = 8;
 
 struct Header {
     uint64_t magic;

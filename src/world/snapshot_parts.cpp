@@ -67,7 +67,7 @@ uint64_t parts_bytes(uint32_t parts, uint32_t count) {
     if (parts & part_body_forces) words += force_components * even(count);
     if (parts & part_lifecycle) words += record_words + even(count);
     if (parts & part_rest) words += rest_words + 2 * uint64_t{count};
-    if (parts & part_contact) words += (1 + most_touched) * even(count);
+    if (parts & part_contact) words += (1 + stay_rows + most_touched) * even(count);
     if (parts & part_settings) words += settings_words;
     return 4 * words;
 }
@@ -98,6 +98,7 @@ void save_parts(Batch& batch, unsigned char* to) {
     if (parts & part_contact) {
         const ContactArrays contact = batch.contact_arrays();
         put(contact.rest_time, count);
+        for (const float* row : contact.stay) put(row, count);
         for (const uint32_t* touching : contact.touching) put(touching, count);
     }
     if (parts & part_settings) {
@@ -136,13 +137,16 @@ bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const u
         }
     }
     if (parts & part_contact) {
-        for (uint32_t i = 0; i < count; ++i) {
-            float rest_time;
-            std::memcpy(&rest_time, from + 4 * uint64_t{i}, 4);
-            if (!(rest_time >= 0.0f) || !std::isfinite(rest_time)) return false;
+        // The two times, and how far it has gone since the second began.
+        if (!finite(from, (1 + stay_rows) * even(count))) return false;
+        for (uint64_t i = 0; i < even(count) + count; ++i) {
+            float time;
+            std::memcpy(&time, from + 4 * i, 4);
+            if (!(time >= 0.0f)) return false;
         }
-        if (!touched_consistent(count, meets_bodies, from + 4 * even(count))) return false;
-        from += uint64_t{4} * (1 + most_touched) * even(count);
+        from += 4 * (1 + stay_rows) * even(count);
+        if (!touched_consistent(count, meets_bodies, from)) return false;
+        from += 4 * most_touched * even(count);
     }
     if (parts & part_settings) {
         SettingsRecord record;
@@ -183,6 +187,7 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned 
     const ContactArrays contact = batch.contact_arrays();
     if ((parts & part_contact) && contact.rest_time) { // they have been reserved
         get(contact.rest_time, count);
+        for (float* row : contact.stay) get(row, count);
         for (uint32_t* touching : contact.touching) get(touching, count);
     }
     batch.contact = {};

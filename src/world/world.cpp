@@ -523,6 +523,7 @@ uint64_t lr_world::hash() const {
             if (const lr::ContactArrays noted = batch.contact_arrays(); noted.rest_time) {
                 rare(128, std::bit_cast<uint32_t>(noted.rest_time[i]));
                 for (size_t k = 0; k < lr::most_touched; ++k) rare(129 + k, noted.touching[k][i]);
+                for (size_t k = 0; k < lr::stay_rows; ++k) rare(136 + k, std::bit_cast<uint32_t>(noted.stay[k][i]));
             }
             sum += body;
         }

@@ -86,8 +86,8 @@ void asking(benchmark::State& state) {
     for (auto _ : state)
         for (const lr::Vector& p : places) {
             const lr::Vector e{0.1f, 0.1f, 0.1f};
-            uint32_t missed = 0;
-            found += colliders.candidates(p - e, p + e, 1, out, missed);
+            bool more = false;
+            found += colliders.candidates({p - e, p + e}, 1, nullptr, out, more);
             ++asked;
         }
     for (const lr::Vector& p : places) near += lr::maybe_near(colliders.near(), p, 0.2f);

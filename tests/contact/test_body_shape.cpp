@@ -88,6 +88,56 @@ TEST_CASE("corners that stand out by less than 1 % are left out, all others kept
     }
 }
 
+// Of what is long and narrow 1 % of the length would be its width.
+TEST_CASE("rods and strips keep all their corners, and pyramids of any slenderness") {
+    for (const float size : {1e-3f, 0.1f, 3.0f})
+        for (const float slender : {0.001f, 0.005f, 0.01f, 0.03f, 0.1f, 0.5f}) {
+            CAPTURE(slender);
+            for (const float flat : {1.0f, 0.7f, 0.05f}) {
+                const auto box = test::box_corners(size, slender * size, flat * slender * size);
+                const BodyShape shape = make_body_shape(test::asset_of(box));
+                CHECK(shape.count * (shape.radius > 0.0f ? 2 : 1) == 8);
+                CHECK((shape.radius > 0.0f) == (flat < 0.1f && slender < 0.9f));
+                if (shape.radius > 0.0f) continue;
+                for (size_t k = 0; k < box.size(); k += 3)
+                    CHECK(outside(shape, {box[k], box[k + 1], box[k + 2]}) <= 1e-6 * static_cast<double>(size));
+            }
+            std::vector<float> v{size, 0.0f, 0.0f};
+            for (uint32_t i = 0; i < 5; ++i) {
+                const float turn = 1.2566371f * static_cast<float>(i);
+                v.insert(v.end(), {-size, slender * size * std::cos(turn), slender * size * std::sin(turn)});
+            }
+            const BodyShape cone = make_body_shape(test::asset_of(v));
+            CHECK(cone.count == 6);
+        }
+}
+
+TEST_CASE("meshes of balls and eggs are round, and what only looks so from afar is not") {
+    const auto mesh = [](float x, float y, float z, float bump) {
+        std::vector<float> v;
+        for (uint32_t i = 0; i <= 12; ++i)
+            for (uint32_t k = 0; k < (i % 12 == 0 ? 1u : 24u); ++k) {
+                const float up = 3.1415927f / 12.0f * static_cast<float>(i), round = 0.2617994f * static_cast<float>(k);
+                const float out = k == 5 ? 1.0f + bump : 1.0f;
+                v.insert(v.end(), {0.2f * x + out * x * std::sin(up) * std::cos(round), out * y * std::cos(up),
+                                   out * z * std::sin(up) * std::sin(round)});
+            }
+        lr::AssetData asset = test::asset_of(v);
+        asset.center_of_buoyancy = {static_cast<double>(0.2f * x), 0.0, 0.0};
+        return make_body_shape(asset);
+    };
+    for (const float size : {1e-3f, 0.04f, 2.0f}) {
+        const BodyShape egg = mesh(size, 0.7f * size, 0.6f * size, 0.0f);
+        CHECK(egg.count == 0);
+        CHECK(egg.center.x == doctest::Approx(0.2f * size));
+        CHECK(egg.semi_axes.x == doctest::Approx(size).epsilon(0.01));
+        CHECK(egg.semi_axes.y == doctest::Approx(0.7f * size).epsilon(0.01));
+        CHECK(egg.semi_axes.z == doctest::Approx(0.6f * size).epsilon(0.01));
+        CHECK(mesh(size, size, size, 0.1f).count > 0);
+        CHECK(mesh(size, 0.1f * size, size, 0.0f).count > 0);
+    }
+}
+
 TEST_CASE("a leaf is its outline with half of its thickness around it") {
     for (const float size : {1e-3f, 0.04f, 1.0f})
         for (const float part : {1e-3f, 0.01f, 0.04f}) {

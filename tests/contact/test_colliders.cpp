@@ -87,6 +87,7 @@ TEST_CASE("candidates are those that going through all gives, whatever is made, 
         Colliders colliders(allocator);
         std::vector<lr_collider> ids;
         size_t found_in_all = 0;
+        uint32_t full_lists = 0;
         for (int step = 0; step < 60; ++step) {
             for (uint32_t n = step == 0 ? 300 : random.below(6); n > 0; --n) {
                 const uint32_t kind = random.below(8);
@@ -121,23 +122,29 @@ TEST_CASE("candidates are those that going through all gives, whatever is made, 
                 const float r = random.real(0.01, q == 0 ? 3.0 : 0.3);
                 const Box box{at - Vector{r, r, r}, at + Vector{r, r, r}};
                 const uint32_t layers = 1 + random.below(7);
-                lr::Candidate out[lr::most_candidates];
-                uint32_t missed = 0;
-                const uint32_t count = colliders.candidates(box.low, box.high, layers, out, missed);
                 const auto expected = brute(colliders, ids, sheet, box, layers);
-                if (count != std::min<size_t>(lr::most_candidates, expected.size()) ||
-                    count + missed != expected.size())
-                    FAIL(count, " and ", missed, " for ", expected.size());
-                for (uint32_t i = 0; i < count; ++i)
-                    if (out[i].slot != expected[i].first || out[i].part.first != expected[i].second)
-                        FAIL("another one, or not in order");
-                found_in_all += count;
+                lr::Candidate out[lr::most_candidates], last{};
+                bool more = true;
+                size_t listed = 0;
+                for (const lr::Candidate* after = nullptr; more; after = &last) {
+                    const uint32_t count = colliders.candidates(box, layers, after, out, more);
+                    if (listed + count > expected.size()) FAIL("more than there are");
+                    if (more && count < lr::most_candidates) FAIL("not as many as there is room for");
+                    for (uint32_t i = 0; i < count; ++i, ++listed)
+                        if (out[i].slot != expected[listed].first || out[i].part.first != expected[listed].second)
+                            FAIL("another one, or not in order");
+                    if (more) last = out[count - 1];
+                }
+                if (listed != expected.size()) FAIL(listed, " for ", expected.size());
+                full_lists += listed > lr::most_candidates;
+                found_in_all += static_cast<uint32_t>(listed);
                 if (layers == 7 && r <= reach && !expected.empty() && !lr::maybe_near(colliders.near(), at, r))
                     FAIL("told to be far");
             }
             colliders.end_step();
         }
         CHECK(found_in_all > 1000);
+        CHECK(full_lists > 0);
     }
 }
 
@@ -188,9 +195,9 @@ TEST_CASE("planes and heightfields are near where bodies can touch them, also wh
                          std::hypot(own.x - 0.2f * static_cast<float>(i0), own.z - 0.2f * static_cast<float>(k0)) < r;
             }
             lr::Candidate out[lr::most_candidates];
-            uint32_t missed = 0;
+            bool more = false;
             const Vector e{reach, reach, reach};
-            const uint32_t count = colliders.candidates(at - e, at + e, 1, out, missed);
+            const uint32_t count = colliders.candidates({at - e, at + e}, 1, nullptr, out, more);
             const bool told = lr::maybe_near(near, at, reach);
             if (touches && (!told || count != 1)) FAIL("missed");
             const bool seen = marked(near, at, reach);
@@ -215,10 +222,10 @@ TEST_CASE("more planes than the kernel holds, and planes that turn, keep all bod
         ids.push_back(add(colliders, d));
     }
     lr::Candidate out[lr::most_candidates];
-    uint32_t missed = 0;
+    bool more = false;
     colliders.begin_step(0.01, 0.25f);
     CHECK(colliders.near().everywhere);
-    CHECK(colliders.candidates({0.0f, -3.2f, 0.0f}, {0.1f, -3.1f, 0.1f}, 1, out, missed) == 4);
+    CHECK(colliders.candidates({{0.0f, -3.2f, 0.0f}, {0.1f, -3.1f, 0.1f}}, 1, nullptr, out, more) == 4);
     colliders.end_step();
     REQUIRE(colliders.destroy(&ids[5], 1) == LR_OK);
     colliders.begin_step(0.01, 0.25f);
@@ -233,7 +240,7 @@ TEST_CASE("more planes than the kernel holds, and planes that turn, keep all bod
     move(colliders, m);
     colliders.begin_step(0.01, 0.25f);
     CHECK(colliders.near().everywhere);
-    CHECK(colliders.candidates({0.0f, 9.0f, 0.0f}, {0.1f, 9.1f, 0.1f}, 1, out, missed) == 1);
+    CHECK(colliders.candidates({{0.0f, 9.0f, 0.0f}, {0.1f, 9.1f, 0.1f}}, 1, nullptr, out, more) == 1);
 }
 
 TEST_CASE("parts of a mesh hold each triangle once, and large triangles are alone") {

@@ -27,6 +27,22 @@ inline lr_collider_desc surface(lr_collider_desc d, float friction, float restit
 template <size_t N> void put(float (&to)[N], const std::array<double, N>& from) {
     for (size_t k = 0; k < N; ++k) to[k] = narrow(from[k]);
 }
+// n cells of `cell` along x and z about the origin, z = 0 at the middle, heights by height(x, z).
+template <class Height> Triangles fine_sheet(uint32_t n, float cell, const Height& height) {
+    Triangles t;
+    const float half = 0.5f * cell * static_cast<float>(n);
+    for (uint32_t k = 0; k <= n; ++k)
+        for (uint32_t i = 0; i <= n; ++i) {
+            const float x = cell * static_cast<float>(i) - half, z = cell * static_cast<float>(k) - half;
+            t.vertices.insert(t.vertices.end(), {x, height(x, z), z});
+        }
+    for (uint32_t k = 0; k < n; ++k)
+        for (uint32_t i = 0; i < n; ++i) {
+            const uint32_t a = i + (n + 1) * k, b = a + n + 1;
+            t.indices.insert(t.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
+        }
+    return t;
+}
 // World velocity of the body at an index of a view.
 inline Vec velocity_of(const lr_batch_view& v, uint32_t i) {
     const Quat q{wide(v.orientation[0][i]), wide(v.orientation[1][i]), wide(v.orientation[2][i]),

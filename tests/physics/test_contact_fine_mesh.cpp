@@ -1,0 +1,130 @@
+// Meshes whose triangles are far finer than a body, or than its way in a step: more than one list of candidates holds.
+#include "support/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace test;
+
+namespace {
+
+struct Kind {
+    Asset asset;
+    float reach, half; // m; half of the thickness
+};
+std::vector<Kind> kinds() {
+    std::vector<Kind> all;
+    const auto plate = [&](double x, double y, double z) {
+        all.push_back(
+            {make(rigid_box(x, y, z, 500.0)), narrow(0.5 * std::sqrt(x * x + y * y + z * z)), narrow(0.5 * y)});
+    };
+    plate(0.003, 1e-4, 0.002); // confetti
+    plate(0.02, 0.002, 0.02);
+    plate(0.1, 3e-4, 0.06);
+    return all;
+}
+
+float flat(float, float) {
+    return 0.0f;
+}
+
+} // namespace
+
+TEST_CASE("bodies land and rest on floors of fine triangles as on a plane") {
+#ifdef LR_TEST_QUICK
+    constexpr uint32_t count = 8;
+#else
+    constexpr uint32_t count = 16;
+#endif
+    for (const Kind& kind : kinds())
+        for (const float part : {0.1f, 0.5f, 1.3f}) { // of the reach: a cell
+            CAPTURE(kind.reach);
+            CAPTURE(part);
+            const float cell = part * kind.reach;
+            const auto cells = static_cast<uint32_t>(40.0f / part);
+            const World world = make(world_desc());
+            const Triangles floor = fine_sheet(cells, cell, flat);
+            add_collider(world, mesh_collider(floor));
+            const lr_batch batch = add_batch(world, kind.asset, count);
+            Random random(3);
+            std::vector<lr_body> bodies;
+            for (uint32_t i = 0; i < count; ++i) {
+                lr_body_desc d = body_desc();
+                for (float& q : d.orientation) q = random.real(-1, 1);
+                d.position[0] = kind.reach * random.real(-1, 1), d.position[2] = kind.reach * random.real(-1, 1);
+                d.position[1] = 4.0f * kind.reach;
+                d.linear_velocity[1] = -std::sqrt(20.0f * 9.81f * kind.reach);
+                bodies.push_back(add_body(world, batch, d));
+            }
+            steps(world, 240, 1.0f / 60.0f, 4);
+            uint32_t over = 0, on_edge = 0;
+            for (lr_body body : bodies) {
+                const lr_body_state s = state_of(world, body);
+                if (std::max(std::abs(s.position[0]), std::abs(s.position[2])) > 5.0f * kind.reach)
+                    continue; // slid off
+                ++over;
+                CHECK(s.resting == LR_REST_RESTING);
+                CHECK(s.position[1] > kind.half - 0.01f * kind.reach);
+                on_edge += s.position[1] > kind.half + 0.1f * kind.reach;
+            }
+            CHECK(over > count / 2);
+            CHECK(on_edge <= 3); // as many as on a plane
+        }
+}
+
+TEST_CASE("no shot goes through walls of fine triangles") {
+#ifdef LR_TEST_QUICK
+    constexpr uint32_t count = 60;
+#else
+    constexpr uint32_t count = 100;
+#endif
+    for (const Kind& kind : kinds()) {
+        CAPTURE(kind.reach);
+        const float cell = std::max(0.2f * kind.reach, 1e-3f);
+        const World world = make(world_desc());
+        REQUIRE(lr_world_set_gravity(world.get(), std::array<float, 3>{}.data()) == LR_OK);
+        const auto waves = [&](float x, float z) {
+            return 0.3f * kind.reach * std::sin(x / kind.reach) * std::cos(z / kind.reach);
+        };
+        const Triangles wall = fine_sheet(300, cell, waves);
+        add_collider(world, mesh_collider(wall));
+        const lr_batch batch = add_batch(world, unloaded(), kind.asset, count);
+        Random random(4);
+        const float half = 140.0f * cell;
+        const float fast = std::min(20.0f, 60.0f * half); // not off the wall within a step
+        std::vector<lr_body> bodies;
+        for (uint32_t i = 0; i < count; ++i) {
+            lr_body_desc d = body_desc();
+            for (float& q : d.orientation) q = random.real(-1, 1);
+            const float side = i % 2 == 0 ? 1.0f : -1.0f;
+            const Vec target{wide(half) * random.uniform(-0.5, 0.5), 0.0, wide(half) * random.uniform(-0.5, 0.5)};
+            const Vec aside{0.3 * wide(half) * random.uniform(-1, 1), wide(side) * (3.0 * wide(kind.reach) + 0.05),
+                            0.0};
+            put(d.position, target + aside);
+            const double speed = wide(fast) / length(target - vec(d.position));
+            put(d.linear_velocity, speed * (target - vec(d.position)));
+            for (float& w : d.angular_velocity) w = random.real(-30, 30);
+            bodies.push_back(add_body(world, batch, d));
+        }
+        // Until they have met it, and are on their way back.
+        std::vector<char> through(count, 0), away(count, 0);
+        uint32_t met = 0;
+        for (int frame = 0; frame < 30; ++frame) {
+            steps(world, 1, 1.0f / 60.0f, 1);
+            for (uint32_t i = 0; i < count; ++i) {
+                const lr_body_state s = state_of(world, bodies[i]);
+                const float side = i % 2 == 0 ? 1.0f : -1.0f;
+                // What has left the wall sideways may come back on any side.
+                away[i] = away[i] || std::max(std::abs(s.position[0]), std::abs(s.position[2])) > half;
+                if (!away[i] && side * (s.position[1] - waves(s.position[0], s.position[2])) < -0.2f * kind.reach)
+                    through[i] = 1;
+            }
+        }
+        for (uint32_t i = 0; i < count; ++i) {
+            const lr_body_state s = state_of(world, bodies[i]);
+            met += std::abs(s.linear_velocity[1]) < 0.75f * fast;
+        }
+        CHECK(std::count(through.begin(), through.end(), 1) == 0);
+        CHECK(met > count * 9 / 10);
+    }
+}
