@@ -144,9 +144,9 @@ bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const u
             std::memcpy(&time, from + 4 * i, 4);
             if (!(time >= 0.0f)) return false;
         }
-        from += 4 * (1 + stay_rows) * even(count);
+        from += uint64_t{4} * (1 + stay_rows) * even(count);
         if (!touched_consistent(count, meets_bodies, from)) return false;
-        from += 4 * most_touched * even(count);
+        from += uint64_t{4} * most_touched * even(count);
     }
     if (parts & part_settings) {
         SettingsRecord record;
