@@ -1,6 +1,9 @@
 // The same bits whatever runs them: instruction set, workers, order in memory, snapshots, company, cutting of time.
 #include "support/played_scene.h"
+#include "support/random.h"
 
+#include <algorithm>
+#include <string>
 #include <thread>
 
 using namespace test;
