@@ -30,7 +30,7 @@ TEST_CASE("distances of cores are libccd's") {
     test::Random random(1);
     uint32_t apart = 0, overlapping = 0, worse = 0, failed = 0;
     double error = 0.0, most_excess = 0.0, most_normal = 0.0;
-    for (uint32_t i = 0; i < test::rounds(15000); ++i) {
+    for (uint32_t i = 0; i < test::rounds(30000); ++i) {
         const auto size = static_cast<float>(random.logarithmic(1e-3, 1.0));
         const BodyShape shape = some_body(i, size, random);
         test::Solid solid;
@@ -72,8 +72,8 @@ TEST_CASE("distances of cores are libccd's") {
     }
     INFO(apart << " apart, error " << error << ", normal " << most_normal << "; " << overlapping << " overlapping, "
                << worse << " deeper by 1 % of the size, most " << most_excess << "; libccd failed on " << failed);
-    CHECK(apart > test::rounds(5000));
-    CHECK(overlapping > test::rounds(4000));
+    CHECK(apart > test::rounds(10000));
+    CHECK(overlapping > test::rounds(8000));
     CHECK(error < 1e-4);
     CHECK(most_normal < 0.05);                           // libccd's own tolerance on edges
     CHECK(worse < overlapping / (lr_has_ccd ? 80 : 20)); // 0.9 %: local minima of the depth
