@@ -25,6 +25,13 @@ if(LR_SANITIZE)
     target_link_options(lr_flags INTERFACE -fsanitize=${LR_SANITIZE})
 endif()
 
+# Eigen and doctest take a second of each file that includes them.
+function(lr_precompile_headers target)
+    if(LR_PRECOMPILE_HEADERS)
+        target_precompile_headers(${target} PRIVATE <algorithm> <cmath> <functional> <limits> <memory> <string> <vector> ${ARGN})
+    endif()
+endfunction()
+
 # Hardening that costs nothing in the kernel.
 if(NOT LR_SANITIZE AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
     target_compile_options(lr_flags INTERFACE -fstack-protector-strong)

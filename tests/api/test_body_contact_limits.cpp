@@ -90,6 +90,9 @@ TEST_CASE("bodies of all sizes meet") {
 // Ten small ones fall on a box a thousand times their size.
 TEST_CASE("small bodies land on large ones") {
     for (double scale : {0.01, 1.0, 100.0}) {
+#ifdef LR_TEST_QUICK
+        if (scale > 1.0) continue; // ten times as many steps
+#endif
         const World world = make(world_desc());
         const Asset asset = make(rigid_box(0.1, 0.1, 0.1, 300.0));
         const lr_batch large = add_batch(world, unloaded(), asset, 1), small = add_batch(world, unloaded(), asset, 16);

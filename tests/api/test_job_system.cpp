@@ -2,6 +2,7 @@
 #include "support/counting_memory.h"
 #include "support/played_scene.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cfenv>
 #include <chrono>

@@ -55,7 +55,7 @@ TEST_CASE("boxes keep their eight corners") {
 
 TEST_CASE("round hulls of many points are reduced to few") {
     test::Random random(32);
-    for (uint32_t i = 0; i < 60; ++i) {
+    for (uint32_t i = 0; i < test::rounds(60); ++i) {
         const auto size = static_cast<float>(random.logarithmic(1e-3, 10.0));
         std::vector<float> v = test::cloud(random, 500, size);
         for (size_t k = 0; k < v.size(); k += 3) v[k + 1] *= 0.3f;

@@ -18,7 +18,7 @@ double along(const float* face, const float* v) {
 
 TEST_CASE("a hull's faces hold its points and each has corners") {
     test::Random random(21);
-    for (uint32_t i = 0; i < 500; ++i) {
+    for (uint32_t i = 0; i < test::rounds(500); ++i) {
         const auto size = static_cast<float>(random.logarithmic(1e-3, 1e3));
         const std::vector<float> points = test::cloud(random, 4 + random.below(253), size);
         std::vector<float> vertices, faces;

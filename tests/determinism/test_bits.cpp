@@ -1,6 +1,9 @@
 // The same bits whatever runs them: instruction set, workers, order in memory, snapshots, company, cutting of time.
 #include "support/played_scene.h"
+#include "support/random.h"
 
+#include <algorithm>
+#include <string>
 #include <thread>
 
 using namespace test;
@@ -9,8 +12,7 @@ TEST_CASE("every scene ends in the same bits on every instruction set") {
     for (const PlayedScene& scene : played_scenes()) {
         CAPTURE(std::string(scene.name));
         const uint64_t expected = outcome(scene);
-        CHECK(outcome(scene) == expected);
-        for (int32_t target : simd_targets()) {
+        for (int32_t target : simd_targets()) { // the one that was just taken among them
             CAPTURE(std::string(lr_simd_target_name(target)));
             CHECK(outcome(scene, {.simd = target}) == expected);
         }

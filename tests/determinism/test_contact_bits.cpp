@@ -1,6 +1,8 @@
 // Scenes with contact do what they are for.
 #include "support/played_scene.h"
 
+#include <string>
+
 using namespace test;
 
 TEST_CASE("in scenes with contact some bodies rest in the end and others move, and what lies in the way matters") {

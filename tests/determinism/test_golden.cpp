@@ -3,11 +3,13 @@
 //     LR_UPDATE_GOLDEN=1 tests_determinism --test-case="held hashes"
 #include "support/played_scene.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <string>
 #include <thread>
 
 using namespace test;

@@ -9,7 +9,7 @@ using namespace test;
 namespace {
 
 #ifdef LR_TEST_QUICK
-constexpr uint32_t count = 100;
+constexpr uint32_t count = 200;
 #else
 constexpr uint32_t count = 600;
 #endif
