@@ -13,39 +13,56 @@ constexpr float part_of_gap = 0.01f, part_of_size = 1e-3f;
 // Of the smaller core: how far apart cores that overlap are drawn to find what they would touch with.
 constexpr float drawn_apart = 0.02f;
 constexpr uint32_t most_refinements = 3;
+// Of a core: how far from edges a point over a face is surely nearest to the face.
+constexpr float off_edges = 2e-3f;
+
+Four rows_of(Vector v, float behind) {
+    return Four{v.x, v.y, v.z, behind};
+}
+Four size_of(Four a) {
+    return greater(a, -a);
+}
+Four next(Four a) {
+    return __builtin_shufflevector(a, a, 1, 2, 0, 3);
+}
+Four after_next(Four a) {
+    return __builtin_shufflevector(a, a, 2, 0, 1, 3);
+}
 
 // Whether the boxes about the cores are farther apart than `enough`, by any of the fifteen axes (Gottschalk et al. 1996).
-// Anything that is not finite is.
-bool boxes_apart(const PlacedPair& pair, float enough) {
-    const float a[3] = {pair.a->core_half.x, pair.a->core_half.y, pair.a->core_half.z};
-    const float b[3] = {pair.ratio * pair.b->core_half.x, pair.ratio * pair.b->core_half.y,
-                        pair.ratio * pair.b->core_half.z};
-    const float t[3] = {pair.offset.x, pair.offset.y, pair.offset.z};
-    float r[3][3], abs_r[3][3], along_b[3];
-    for (uint32_t k = 0; k < 3; ++k) {
-        r[0][k] = pair.axes[k].x;
-        r[1][k] = pair.axes[k].y;
-        r[2][k] = pair.axes[k].z;
-        for (uint32_t i = 0; i < 3; ++i) abs_r[i][k] = std::abs(r[i][k]);
-        along_b[k] = std::abs(dot(pair.axes[k], pair.offset));
-    }
-    bool near = true;
-    for (uint32_t i = 0; i < 3; ++i) {
-        near &= std::abs(t[i]) <= a[i] + b[0] * abs_r[i][0] + b[1] * abs_r[i][1] + b[2] * abs_r[i][2] + enough;
-        near &= along_b[i] <= b[i] + a[0] * abs_r[0][i] + a[1] * abs_r[1][i] + a[2] * abs_r[2][i] + enough;
-    }
-    if (!near) return true;
+// Anything that is not finite is. direction: from b to a, along the axis of either box by which they are farthest apart or overlap
+// least.
+bool boxes_apart(const RelativePair& pair, float enough, Vector& direction) {
+    const Vector half_a = pair.a->core_half, half_b = pair.ratio * pair.b->core_half, t = pair.offset;
+    constexpr float never = 1e30f; // the last lane is no axis
+    const Four a = rows_of(half_a, never), b = rows_of(half_b, never);
+    // b's axes, and what all of them have along each of a's.
+    const Four u = rows_of(pair.axes[0], 0.0f), v = rows_of(pair.axes[1], 0.0f), w = rows_of(pair.axes[2], 0.0f);
+    const Four x{u[0], v[0], w[0], 0.0f}, y{u[1], v[1], w[1], 0.0f}, z{u[2], v[2], w[2], 0.0f};
+    const Four size_x = size_of(x), size_y = size_of(y), size_z = size_of(z);
+    const Four along_a = rows_of(t, 0.0f), along_b = x * t.x + y * t.y + z * t.z;
+    const Four apart_a = size_of(along_a) - (a + half_b.x * size_of(u) + half_b.y * size_of(v) + half_b.z * size_of(w));
+    const Four apart_b = size_of(along_b) - (b + half_a.x * size_x + half_a.y * size_y + half_a.z * size_z);
+    const Four most = all(enough);
+    const FourInts near = (apart_a <= most) & (apart_b <= most);
     // Cross products are no longer than 1: `enough` is too much for them, never too little.
-    for (uint32_t i = 0; i < 3; ++i) {
-        const uint32_t j = (i + 1) % 3, k = (i + 2) % 3;
-        for (uint32_t l = 0; l < 3; ++l) {
-            const uint32_t m = (l + 1) % 3, n = (l + 2) % 3;
-            const float across = std::abs(t[k] * r[j][l] - t[j] * r[k][l]);
-            near &=
-                across <= a[j] * abs_r[k][l] + a[k] * abs_r[j][l] + b[m] * abs_r[i][n] + b[n] * abs_r[i][m] + enough;
-        }
-    }
-    return !near;
+    const auto across = [&](Four j, Four k, float tj, float tk, float aj, float ak, Four size_j, Four size_k,
+                            Four size_i) {
+        return size_of(tk * j - tj * k) -
+               (aj * size_k + ak * size_j + next(b) * after_next(size_i) + after_next(b) * next(size_i));
+    };
+    const FourInts edges = (across(y, z, t.y, t.z, half_a.y, half_a.z, size_y, size_z, size_x) <= most) &
+                           (across(z, x, t.z, t.x, half_a.z, half_a.x, size_z, size_x, size_y) <= most) &
+                           (across(x, y, t.x, t.y, half_a.x, half_a.y, size_x, size_y, size_z) <= most);
+    if (any(~(near & edges))) return true;
+    Greatest best(apart_a);
+    best.offer(apart_b, 4);
+    uint32_t at = 0;
+    best.get(at);
+    const Vector own[8] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, {},
+                           pair.axes[0],       pair.axes[1],       pair.axes[2],       {}};
+    direction = (at < 4 ? along_a[at] : along_b[at - 4]) > 0.0f ? -own[at] : own[at];
+    return false;
 }
 
 // Whether a plate's core covers a point of its plane.
@@ -102,11 +119,46 @@ struct Drawn {
     float separation = -std::numeric_limits<float>::infinity(); // of the cores along the normal, without the shift
 };
 
+// Whether a core holds a point of its own frame, and is no less deep there than this.
+bool holds(const MeetingShape& shape, Vector p, float depth) {
+    Four most = all(-std::numeric_limits<float>::infinity());
+    for (uint32_t f = 0; f < shape.shape.face_count; f += MeetingShape::lanes)
+        most = greater(load(shape.face_x + f) * p.x + load(shape.face_y + f) * p.y + load(shape.face_z + f) * p.z -
+                           load(shape.face_offset + f),
+                       most);
+    return greatest(most) <= -depth;
+}
+
+// Along a face's normal the deepest point of the other core is the nearest where it lies over the inside of that face. Over its
+// edges other directions may be as good.
+enum class FaceOf : uint8_t { a, b, none };
+bool closest_over_face(const PlacedPair& pair, FaceOf face, Vector n, float separation, float apart, Closest& out) {
+    const Vector shift = (apart - separation) * n;
+    float along = 0.0f;
+    out.state = Closest::State::apart;
+    out.normal = n;
+    out.distance = apart;
+    if (face == FaceOf::a) {
+        out.on_b = pair.point_b(farthest_of_b(pair, n, along));
+        const Vector on_face = out.on_b + separation * n;
+        out.on_a = on_face + shift;
+        const float inward = off_edges * pair.a->core_reach;
+        return holds(*pair.a, on_face + inward * n, 0.5f * inward);
+    }
+    const Vector deepest = pair.point_a(farthest_of_a(pair, -n, along));
+    out.on_a = deepest + shift;
+    out.on_b = deepest - separation * n;
+    const float inward = off_edges * pair.b->core_reach;
+    return holds(*pair.b, 1.0f / pair.ratio * pair.to_b(out.on_b - pair.offset) - inward * pair.to_b(n), 0.5f * inward);
+}
+
 // Draws a out of b along n, of which the cores' separation is known, and improves the direction with what is nearest then.
-void draw_out(const PlacedPair& pair, Vector n, float separation, float apart, Drawn& best) {
+void draw_out(const PlacedPair& pair, Vector n, float separation, float apart, FaceOf face, Drawn& best) {
     for (uint32_t round = 0; round < most_refinements; ++round) {
         const Vector shift = (apart - separation) * n;
-        Closest closest = closest_points(pair, shift, std::numeric_limits<float>::infinity(), 1e-3f * apart, n);
+        Closest closest{};
+        if (face == FaceOf::none || round > 0 || !closest_over_face(pair, face, n, separation, apart, closest))
+            closest = closest_points(pair, shift, std::numeric_limits<float>::infinity(), 1e-3f * apart, n);
         if (closest.state != Closest::State::apart) {
             // Along n they are apart all the same.
             float along = 0.0f;
@@ -132,43 +184,64 @@ void draw_out(const PlacedPair& pair, Vector n, float separation, float apart, D
     }
 }
 
+// The face of a core of which the other lies farthest out, or least deep.
+struct BestFace {
+    Vector normal; // from b to a
+    float separation;
+};
+BestFace best_face_of_a(const PlacedPair& pair) {
+    const MeetingShape &a = *pair.a, &b = *pair.b;
+    Greatest best(all(-std::numeric_limits<float>::infinity()));
+    for (uint32_t f = 0; f < a.shape.face_count; f += MeetingShape::lanes) {
+        const Four nx = load(a.face_x + f), ny = load(a.face_y + f), nz = load(a.face_z + f);
+        Four deepest = nx * pair.x[0] + ny * pair.y[0] + nz * pair.z[0];
+        for (uint32_t i = 1; i < b.shape.count; ++i)
+            deepest = less(nx * pair.x[i] + ny * pair.y[i] + nz * pair.z[i], deepest);
+        best.offer(deepest - load(a.face_offset + f), static_cast<int32_t>(f));
+    }
+    uint32_t at = 0;
+    const float separation = best.get(at);
+    return {-a.normals[at], separation};
+}
+BestFace best_face_of_b(const PlacedPair& pair) {
+    const MeetingShape &a = *pair.a, &b = *pair.b;
+    const Vector u = pair.axes[0], v = pair.axes[1], w = pair.axes[2], t = pair.offset;
+    Greatest best(all(-std::numeric_limits<float>::infinity()));
+    for (uint32_t f = 0; f < b.shape.face_count; f += MeetingShape::lanes) {
+        const Four bx = load(b.face_x + f), by = load(b.face_y + f), bz = load(b.face_z + f);
+        const Four nx = bx * u.x + by * v.x + bz * w.x, ny = bx * u.y + by * v.y + bz * w.y,
+                   nz = bx * u.z + by * v.z + bz * w.z;
+        Four deepest = nx * a.x[0] + ny * a.y[0] + nz * a.z[0];
+        for (uint32_t i = 1; i < a.shape.count; ++i) deepest = less(nx * a.x[i] + ny * a.y[i] + nz * a.z[i], deepest);
+        best.offer(deepest - pair.ratio * load(b.face_offset + f) - (nx * t.x + ny * t.y + nz * t.z),
+                   static_cast<int32_t>(f));
+    }
+    uint32_t at = 0;
+    const float separation = best.get(at);
+    return {pair.turned(b.normals[at]), separation};
+}
+
 // Cores that overlap: from the best face of each, and along the line of the middles.
 Drawn resolve_overlap(const PlacedPair& pair) {
     const float apart = drawn_apart * std::min(pair.a->core_reach, pair.ratio * pair.b->core_reach);
-    struct {
-        Vector normal{};
-        float separation = -std::numeric_limits<float>::infinity();
-    } of_a, of_b;
-    float along = 0.0f;
-    for (uint32_t f = 0; f < pair.a->shape.face_count; ++f) {
-        const Vector n = -pair.a->normals[f];
-        const float plane = pair.a->offsets[f];
-        if (-dot(n, pair.offset) - plane <= of_a.separation) continue;
-        farthest_of_b(pair, n, along);
-        if (-along - plane > of_a.separation) of_a = {n, -along - plane};
-    }
-    for (uint32_t f = 0; f < pair.b->shape.face_count; ++f) {
-        const Vector n = pair.turned(pair.b->normals[f]);
-        const float plane = pair.ratio * pair.b->offsets[f] + dot(n, pair.offset);
-        if (-plane <= of_b.separation) continue;
-        farthest_of_a(pair, -n, along);
-        if (-along - plane > of_b.separation) of_b = {n, -along - plane};
-    }
+    const BestFace of_a = best_face_of_a(pair), of_b = best_face_of_b(pair);
     Drawn best;
     if (of_a.separation >= of_b.separation) {
-        draw_out(pair, of_a.normal, of_a.separation, apart, best);
-        if (of_b.separation > 1.5f * best.separation) draw_out(pair, of_b.normal, of_b.separation, apart, best);
+        draw_out(pair, of_a.normal, of_a.separation, apart, FaceOf::a, best);
+        if (of_b.separation > 1.5f * best.separation)
+            draw_out(pair, of_b.normal, of_b.separation, apart, FaceOf::b, best);
     } else {
-        draw_out(pair, of_b.normal, of_b.separation, apart, best);
-        if (of_a.separation > 1.5f * best.separation) draw_out(pair, of_a.normal, of_a.separation, apart, best);
+        draw_out(pair, of_b.normal, of_b.separation, apart, FaceOf::b, best);
+        if (of_a.separation > 1.5f * best.separation)
+            draw_out(pair, of_a.normal, of_a.separation, apart, FaceOf::a, best);
     }
     const float square = dot(pair.offset, pair.offset);
     if (square > 0.0f) {
         const Vector n = -1.0f / std::sqrt(square) * pair.offset;
-        float out = 0.0f;
+        float out = 0.0f, along = 0.0f;
         farthest_of_a(pair, -n, out);
         farthest_of_b(pair, n, along);
-        if (-out - along > 1.5f * best.separation) draw_out(pair, n, -out - along, apart, best);
+        if (-out - along > 1.5f * best.separation) draw_out(pair, n, -out - along, apart, FaceOf::none, best);
     }
     return best;
 }
@@ -185,18 +258,23 @@ bool comes_before(const MeetingShape& a, float scale_a, const Pose& at_a, const 
     return true;
 }
 
-uint32_t find_ordered(const MeetingShape& a, float scale_a, const Pose& at_a, const MeetingShape& b, float scale_b,
-                      const Pose& at_b, float margin, PairContact (&out)[most_pair_contacts]) {
-    PlacedPair pair;
+// The first is the one that comes before.
+bool relate_ordered(const MeetingShape& a, float scale_a, const Pose& at_a, const MeetingShape& b, float scale_b,
+                    const Pose& at_b, float margin, NearPair& near) {
+    RelativePair& pair = near.pair;
     const Rotation own_a = at_a.rotation * a.frame, own_b = at_b.rotation * b.frame;
     const Vector between = (at_b.position - at_a.position) +
                            (scale_b * rotate(at_b.rotation, b.origin) - scale_a * rotate(at_a.rotation, a.origin));
-    const float unit = 1.0f / scale_a, radius_b = scale_b * unit * b.shape.radius;
+    const float unit = 1.0f / scale_a;
+    near.own_a = own_a;
+    near.scale_a = scale_a;
+    near.scale_b = scale_b;
+    near.radius_b = scale_b * unit * b.shape.radius;
+    near.enough = unit * margin + a.shape.radius + near.radius_b;
     pair.a = &a;
     pair.b = &b;
     pair.ratio = scale_b * unit;
     pair.offset = unit * rotate(inverse(own_a), between);
-    const float enough = unit * margin + a.shape.radius + radius_b;
     const Rotation q = inverse(own_a) * own_b;
     const float x2 = 2.0f * q.x, y2 = 2.0f * q.y, z2 = 2.0f * q.z;
     const float xx = x2 * q.x, yy = y2 * q.y, zz = z2 * q.z, xy = x2 * q.y, xz = x2 * q.z, yz = y2 * q.z;
@@ -204,64 +282,73 @@ uint32_t find_ordered(const MeetingShape& a, float scale_a, const Pose& at_a, co
     pair.axes[0] = {1.0f - (yy + zz), xy + wz, xz - wy};
     pair.axes[1] = {xy - wz, 1.0f - (xx + zz), yz + wx};
     pair.axes[2] = {xz + wy, yz - wx, 1.0f - (xx + yy)};
-    const float reach_b = pair.ratio * b.core_reach;
+    const float reach_b = pair.ratio * b.core_reach, smaller = a.core_reach < reach_b ? a.core_reach : reach_b;
     pair.size = a.core_reach > reach_b ? a.core_reach : reach_b;
-    if (boxes_apart(pair, enough + 1e-6f * pair.size)) return 0;
-    pair.place_points();
+    const float by_gap = part_of_gap * near.enough, by_size = part_of_size * smaller;
+    near.tolerance = by_gap < by_size ? by_gap : by_size;
+    return !boxes_apart(pair, near.enough + 1e-6f * pair.size, near.start);
+}
 
+} // namespace
+
+bool relate(const MeetingShape& a, float scale_a, const Pose& at_a, const MeetingShape& b, float scale_b,
+            const Pose& at_b, float margin, NearPair& out) {
+    out.swapped = !comes_before(a, scale_a, at_a, b, scale_b, at_b);
+    return out.swapped ? relate_ordered(b, scale_b, at_b, a, scale_a, at_a, margin, out)
+                       : relate_ordered(a, scale_a, at_a, b, scale_b, at_b, margin, out);
+}
+
+uint32_t contacts_of(const NearPair& near, const PlacedPair& pair, Closest closest,
+                     PairContact (&out)[most_pair_contacts]) {
+    const MeetingShape &a = *pair.a, &b = *pair.b;
+    Vector shift{0.0f, 0.0f, 0.0f};
+    if (closest.state == Closest::State::beyond) return 0;
+    if (closest.state == Closest::State::overlap) {
+        const Drawn drawn = resolve_overlap(pair);
+        closest = drawn.closest;
+        shift = drawn.shift;
+    }
+    PairPoint points[most_pair_contacts];
+    const uint32_t count = spread_points(pair, closest, shift, near.enough, points);
+    const Vector n = closest.normal;
+    Vector normal = rotate(near.own_a, n);
+    normal = 1.0f / length(normal) * normal;
+    for (uint32_t i = 0; i < count; ++i) {
+        PairContact& c = out[i];
+        c.normal = near.swapped ? -normal : normal;
+        c.gap = near.scale_a * (points[i].gap - a.shape.radius - near.radius_b);
+        c.arm_a = near.scale_a * (a.origin + rotate(a.frame, points[i].on_a - a.shape.radius * n));
+        const Vector on_b = points[i].on_b + near.radius_b * n - pair.offset;
+        c.arm_b = near.scale_b * b.origin + rotate(b.frame, near.scale_a * pair.to_b(on_b));
+        if (near.swapped) std::swap(c.arm_a, c.arm_b);
+    }
+    return count;
+}
+
+uint32_t search_contacts(const NearPair& near, PairContact (&out)[most_pair_contacts]) {
+    const MeetingShape &a = *near.pair.a, &b = *near.pair.b;
+    PlacedPair pair;
+    static_cast<RelativePair&>(pair) = near.pair;
+    pair.place_points();
     OverPlate over_a, over_b;
     if (a.flat) over_a = over(pair.x, pair.y, pair.z, b.padded, {0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}, -1.0f);
     if (b.flat) over_b = over(a.x, a.y, a.z, a.padded, pair.axes[2], pair.offset, 1.0f);
     const bool plate_is_a = over_a.height >= over_b.height;
     const OverPlate& over_plate = plate_is_a ? over_a : over_b;
-    if (over_plate.height > enough) return 0;
-    const float smaller = a.core_reach < reach_b ? a.core_reach : reach_b;
+    if (over_plate.height > near.enough) return 0;
+    const float reach_b = pair.ratio * b.core_reach, smaller = a.core_reach < reach_b ? a.core_reach : reach_b;
     Closest closest{};
-    Vector shift{0.0f, 0.0f, 0.0f};
     if (!(over_plate.height > 1e-4f * smaller && closest_over_plate(pair, over_plate, plate_is_a, closest))) {
-        Vector start = over_plate.normal;
-        if (!(over_plate.height > 0.0f)) {
-            const float square = dot(pair.offset, pair.offset);
-            start = square > 0.0f ? -1.0f / std::sqrt(square) * pair.offset : Vector{0.0f, 0.0f, 1.0f};
-        }
-        const float tolerance =
-            part_of_gap * enough < part_of_size * smaller ? part_of_gap * enough : part_of_size * smaller;
-        closest = closest_points(pair, shift, enough, tolerance, start);
-        if (closest.state == Closest::State::beyond) return 0;
-        if (closest.state == Closest::State::overlap) {
-            const Drawn drawn = resolve_overlap(pair);
-            closest = drawn.closest;
-            shift = drawn.shift;
-        }
+        const Vector start = over_plate.height > 0.0f ? over_plate.normal : near.start;
+        closest = closest_points(pair, {0.0f, 0.0f, 0.0f}, near.enough, near.tolerance, start);
     }
-    PairPoint points[most_pair_contacts];
-    const uint32_t count = spread_points(pair, closest, shift, enough, points);
-    const Vector n = closest.normal;
-    Vector normal = rotate(own_a, n);
-    normal = 1.0f / length(normal) * normal;
-    for (uint32_t i = 0; i < count; ++i) {
-        PairContact& c = out[i];
-        c.normal = normal;
-        c.gap = scale_a * (points[i].gap - a.shape.radius - radius_b);
-        c.arm_a = scale_a * (a.origin + rotate(a.frame, points[i].on_a - a.shape.radius * n));
-        const Vector on_b = points[i].on_b + radius_b * n - pair.offset;
-        c.arm_b = scale_b * b.origin + rotate(b.frame, scale_a * pair.to_b(on_b));
-    }
-    return count;
+    return contacts_of(near, pair, closest, out);
 }
-
-} // namespace
 
 uint32_t find_pair_contacts(const MeetingShape& a, float scale_a, const Pose& at_a, const MeetingShape& b,
                             float scale_b, const Pose& at_b, float margin, PairContact (&out)[most_pair_contacts]) {
-    if (comes_before(a, scale_a, at_a, b, scale_b, at_b))
-        return find_ordered(a, scale_a, at_a, b, scale_b, at_b, margin, out);
-    const uint32_t count = find_ordered(b, scale_b, at_b, a, scale_a, at_a, margin, out);
-    for (uint32_t i = 0; i < count; ++i) {
-        std::swap(out[i].arm_a, out[i].arm_b);
-        out[i].normal = -out[i].normal;
-    }
-    return count;
+    NearPair near;
+    return relate(a, scale_a, at_a, b, scale_b, at_b, margin, near) ? search_contacts(near, out) : 0;
 }
 
 } // namespace lr

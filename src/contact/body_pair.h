@@ -32,9 +32,13 @@ struct MeetingShape {
     float core_reach;                 // m, of the core from `origin`
     Vector normals[most_shape_faces]; // of the faces of `shape`
     float offsets[most_shape_faces];  // m: inside normal . p <= offset
+    // The same in rows, padded to whole vectors by repeating the first.
+    alignas(16) float face_x[most_shape_faces], face_y[most_shape_faces], face_z[most_shape_faces];
+    alignas(16) float face_offset[most_shape_faces];
     uint32_t coarse_count;
     bool flat; // a plate: all z are 0
 };
+static_assert(most_shape_faces % MeetingShape::lanes == 0);
 // May throw std::bad_alloc.
 MeetingShape make_meeting_shape(const BodyShape& shape);
 

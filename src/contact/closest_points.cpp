@@ -1,10 +1,10 @@
 #include "contact/placed_pair.h"
 
+#include <utility>
+
 namespace lr {
 namespace {
 
-// Of the pair's size: nearer than this, rounding decides what the direction is.
-constexpr float touching = 3e-5f;
 constexpr uint32_t most_rounds = 24;
 
 struct Corner {
@@ -18,89 +18,111 @@ struct Simplex {
     float weights[3];
 };
 
-Vector keep_one(Simplex& s, const Corner& a) {
-    s.count = 1;
-    s.corners[0] = a;
-    s.weights[0] = 1.0f;
-    return a.w;
-}
-// Between the newest, c, and an older one, where the nearest point is not beyond c.
-Vector keep_two(Simplex& s, const Corner& a, const Corner& c, float along) {
-    const Vector edge = a.w - c.w;
-    const float square = dot(edge, edge), part = along < square ? along / square : 1.0f;
-    const Vector p = c.w + part * edge;
-    s.weights[0] = part;
-    s.weights[1] = 1.0f - part;
-    s.count = 2;
-    s.corners[0] = a;
-    s.corners[1] = c;
-    return p;
-}
+// The point of a triangle, or of a part of it, nearest to the origin: which corners hold it, a bit each, and by how much.
+struct Nearest {
+    Vector point;
+    uint32_t holds;
+    float weights[3];
+};
 
-Vector of_two(Simplex& s) {
-    const Corner a = s.corners[0], c = s.corners[1];
-    const float along = -dot(a.w - c.w, c.w);
-    return along > 0.0f ? keep_two(s, a, c, along) : keep_one(s, c);
+// Between the newest, c, and an older one, where the nearest point is not beyond c.
+Vector between(Vector a, Vector c, float along, float& part) {
+    const Vector edge = a - c;
+    const float square = dot(edge, edge);
+    part = along < square ? along / square : 1.0f;
+    return c + part * edge;
 }
 
 // The nearest point of a triangle to the origin. The newest corner, c, holds it: without that it was farther.
-Vector of_three(Simplex& s, const Corner a, const Corner b, const Corner c) {
-    const Vector ca = a.w - c.w, cb = b.w - c.w, n = cross(ca, cb);
-    const float along_a = -dot(ca, c.w), along_b = -dot(cb, c.w), square = dot(n, n);
+Nearest of_three(Vector a, Vector b, Vector c) {
+    const Vector ca = a - c, cb = b - c, n = cross(ca, cb);
+    const float along_a = -dot(ca, c), along_b = -dot(cb, c), square = dot(n, n);
     // Parts of the triangle that the origin spans with the sides at c.
-    const float of_a = -dot(n, cross(c.w, cb)), of_b = -dot(n, cross(ca, c.w));
+    const float of_a = -dot(n, cross(c, cb)), of_b = -dot(n, cross(ca, c));
+    float part = 0.0f;
     if (of_a > 0.0f && of_b > 0.0f) {
-        const float inverse = 1.0f / square;
-        s.weights[0] = of_a * inverse;
-        s.weights[1] = of_b * inverse;
-        s.weights[2] = 1.0f - s.weights[0] - s.weights[1];
-        s.count = 3;
-        s.corners[0] = a;
-        s.corners[1] = b;
-        s.corners[2] = c;
-        return (dot(n, c.w) * inverse) * n;
+        const float inverse = 1.0f / square, for_a = of_a * inverse, for_b = of_b * inverse;
+        return {(dot(n, c) * inverse) * n, 7, {for_a, for_b, 1.0f - for_a - for_b}};
     }
-    if (!(of_b > 0.0f) && along_a > 0.0f) return keep_two(s, a, c, along_a);
-    if (!(of_a > 0.0f) && along_b > 0.0f) return keep_two(s, b, c, along_b);
-    return keep_one(s, c);
+    if (!(of_b > 0.0f) && along_a > 0.0f) {
+        const Vector p = between(a, c, along_a, part);
+        return {p, 5, {part, 0.0f, 1.0f - part}};
+    }
+    if (!(of_a > 0.0f) && along_b > 0.0f) {
+        const Vector p = between(b, c, along_b, part);
+        return {p, 6, {0.0f, part, 1.0f - part}};
+    }
+    return {c, 4, {0.0f, 0.0f, 1.0f}};
+}
+
+// Of three of its corners.
+void keep(Simplex& s, const uint32_t (&of)[3], const Nearest& nearest) {
+    uint32_t count = 0;
+    for (uint32_t k = 0; k < 3; ++k) {
+        if ((nearest.holds >> k & 1u) == 0) continue;
+        s.corners[count] = s.corners[of[k]]; // those before are done with
+        s.weights[count++] = nearest.weights[k];
+    }
+    s.count = count;
+}
+
+void keep_two(Simplex& s, Vector& nearest) {
+    const Vector a = s.corners[0].w, c = s.corners[1].w;
+    const float along = -dot(a - c, c);
+    if (along > 0.0f) {
+        float part = 0.0f;
+        nearest = between(a, c, along, part);
+        s.weights[0] = part;
+        s.weights[1] = 1.0f - part;
+        return;
+    }
+    nearest = c;
+    s.count = 1;
+    s.corners[0] = s.corners[1];
+    s.weights[0] = 1.0f;
 }
 
 // False: the origin is inside.
-bool of_four(Simplex& s, Vector& nearest) {
-    const Corner a = s.corners[0], b = s.corners[1], c = s.corners[2], d = s.corners[3];
-    const Vector da = a.w - d.w, db = b.w - d.w, dc = c.w - d.w;
+bool keep_of_four(Simplex& s, Vector& nearest) {
+    const Vector a = s.corners[0].w, b = s.corners[1].w, c = s.corners[2].w, d = s.corners[3].w;
+    const Vector da = a - d, db = b - d, dc = c - d;
     const Vector ab = cross(da, db), bc = cross(db, dc), ca = cross(dc, da);
     const float volume = dot(ab, dc);
     bool any = false;
     float best = 0.0f;
-    const auto offer = [&](Vector n, const Corner& e, const Corner& f) {
-        if (-dot(n, d.w) * volume > 0.0f) return; // the origin is on the inner side
-        Simplex here{};
-        const Vector p = of_three(here, e, f, d);
-        const float square = dot(p, p);
+    Nearest kept{};
+    uint32_t face = 0;
+    const auto offer = [&](Vector n, uint32_t which, Vector e, Vector f) {
+        if (-dot(n, d) * volume > 0.0f) return; // the origin is on the inner side
+        const Nearest here = of_three(e, f, d);
+        const float square = dot(here.point, here.point);
         if (any && !(square < best)) return;
         any = true;
         best = square;
-        nearest = p;
-        s = here;
+        kept = here;
+        face = which;
     };
-    offer(ab, a, b);
-    offer(bc, b, c);
-    offer(ca, c, a);
-    return any;
+    offer(ab, 0, a, b);
+    offer(bc, 1, b, c);
+    offer(ca, 2, c, a);
+    if (!any) return false;
+    nearest = kept.point;
+    if (face == 2) std::swap(s.corners[0], s.corners[2]); // c before a
+    constexpr uint32_t corners[3][3] = {{0, 1, 3}, {1, 2, 3}, {0, 2, 3}};
+    keep(s, corners[face], kept);
+    return true;
 }
 
 bool reduce(Simplex& s, Vector& nearest) {
-    switch (s.count) {
-    case 2:
-        nearest = of_two(s);
+    if (s.count == 4) return keep_of_four(s, nearest);
+    if (s.count == 2) {
+        keep_two(s, nearest);
         return true;
-    case 3:
-        nearest = of_three(s, s.corners[0], s.corners[1], s.corners[2]);
-        return true;
-    default:
-        return of_four(s, nearest);
     }
+    const Nearest of = of_three(s.corners[0].w, s.corners[1].w, s.corners[2].w);
+    nearest = of.point;
+    keep(s, {0, 1, 2}, of);
+    return true;
 }
 
 // Where the points of a simplex are on both cores.
@@ -134,13 +156,17 @@ Closest closest_points(const PlacedPair& pair, Vector shift, float enough, float
         simplex.corners[simplex.count++] = {pair.point_a(i) - pair.point_b(j) + shift, i, j};
         return true;
     };
-    const float near = touching * pair.size;
+    const float near = touching_cores * pair.size;
     add(start);
     simplex.weights[0] = 1.0f;
     Found found;
     found.set(simplex);
     Vector v = simplex.corners[0].w;
     float square = dot(v, v), lower = dot(start, v);
+    if (lower > enough) {
+        out.state = Closest::State::beyond;
+        return out;
+    }
     for (uint32_t round = 0; round < most_rounds; ++round) {
         if (!(square > near * near)) break;
         const float distance = std::sqrt(square);

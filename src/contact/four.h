@@ -37,6 +37,14 @@ inline float least(Four a) {
     return first < second ? first : second;
 }
 
+// Whether any lane of a comparison holds.
+inline bool any(FourInts a) {
+    using TwoInts = int64_t __attribute__((vector_size(16)));
+    TwoInts halves;
+    std::memcpy(&halves, &a, sizeof halves);
+    return (halves[0] | halves[1]) != 0;
+}
+
 // The place of the greatest of many values, offered four at a time.
 struct Greatest {
     Four value;

@@ -7,13 +7,17 @@ bool MeetingGrid::reserve(Allocator& allocator, uint32_t count) {
     const size_t room = size_t{count} + count / 2;
     size_t buckets = 16;
     while (buckets < room) buckets *= 2;
-    Buffer<MeetingBox> boxes, sorted;
-    Buffer<uint32_t> first;
-    if (!boxes.allocate(allocator, room) || !sorted.allocate(allocator, room) ||
-        !first.allocate(allocator, buckets + 1))
+    Buffer<MeetingBox> boxes;
+    Buffer<float> rows;
+    Buffer<uint32_t> index, first;
+    if (!boxes.allocate(allocator, room) || !rows.allocate(allocator, 6 * (room + lanes)) ||
+        !index.allocate(allocator, room) || !first.allocate(allocator, buckets + 1))
         return false;
+    room_ = room + lanes;
+    std::fill_n(rows.data(), 6 * room_, 0.0f);
     boxes_.swap(boxes);
-    sorted_.swap(sorted);
+    rows_.swap(rows);
+    index_.swap(index);
     first_.swap(first);
     mask_ = static_cast<uint32_t>(buckets - 1);
     return true;
@@ -37,7 +41,7 @@ void MeetingGrid::build(uint32_t count) {
         box.cell = nowhere;
         if (!finite) continue;
         int32_t at[3];
-        for (size_t k = 0; k < 3; ++k) at[k] = cell(0.5f * (box.low[k] + box.high[k]), inverse_size_of(level));
+        for (size_t k = 0; k < 3; ++k) at[k] = cell(middle(box, k), inverse_size_of(level));
         box.cell = hash(level, at[0], at[1], at[2]);
         populated_ |= 1u << level;
         ++first_[(box.cell & mask_) + 1];
@@ -47,12 +51,18 @@ void MeetingGrid::build(uint32_t count) {
         const MeetingBox& box = boxes_[i];
         if (box.cell == nowhere) continue;
         // Each bucket is filled from behind: its end moves down to where it begins.
-        sorted_[--first_[(box.cell & mask_) + 1]] = box;
+        const uint32_t at = --first_[(box.cell & mask_) + 1];
+        index_[at] = i;
+        for (size_t k = 0; k < 3; ++k) {
+            rows_[k * room_ + at] = box.low[k];
+            rows_[(k + 3) * room_ + at] = box.high[k];
+        }
     }
     // Ends have become beginnings: one place down.
     for (uint32_t b = 0; b <= mask_; ++b) first_[b] = first_[b + 1];
-    first_[mask_ + 1] = 0;
-    for (uint32_t i = 0; i < count; ++i) first_[mask_ + 1] += boxes_[i].cell != nowhere ? 1u : 0u;
+    placed_ = 0;
+    for (uint32_t i = 0; i < count; ++i) placed_ += boxes_[i].cell != nowhere ? 1u : 0u;
+    first_[mask_ + 1] = placed_;
 }
 
 } // namespace lr

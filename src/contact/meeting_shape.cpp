@@ -258,6 +258,13 @@ void set_own_points(MeetingShape& out) {
             offset = std::max(offset, dot(out.normals[f], {out.x[i], out.y[i], out.z[i]}));
         out.offsets[f] = offset;
     }
+    for (uint32_t f = 0; f < most_shape_faces; ++f) {
+        const uint32_t from = f < shape.face_count ? f : 0;
+        out.face_x[f] = out.normals[from].x;
+        out.face_y[f] = out.normals[from].y;
+        out.face_z[f] = out.normals[from].z;
+        out.face_offset[f] = out.offsets[from];
+    }
     if (!out.flat) return;
     set_coarse_outline(out);
     for (uint32_t i = 0; i < MeetingShape::room; ++i) {

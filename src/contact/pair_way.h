@@ -8,20 +8,28 @@
 namespace lr {
 
 struct PairBody {
-    const MeetingShape& shape;
+    const MeetingShape* shape;
     float scale;
     Pose from, to;
-    float way; // m, of its farthest point
+    // m: of the centre of mass, and of the farthest point about it.
+    Vector shift;
+    float turns;
+    // How far its farthest point goes.
+    float way() const { return length(shift) + turns; }
 };
-// How far the farthest point of a body of this reach (m) goes.
-float way_of(const Pose& from, const Pose& to, float reach);
+PairBody pair_body(const MeetingShape& shape, float scale, const Pose& from, const Pose& to);
 
 struct WayContact {
     PairContact begin;
     float end; // m, the gap at the end of the way
 };
 
-// Those that end nearer than `margin` (m). Returns how many.
+// Those that end nearer than `margin` (m). Returns how many. The same in two parts: how near they must be as the substep begins (m),
+// and which of those that are near then count.
+float near_enough(const PairBody& a, const PairBody& b, float margin);
+uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
+                           const PairContact (&found)[most_pair_contacts], uint32_t count,
+                           WayContact (&out)[most_pair_contacts]);
 uint32_t find_way_contacts(const PairBody& a, const PairBody& b, float margin, WayContact (&out)[most_pair_contacts]);
 
 } // namespace lr

@@ -6,13 +6,15 @@
 
 namespace lr {
 
-struct PlacedPair {
+struct RelativePair {
     const MeetingShape* a;
     const MeetingShape* b;
     float ratio;    // of the scales, b over a
     Vector offset;  // from a's origin to b's
     Vector axes[3]; // of b's own frame, unit
     float size;     // the larger of the cores' reaches
+};
+struct PlacedPair : RelativePair {
     alignas(16) float x[MeetingShape::room], y[MeetingShape::room], z[MeetingShape::room]; // of b's points
 
     Vector turned(Vector of_b) const { return of_b.x * axes[0] + of_b.y * axes[1] + of_b.z * axes[2]; }
@@ -65,6 +67,23 @@ inline uint32_t support_of_b(const PlacedPair& pair, Vector d) {
                   : farthest(pair.x, pair.y, pair.z, b.padded, d, along);
 }
 
+// A pair whose boxes are near each other.
+struct NearPair {
+    RelativePair pair;
+    Rotation own_a; // takes vectors from a's own frame to the world
+    float scale_a, scale_b;
+    float radius_b, enough,
+        tolerance; // a's scale as the unit: b's rounding; gaps of cores below which they touch; of distances
+    Vector start;  // a guess of the normal
+    bool swapped;  // a and b are the other way round than they were given
+};
+// False: farther apart than `margin` (m).
+bool relate(const MeetingShape& a, float scale_a, const Pose& at_a, const MeetingShape& b, float scale_b,
+            const Pose& at_b, float margin, NearPair& out);
+
+// Nearer than the larger core times this, rounding decides what the direction is.
+inline constexpr float touching_cores = 3e-5f;
+
 // Where the cores are nearest.
 struct Closest {
     enum class State : uint8_t { apart, beyond, overlap };
@@ -85,5 +104,11 @@ struct PairPoint {
 // closest: of the pair with a moved by `shift`. enough: greatest gap of cores.
 uint32_t spread_points(const PlacedPair& pair, const Closest& closest, Vector shift, float enough,
                        PairPoint (&out)[most_pair_contacts]);
+
+// With what is known of that: where they touch.
+uint32_t contacts_of(const NearPair& near, const PlacedPair& pair, Closest closest,
+                     PairContact (&out)[most_pair_contacts]);
+// All of it, for one pair.
+uint32_t search_contacts(const NearPair& near, PairContact (&out)[most_pair_contacts]);
 
 } // namespace lr

@@ -192,7 +192,11 @@ void Batch::lie_down(uint32_t index, double birth) {
     external.clear(index);
     const float position[3] = {arrays_.field[field_x][index], arrays_.field[field_y][index],
                                arrays_.field[field_z][index]};
-    resting_->enter(index, unpack(ids_[index]).slot, position, arrays_.field[field_scale][index], birth);
+    const float scale = arrays_.field[field_scale][index];
+    const Pose pose{{position[0], position[1], position[2]},
+                    {arrays_.field[field_qx][index], arrays_.field[field_qy][index], arrays_.field[field_qz][index],
+                     arrays_.field[field_qw][index]}};
+    resting_->enter(index, unpack(ids_[index]).slot, position, scale, birth, bounds(meeting, scale, pose));
 }
 
 uint32_t Batch::wake(uint32_t index) {
@@ -221,7 +225,9 @@ bool Batch::reaches_into(uint32_t index, const float (&low)[3], const float (&hi
 }
 
 bool Batch::reserve_rest() {
-    if (!resting_) resting_ = Resting::create(*allocator_, capacity_, reach(), index_);
+    // What others can touch may stand out of it by a little.
+    const double most = std::max(reach(), static_cast<double>(meeting.shape.reach));
+    if (!resting_) resting_ = Resting::create(*allocator_, capacity_, most, index_);
     return resting_ != nullptr;
 }
 

@@ -94,15 +94,18 @@ public:
         // One that wakes changes places with one that has been looked at.
         for (uint32_t i = awake_; i < count_; ++i) look_at(i);
     }
-    // The same, where none wakes. Any thread, while no body comes to rest or wakes.
+    // For those of which the box of what others can touch reaches into [low, high]. Any thread, while no body comes to rest or wakes.
     template <class Function>
     void look_at_resting(const float (&low)[3], const float (&high)[3], Function&& function) const {
         if (awake_ == count_) return;
-        const auto look_at = [&](uint32_t index) {
-            if (reaches_into(index, low, high)) function(index);
+        const auto look_at = [&](uint32_t slot) {
+            const Bounds& box = resting_->box(slot);
+            const bool near = box.low.x <= high[0] && box.high.x >= low[0] && box.low.y <= high[1] &&
+                              box.high.y >= low[1] && box.low.z <= high[2] && box.high.z >= low[2];
+            if (near) function(dense_[slot]);
         };
-        if (resting_->grid.visit(low, high, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
-        for (uint32_t i = awake_; i < count_; ++i) look_at(i);
+        if (resting_->grid.visit(low, high, count_ - awake_, look_at)) return;
+        for (uint32_t i = awake_; i < count_; ++i) look_at(unpack(ids_[i]).slot);
     }
     bool reserve_rest();                          // false when out of memory
     Resting* resting() const { return resting_; } // null before reserve_rest()

@@ -3,6 +3,7 @@
 
 #include "contact/crowd_solver.h"
 #include "contact/meeting_grid.h"
+#include "contact/pair_way.h"
 #include "field/contact_run.h"
 #include "world/resting_neighbours.h"
 #include "world/step_chunks.h"
@@ -31,6 +32,12 @@ struct Crowd {
         uint32_t collider; // slot, or ContactGroup::a_body
         ContactGroup::AtRest at_rest;
     };
+    // A body in a substep.
+    struct Moved {
+        PairBody body;
+        float margin; // m
+        uint32_t member;
+    };
     // Two bodies whose boxes overlap.
     struct Pair {
         uint32_t a, b; // bodies, by their indices in the crowd
@@ -39,6 +46,7 @@ struct Crowd {
 
     Buffer<CrowdMember> members;
     Buffer<float> before; // pose_fields rows of all bodies, as the substep began
+    Buffer<Moved> moved;  // by body
     MeetingGrid grid;
     Buffer<uint32_t> first_pair; // by body, and the end: of those that it has found
     // By body: the others whose boxes it has found; of more, the first by batch and key.

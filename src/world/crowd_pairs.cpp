@@ -1,7 +1,7 @@
 // Which bodies of a crowd touch each other in a substep.
 #include "world/crowd_step.h"
 
-#include "contact/pair_way.h"
+#include "contact/pair_batch.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -13,14 +13,6 @@ namespace {
 constexpr uint32_t grain = 128; // bodies: some ten microseconds
 
 } // namespace
-
-// A body of the crowd through the substep.
-struct CrowdStep::Placed {
-    const Batch& batch;
-    uint32_t index; // in the crowd
-    PairBody body;
-    float margin; // m
-};
 
 // As of a body near a collider (contact/contact_group.cpp).
 float CrowdStep::margin_of(const CrowdMember& member, uint32_t index) const {
@@ -34,10 +26,13 @@ float CrowdStep::margin_of(const CrowdMember& member, uint32_t index) const {
 
 void CrowdStep::set_box(const CrowdMember& member, uint32_t index) {
     const Batch& batch = *member.item.batch;
+    const uint32_t body = member.first + index;
     const float scale = batch.arrays().field[field_scale][index], margin = margin_of(member, index);
-    const Bounds from = bounds(batch.meeting, scale, began(member.first + index));
-    const Bounds to = bounds(batch.meeting, scale, pose_of(batch.arrays(), index));
-    MeetingBox& box = crowd_->grid.boxes()[member.first + index];
+    const Pose began_at = began(body), now = pose_of(batch.arrays(), index);
+    crowd_->moved[body] = {pair_body(batch.meeting, scale, began_at, now), margin,
+                           static_cast<uint32_t>(&member - crowd_->members.data())};
+    const Bounds from = bounds(batch.meeting, scale, began_at), to = bounds(batch.meeting, scale, now);
+    MeetingBox& box = crowd_->grid.boxes()[body];
     const auto put = [&](size_t k, float low0, float low1, float high0, float high1) {
         box.low[k] = std::min(low0, low1) - margin;
         box.high[k] = std::max(high0, high1) + margin;
@@ -45,16 +40,16 @@ void CrowdStep::set_box(const CrowdMember& member, uint32_t index) {
     put(0, from.low.x, to.low.x, from.high.x, to.high.x);
     put(1, from.low.y, to.low.y, from.high.y, to.high.y);
     put(2, from.low.z, to.low.z, from.high.z, to.high.z);
-    box.body = member.first + index;
+    box.body = body;
 }
 
-// Of a pair the one with the smaller box finds the other, or the first by batch and key. Where callers give keys twice, it is
-// the place that tells.
-bool CrowdStep::finds(const MeetingBox& one, const MeetingBox& other) const {
+// Of a pair that both find it counts for the first by batch and key. Where callers give keys twice, it is the place that tells.
+bool CrowdStep::finds(const MeetingBox& one, const MeetingBox& other, bool mutual) const {
     if (one.body == other.body) return false;
-    const CrowdMember &a = member_of(one.body), &b = member_of(other.body);
+    const CrowdMember* const members = crowd_->members.data();
+    const CrowdMember &a = members[crowd_->moved[one.body].member], &b = members[crowd_->moved[other.body].member];
     if (&a == &b ? !a.own : !world_->pairs.has(a.slot, b.slot)) return false;
-    if (one.level != other.level) return one.level < other.level;
+    if (!mutual) return true;
     if (&a != &b) return a.slot < b.slot;
     const BatchArrays& arrays = a.item.batch->arrays();
     const uint32_t i = one.body - a.first, j = other.body - b.first;
@@ -76,51 +71,57 @@ void CrowdStep::keep_first(uint32_t* seen, uint32_t body) const {
     if (order(body) < order(*last)) *last = body;
 }
 
-// The contacts of a body's pairs. Gaps are those that the substep begins with, so that what goes through each other within it
-// is known by the side on which it began; those that stay open need not be held.
-void CrowdStep::meet(uint32_t body) {
+// The contacts of the pairs that bodies [begin, end), in the order of the grid, have found. Gaps are those that the substep begins
+// with, so that what goes through each other within it is known by the side on which it began; those that stay open need not be held.
+void CrowdStep::meet(uint32_t begin, uint32_t end) {
     Crowd& c = *crowd_;
-    const uint32_t first = c.first_pair[body], count = c.first_pair[body + 1] - first;
-    if (count == 0) return;
-    const CrowdMember& member = member_of(body);
-    const Batch& batch = *member.item.batch;
-    const uint32_t index = body - member.first;
-    const float scale = batch.arrays().field[field_scale][index];
-    const Pose from = began(body), to = pose_of(batch.arrays(), index);
-    const Placed one{batch,
-                     body,
-                     {batch.meeting, scale, from, to, way_of(from, to, batch.shape.reach * scale)},
-                     margin_of(member, index)};
-    const uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
-    for (uint32_t k = 0; k < count; ++k) meet(one, seen[k], first + k);
+    PairBatch batch(pair_search(world_->target->simd));
+    const auto found = [&](uint32_t at, const WayContact* contacts, uint32_t count) {
+        c.pairs[at].count = count;
+        if (count != 0) enter_contacts(at, contacts);
+    };
+    // Bodies that are near each other lie far apart in memory.
+    const auto fetch = [&c](uint32_t body) {
+        const uint32_t count = c.first_pair[body + 1] - c.first_pair[body];
+        const uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
+        for (uint32_t k = 0; k < count; ++k) {
+            const Crowd::Moved* const other = c.moved.data() + seen[k];
+            __builtin_prefetch(other);
+            __builtin_prefetch(&other->margin);
+        }
+    };
+    for (uint32_t i = begin; i < end; ++i) {
+        const uint32_t body = c.grid.placed(i), first = c.first_pair[body], past = c.first_pair[body + 1];
+        const Crowd::Moved& one = c.moved[body];
+        const uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
+        if (i + 2 < end) fetch(c.grid.placed(i + 2));
+        for (uint32_t at = first; at < past; ++at) {
+            const Crowd::Moved& other = c.moved[seen[at - first]];
+            c.pairs[at] = {body, seen[at - first], 0};
+            batch.find(one.body, other.body, std::min(one.margin, other.margin), at, found);
+        }
+    }
+    batch.finish(found);
 }
 
-void CrowdStep::meet(const Placed& one, uint32_t other, uint32_t at) {
-    const CrowdMember& member = member_of(other);
-    const Batch& batch = *member.item.batch;
-    const uint32_t index = other - member.first;
-    const float scale = batch.arrays().field[field_scale][index];
-    const Pose from = began(other), to = pose_of(batch.arrays(), index);
-    const float margin = std::min(one.margin, margin_of(member, index));
-    WayContact found[most_pair_contacts];
-    Crowd::Pair& pair = crowd_->pairs[at];
-    CrowdContact* const contacts = crowd_->pair_contacts.data() + size_t{block_contacts} * at;
-    pair = {one.index, other,
-            find_way_contacts(one.body, {batch.meeting, scale, from, to, way_of(from, to, batch.shape.reach * scale)},
-                              margin, found)};
-    if (pair.count == 0) return;
-    const float friction = pair_friction(one.batch.contact, batch.contact);
-    const float restitution = pair_restitution(one.batch.contact, batch.contact);
+void CrowdStep::enter_contacts(uint32_t at, const WayContact* found) {
+    Crowd& c = *crowd_;
+    const Crowd::Pair& pair = c.pairs[at];
+    const ContactSettings& of_a = c.members[c.moved[pair.a].member].item.batch->contact;
+    const ContactSettings& of_b = c.members[c.moved[pair.b].member].item.batch->contact;
+    const float friction = pair_friction(of_a, of_b), restitution = pair_restitution(of_a, of_b);
+    CrowdContact* const contacts = c.pair_contacts.data() + size_t{block_contacts} * at;
     for (uint32_t k = 0; k < pair.count; ++k) {
-        const PairContact& c = found[k].begin;
-        contacts[k] = {c.arm_a, c.arm_b, c.normal, c.gap, {}, {}, friction, restitution, false};
+        const PairContact& contact = found[k].begin;
+        contacts[k] = {contact.arm_a, contact.arm_b, contact.normal, contact.gap, {}, {}, friction, restitution, false};
     }
 }
 
 bool CrowdStep::find_pairs() {
     Crowd& c = *crowd_;
     Allocator& allocator = world_->allocator;
-    if (!c.grid.reserve(allocator, body_count_) || !grow(allocator, c.first_pair, size_t{body_count_} + 1) ||
+    if (!c.grid.reserve(allocator, body_count_) || !grow(allocator, c.moved, body_count_) ||
+        !grow(allocator, c.first_pair, size_t{body_count_} + 1) ||
         !grow(allocator, c.seen, size_t{Crowd::most_seen} * body_count_))
         return false;
     workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
@@ -137,13 +138,15 @@ bool CrowdStep::find_pairs() {
         }
     });
     c.grid.build(body_count_);
-    workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t body = begin; body < end; ++body) {
+    std::fill_n(c.first_pair.data(), body_count_, 0u);
+    workers_.run(c.grid.placed(), grain, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i) {
+            const uint32_t body = c.grid.placed(i);
             const MeetingBox& one = c.grid.box(body);
             uint32_t count = 0;
             uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
-            c.grid.visit(one, [&](const MeetingBox& other) {
-                if (!finds(one, other)) return;
+            c.grid.visit_onward(one, [&](const MeetingBox& other, bool mutual) {
+                if (!finds(one, other, mutual)) return;
                 if (count < Crowd::most_seen)
                     seen[count++] = other.body;
                 else
@@ -160,9 +163,7 @@ bool CrowdStep::find_pairs() {
     }
     c.first_pair[body_count_] = sum;
     if (!grow(allocator, c.pairs, sum) || !grow(allocator, c.pair_contacts, size_t{block_contacts} * sum)) return false;
-    workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t body = begin; body < end; ++body) meet(body);
-    });
+    workers_.run(c.grid.placed(), grain, [&](uint32_t begin, uint32_t end) { meet(begin, end); });
     return true;
 }
 

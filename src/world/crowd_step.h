@@ -37,12 +37,11 @@ private:
     // world/crowd_pairs.cpp
     bool find_pairs();
     float margin_of(const CrowdMember& member, uint32_t index) const;
-    bool finds(const MeetingBox& one, const MeetingBox& other) const;
+    bool finds(const MeetingBox& one, const MeetingBox& other, bool mutual) const;
     void set_box(const CrowdMember& member, uint32_t index);
     void keep_first(uint32_t* seen, uint32_t body) const;
-    struct Placed;
-    void meet(uint32_t body);
-    void meet(const Placed& one, uint32_t other, uint32_t at);
+    void meet(uint32_t begin, uint32_t end);
+    void enter_contacts(uint32_t at, const WayContact* found);
     bool number_touching();
 
     // world/crowd_hold.cpp

@@ -37,7 +37,8 @@ Resting* Resting::create(Allocator& allocator, uint32_t capacity, double reach, 
     if (!memory) return nullptr;
     auto* const made = new (memory) Resting();
     made->phase_ = phase % rule_steps;
-    if (made->birth_.allocate(allocator, capacity) && made->grid.create(allocator, capacity, reach)) {
+    if (made->birth_.allocate(allocator, capacity) && made->boxes_.allocate(allocator, capacity) &&
+        made->grid.create(allocator, capacity, reach)) {
         std::fill_n(made->birth_.data(), capacity, 0.0);
         made->begin();
         return made;
@@ -86,10 +87,12 @@ void Resting::begin() {
     std::fill_n(withstood_, 3, 0.0f);
 }
 
-void Resting::enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth) {
+void Resting::enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth,
+                    const Bounds& box) {
     birth_[index] = birth;
     tried_ = 0;
     earliest_ = std::min(earliest_, birth);
+    boxes_[slot] = box;
     grid.insert(slot, position, scale);
 }
 

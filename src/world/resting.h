@@ -1,7 +1,7 @@
 // The bodies of a batch that are at rest: since when and where. And what contact notes of each body until it is. docs/rest.md
 #pragma once
 
-#include "contact/pose.h"
+#include "contact/body_pair.h"
 #include "contact/rest_grid.h"
 #include "field/touch_notes.h"
 #include "world/allocator.h"
@@ -37,8 +37,9 @@ public:
 
     // The first body comes to rest.
     void begin();
-    // A body comes to rest that was born then, on the clock.
-    void enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth);
+    // A body comes to rest that was born then, on the clock. box: what others can touch of it.
+    void enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth, const Bounds& box);
+    const Bounds& box(uint32_t slot) const { return boxes_[slot]; }
     double birth_of(float age, float age_rest) const {
         return clock_ - (static_cast<double>(age) - static_cast<double>(age_rest));
     }
@@ -110,6 +111,7 @@ private:
     double clock_ = 0.0;    // s, of the batch since the first came to rest
     double earliest_ = 0.0; // s: no birth is before it
     Buffer<double> birth_;  // s, by dense index, of bodies at rest
+    Buffer<Bounds> boxes_;  // by slot: made once, when a body comes to rest
     Buffer<float> rest_time_, stay_;
     Buffer<uint32_t> touching_;
     Buffer<uint8_t> noted_, cut_noted_;

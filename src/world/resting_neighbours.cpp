@@ -1,6 +1,6 @@
 #include "world/resting_neighbours.h"
 
-#include "contact/pair_way.h"
+#include "contact/pair_batch.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -60,7 +60,8 @@ RestingNeighbours::RestingNeighbours(const lr_world& world, uint32_t slot) : wor
 uint32_t RestingNeighbours::touched_by(uint32_t key, float scale, const Pose& from, const Pose& to, float margin,
                                        RestingTouch (&out)[most_resting]) const {
     const Batch& own = *world_->batches[slot_].batch;
-    const float way = way_of(from, to, own.shape.reach * scale), within = margin + way;
+    const PairBody moving = pair_body(own.meeting, scale, from, to);
+    const float within = margin + moving.way();
     const Bounds box = bounds(own.meeting, scale, from);
     const float low[3] = {box.low.x - within, box.low.y - within, box.low.z - within};
     const float high[3] = {box.high.x + within, box.high.y + within, box.high.z + within};
@@ -69,35 +70,38 @@ uint32_t RestingNeighbours::touched_by(uint32_t key, float scale, const Pose& fr
         const Batch& batch = *world_->batches[other].batch;
         batch.look_at_resting(low, high, [&](uint32_t index) {
             const uint32_t its = batch.arrays().key[index];
-            const Pose pose = pose_of(batch.arrays(), index);
             // A copy of a body at rest does not meet that.
-            if (other == slot_ && its == key && equal(pose.position, from.position)) return;
-            const Bounds b = bounds(batch.meeting, batch.arrays().field[field_scale][index], pose);
-            if (b.low.x > high[0] || b.low.y > high[1] || b.low.z > high[2]) return;
-            if (b.high.x < low[0] || b.high.y < low[1] || b.high.z < low[2]) return;
+            if (other == slot_ && its == key && equal(pose_of(batch.arrays(), index).position, from.position)) return;
             near.take({other, its, index});
         });
     });
-    const PairBody moving{own.meeting, scale, from, to, way};
-    uint32_t count = 0;
+    PairBody others[most_resting];
+    PairBatch pairs(pair_search(world_->target->simd));
+    const auto found = [&](uint32_t n, const WayContact* contacts, uint32_t count) {
+        out[n].count = count;
+        for (uint32_t k = 0; k < count; ++k) {
+            out[n].contact[k] = contacts[k].begin;
+            out[n].contact[k].gap = contacts[k].end;
+        }
+    };
     for (uint32_t n = 0; n < near.count; ++n) {
         const Neighbour& one = near.found[n];
         const Batch& batch = *world_->batches[one.batch].batch;
         const Pose pose = pose_of(batch.arrays(), one.index);
-        WayContact found[most_pair_contacts];
-        RestingTouch& touch = out[count];
-        touch.count = find_way_contacts(
-            moving, {batch.meeting, batch.arrays().field[field_scale][one.index], pose, pose, 0.0f}, margin, found);
-        for (uint32_t k = 0; k < touch.count; ++k) {
-            touch.contact[k] = found[k].begin;
-            touch.contact[k].gap = found[k].end;
-        }
-        if (touch.count == 0) continue;
-        touch.batch = one.batch;
-        touch.index = one.index;
+        others[n] = {&batch.meeting, batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
+        pairs.find(moving, others[n], margin, n, found);
+    }
+    pairs.finish(found);
+    uint32_t count = 0;
+    for (uint32_t n = 0; n < near.count; ++n) {
+        if (out[n].count == 0) continue;
+        if (n != count) out[count] = out[n];
+        RestingTouch& touch = out[count++];
+        const Batch& batch = *world_->batches[near.found[n].batch].batch;
+        touch.batch = near.found[n].batch;
+        touch.index = near.found[n].index;
         touch.friction = pair_friction(own.contact, batch.contact);
         touch.restitution = pair_restitution(own.contact, batch.contact);
-        ++count;
     }
     return count;
 }

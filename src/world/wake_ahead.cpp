@@ -42,13 +42,7 @@ void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float stil
     if (!way_box(*world.batches[slot].batch, i, dt, still, low, high)) return;
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         Batch& partner = *world.batches[other].batch;
-        partner.look_at_resting(low, high, [&](uint32_t index) {
-            const Bounds b =
-                bounds(partner.meeting, partner.arrays().field[field_scale][index], pose_of(partner.arrays(), index));
-            if (b.low.x > high[0] || b.low.y > high[1] || b.low.z > high[2]) return;
-            if (b.high.x < low[0] || b.high.y < low[1] || b.high.z < low[2]) return;
-            partner.note_rest(index);
-        });
+        partner.look_at_resting(low, high, [&](uint32_t index) { partner.note_rest(index); });
     });
 }
 

@@ -77,6 +77,36 @@ TEST_CASE("boxes that overlap find each other once, and no others") {
     CHECK(pairs > 10000);
 }
 
+TEST_CASE("onward each pair is found once, and by both in a cell of their own") {
+    test::Random random(83);
+    size_t pairs = 0, in_a_cell = 0;
+    for (const double spread : {1.0, 30.0})
+        for (int round = 0; round < 20; ++round) {
+            constexpr uint32_t count = 300;
+            Allocator allocator;
+            MeetingGrid grid;
+            REQUIRE(grid.reserve(allocator, count));
+            for (uint32_t i = 0; i < count; ++i) grid.boxes()[i] = any_box(random, 0.3, 0.01, 0.01 * spread, i);
+            grid.build(count);
+            Found expected, found;
+            for (const auto& [a, b] : found_by(grid, count))
+                if (a < b || grid.box(a).level != grid.box(b).level) expected.insert({std::min(a, b), std::max(a, b)});
+            uint32_t twice = 0;
+            for (uint32_t i = 0; i < count; ++i)
+                grid.visit_onward(grid.box(i), [&](const MeetingBox& other, bool mutual) {
+                    if (other.body == i) return;
+                    twice += mutual ? 1u : 0u;
+                    if (!mutual || i < other.body) found.insert({std::min(i, other.body), std::max(i, other.body)});
+                });
+            CHECK(found == expected);
+            CHECK(twice % 2 == 0);
+            pairs += expected.size();
+            in_a_cell += twice / 2;
+        }
+    CHECK(in_a_cell > 100);
+    CHECK(pairs > 2 * in_a_cell);
+}
+
 TEST_CASE("what a grid finds does not depend on the order of its boxes, nor on what it held before") {
     test::Random random(82);
     constexpr uint32_t count = 300;
