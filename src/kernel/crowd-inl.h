@@ -103,6 +103,9 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, PairContacts& c, size_t at, V
 // What overlaps by more than this part of the reach is undone over several substeps: bodies that have come to lie in each other
 // must not be thrown apart.
 constexpr float pair_push = 0.02f, collider_push = 0.5f;
+// Of overlap between bodies beyond the slop so much is undone in a substep: pairs of a heap that contradict each other would
+// throw each other to and fro.
+constexpr float undone = 0.3f;
 
 HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     const DF d;
@@ -114,7 +117,10 @@ HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     set_gains(s.a, s.b, c, at);
     const Vec3 normal = load3(c.normal, at), tangent = load3(c.tangent, at);
     const VF most = hn::Mul(hn::IfThenElse(s.pair, constant(-pair_push), constant(-collider_push)), s.reach);
-    const VF push = hn::Max(hn::Load(d, c.gap + at), most);
+    const auto solid = hn::Gt(hn::Load(d, c.solid + at), zero);
+    const VF overlap = hn::Min(hn::Add(hn::Load(d, c.before + at), s.slop), zero);
+    const VF stays = hn::IfThenElse(solid, zero, hn::Mul(constant(1.0f - undone), overlap));
+    const VF push = hn::Max(hn::Sub(hn::Load(d, c.gap + at), stays), most);
     const Vec3 relative =
         sub(velocity_of(s.a.turn, s.way[0], load3(c.arm_a, at)), velocity_of(s.b.turn, s.way[1], load3(c.arm_b, at)));
     hn::Store(hn::Sub(dot(normal, relative), push), d, c.target + at);

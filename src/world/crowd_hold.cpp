@@ -23,6 +23,13 @@ Vector row_of(const LaneRow (&rows)[3], uint32_t lane) {
     return {rows[0][lane], rows[1][lane], rows[2][lane]};
 }
 
+// A body in a heap falls through what sweeps leave of gaps, and is stopped in the next substep: one motion that has not lasted
+// for two, and is no more than restitution counts (2 g h), says nothing.
+float lasting_speed(float before, float now, float fall) {
+    const float fastest = std::max(before, now);
+    return fastest > 2.0f * fall ? fastest : std::min(before, now);
+}
+
 } // namespace
 
 void CrowdStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const {
@@ -75,8 +82,16 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
             if (which == Held::apart || touches(i)) from.field[f][first + i] = field[f][i];
     for (uint32_t i = 0; i < count; ++i) {
         if (touches(i) != (which == Held::touching)) continue;
-        const BodyAfter body = body_after(
+        BodyAfter body = body_after(
             member.run, group, i, first + i, [&](size_t f) { return field[f][i]; }, began_rows);
+        if (std::count(body.now, body.now + most_touches, touching_body) != 0) {
+            const auto began = [&](size_t f) {
+                return length({began_rows[f][i], began_rows[f + 1][i], began_rows[f + 2][i]});
+            };
+            const float reach = member.run.step.shape->reach * field[field_scale][i];
+            body.speed =
+                lasting_speed(began(field_vx) + reach * began(field_wx), body.speed, member.run.step.gravity * h);
+        }
         enter_body(member.run.book, body, member.run.step.settings->may_rest, h, last(substep),
                    [&](uint32_t collider) { return group.meeting(i, collider, began_rows); });
         group.visit_at_rest(i, [&](const ContactGroup::AtRest& other) { wake(body, other); });
@@ -237,10 +252,14 @@ void CrowdStep::put_back(uint32_t place, uint32_t substep) {
     BodyAfter body{};
     body.index = index;
     const float reach = member.run.step.shape->reach * from.scale;
-    body.speed = length(vector_of(from.v)) + reach * length(vector_of(from.w));
+    const auto speed = [&](const float(&v)[3], const float(&w)[3]) {
+        return length(vector_of(v)) + reach * length(vector_of(w));
+    };
+    const float now = speed(from.v, from.w);
+    body.speed = lasting_speed(speed(from.v0, from.w0), now, member.run.step.gravity * static_cast<float>(time_.h));
     const float still = member.run.still * std::sqrt(reach);
     body.still = heap_still * still;
-    body.moved = body.speed > 0.0f;
+    body.moved = now > 0.0f;
     for (size_t k = 0; k < 3; ++k) body.moved = body.moved || from.x[k] != from.x0[k];
     for (size_t k = 0; k < 4; ++k) body.moved = body.moved || from.q[k] != from.q0[k];
     body.moving = trembling * still;
