@@ -23,11 +23,16 @@ Vector row_of(const LaneRow (&rows)[3], uint32_t lane) {
     return {rows[0][lane], rows[1][lane], rows[2][lane]};
 }
 
-// A body in a heap falls through what sweeps leave of gaps, and is stopped in the next substep: one motion that has not lasted
-// for two, and is no more than restitution counts (2 g h), says nothing.
-float lasting_speed(float before, float now, float fall) {
-    const float fastest = std::max(before, now);
-    return fastest > 2.0f * fall ? fastest : std::min(before, now);
+// Of a body's fastest point, m/s.
+float speed_of(float reach, Vector v, Vector w) {
+    return length(v) + reach * length(w);
+}
+// A body in a heap falls through what sweeps leave of gaps, is stopped in the next substep, and rocks back: what does not last for
+// two, and is no more than restitution counts (2 g h), is no motion.
+float lasting_speed(float reach, Vector v0, Vector w0, Vector v, Vector w, float fall) {
+    const float before = speed_of(reach, v0, w0), now = speed_of(reach, v, w);
+    if (std::max(before, now) > 2.0f * fall) return std::max(before, now);
+    return std::min({before, now, speed_of(0.5f * reach, 0.5f * (v0 + v), w0 + w)});
 }
 
 } // namespace
@@ -86,11 +91,11 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
             member.run, group, i, first + i, [&](size_t f) { return field[f][i]; }, began_rows);
         if (std::count(body.now, body.now + most_touches, touching_body) != 0) {
             const auto began = [&](size_t f) {
-                return length({began_rows[f][i], began_rows[f + 1][i], began_rows[f + 2][i]});
+                return Vector{began_rows[f][i], began_rows[f + 1][i], began_rows[f + 2][i]};
             };
-            const float reach = member.run.step.shape->reach * field[field_scale][i];
-            body.speed =
-                lasting_speed(began(field_vx) + reach * began(field_wx), body.speed, member.run.step.gravity * h);
+            const auto now = [&](size_t f) { return Vector{field[f][i], field[f + 1][i], field[f + 2][i]}; };
+            body.speed = lasting_speed(member.run.step.shape->reach * field[field_scale][i], began(field_vx),
+                                       began(field_wx), now(field_vx), now(field_wx), member.run.step.gravity * h);
         }
         enter_body(member.run.book, body, member.run.step.settings->may_rest, h, last(substep),
                    [&](uint32_t collider) { return group.meeting(i, collider, began_rows); });
@@ -252,14 +257,11 @@ void CrowdStep::put_back(uint32_t place, uint32_t substep) {
     BodyAfter body{};
     body.index = index;
     const float reach = member.run.step.shape->reach * from.scale;
-    const auto speed = [&](const float(&v)[3], const float(&w)[3]) {
-        return length(vector_of(v)) + reach * length(vector_of(w));
-    };
-    const float now = speed(from.v, from.w);
-    body.speed = lasting_speed(speed(from.v0, from.w0), now, member.run.step.gravity * static_cast<float>(time_.h));
+    body.speed = lasting_speed(reach, vector_of(from.v0), vector_of(from.w0), vector_of(from.v), vector_of(from.w),
+                               member.run.step.gravity * static_cast<float>(time_.h));
     const float still = member.run.still * std::sqrt(reach);
     body.still = heap_still * still;
-    body.moved = now > 0.0f;
+    body.moved = speed_of(reach, vector_of(from.v), vector_of(from.w)) > 0.0f;
     for (size_t k = 0; k < 3; ++k) body.moved = body.moved || from.x[k] != from.x0[k];
     for (size_t k = 0; k < 4; ++k) body.moved = body.moved || from.q[k] != from.q0[k];
     body.moving = trembling * still;
