@@ -100,7 +100,7 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, PairContacts& c, size_t at, V
     hn::Store(mul_add(part, hn::Sub(to, from), from), d, c.bounce + at);
 }
 
-// What overlaps by more than this part of the reach is undone over several substeps: bodies that have come to lie in each other
+// Of overlap that a substep began with no more than this part of the reach is undone in it: bodies that have come to lie in each other
 // must not be thrown apart.
 constexpr float pair_push = 0.02f, collider_push = 0.5f;
 // Of overlap between bodies beyond the slop so much is undone in a substep: pairs of a heap that contradict each other would
@@ -116,11 +116,13 @@ HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     set_gaps(s, h, c, at, arm_a, arm_b);
     set_gains(s.a, s.b, c, at);
     const Vec3 normal = load3(c.normal, at), tangent = load3(c.tangent, at);
-    const VF most = hn::Mul(hn::IfThenElse(s.pair, constant(-pair_push), constant(-collider_push)), s.reach);
     const auto solid = hn::Gt(hn::Load(d, c.solid + at), zero);
+    const VF gap = hn::Load(d, c.gap + at);
     const VF overlap = hn::Min(hn::Add(hn::Load(d, c.before + at), s.slop), zero);
-    const VF stays = hn::IfThenElse(solid, zero, hn::Mul(constant(1.0f - undone), overlap));
-    const VF push = hn::Max(hn::Sub(hn::Load(d, c.gap + at), stays), most);
+    const VF most = hn::Mul(constant(pair_push), s.reach);
+    const VF stays = hn::Min(hn::Mul(constant(1.0f - undone), overlap), hn::Add(overlap, most));
+    const VF push =
+        hn::IfThenElse(solid, hn::Max(gap, hn::Mul(constant(-collider_push), s.reach)), hn::Sub(gap, stays));
     const Vec3 relative =
         sub(velocity_of(s.a.turn, s.way[0], load3(c.arm_a, at)), velocity_of(s.b.turn, s.way[1], load3(c.arm_b, at)));
     hn::Store(hn::Sub(dot(normal, relative), push), d, c.target + at);
