@@ -10,7 +10,7 @@ namespace {
 constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 constexpr uint32_t usual_colours = 64; // by bits; what finds none goes into blocks of its own
 constexpr uint32_t crowd_sweeps = 20, roll_every = 4;
-constexpr uint32_t bounce_rounds = 6, bounce_sweeps = 3; // after which no impact has given energy
+constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
 constexpr uint32_t held_sweeps = 4; // more over what is not moved: no heap may press anything into a collider
 // Blocks and groups of bodies for which another thread is called: some microseconds of work.
 constexpr uint32_t block_grain = 16, group_grain = 64;
