@@ -47,13 +47,13 @@ BodyConstants ball() {
 
 // Balls that do not turn as a substep begins, and their contacts.
 struct Balls {
-    Allocator allocator;
-    CrowdSolver solver{allocator};
     Crew crew;
-    BodyConstants body = ball();
-    uint32_t count;
     std::vector<std::vector<CrowdContact>> contacts;
     std::vector<CrowdUnit> units;
+    Allocator allocator;
+    CrowdSolver solver{allocator};
+    uint32_t count;
+    BodyConstants body = ball();
 
     explicit Balls(uint32_t balls, uint32_t workers = 0) : count(balls) {
         REQUIRE(crew.start(workers, {}));
