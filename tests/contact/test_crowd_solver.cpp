@@ -345,9 +345,9 @@ TEST_CASE("small systems without friction come to the velocities of the exact so
         std::vector<double> v(size), inverse(size), u(links), target(links, 0.0);
         for (uint32_t n = 0; n < count; ++n)
             for (size_t k = 0; k < 3; ++k) {
-                v[6 * n + k] = wide(balls.at(n).v[k]);
-                inverse[6 * n + k] = 1.0 / balls.mass(n);
-                inverse[6 * n + k + 3] = 2.5 / (balls.mass(n) * std::pow(wide(balls.at(n).scale), 2.0));
+                v[6 * size_t{n} + k] = wide(balls.at(n).v[k]);
+                inverse[6 * size_t{n} + k] = 1.0 / balls.mass(n);
+                inverse[6 * size_t{n} + k + 3] = 2.5 / (balls.mass(n) * std::pow(wide(balls.at(n).scale), 2.0));
             }
         for (uint32_t k = 0; k < links; ++k)
             for (int side = 0; side < 2; ++side) {
@@ -357,8 +357,8 @@ TEST_CASE("small systems without friction come to the velocities of the exact so
                 for (size_t c = 0; c < 3; ++c) arm[c] = l.at[c] - wide(balls.at(n).x0[c]);
                 for (size_t c = 0; c < 3; ++c) {
                     const double sign = side == 0 ? 1.0 : -1.0;
-                    rows[k][6 * n + c] = sign * l.n[c];
-                    rows[k][6 * n + c + 3] =
+                    rows[k][6 * size_t{n} + c] = sign * l.n[c];
+                    rows[k][6 * size_t{n} + c + 3] =
                         sign * (arm[(c + 1) % 3] * l.n[(c + 2) % 3] - arm[(c + 2) % 3] * l.n[(c + 1) % 3]);
                 }
             }
@@ -376,8 +376,8 @@ TEST_CASE("small systems without friction come to the velocities of the exact so
         double apart = 0.0;
         for (uint32_t n = 0; n < count; ++n)
             for (size_t k = 0; k < 3; ++k) {
-                apart = std::max(apart, std::abs(wide(balls.at(n).v[k]) - v[6 * n + k]));
-                const double spin = wide(balls.at(n).w[k]) - v[6 * n + k + 3];
+                apart = std::max(apart, std::abs(wide(balls.at(n).v[k]) - v[6 * size_t{n} + k]));
+                const double spin = wide(balls.at(n).w[k]) - v[6 * size_t{n} + k + 3];
                 apart = std::max(apart, wide(balls.at(n).scale) * std::abs(spin));
             }
         worst = std::max(worst, apart / fall);
@@ -429,11 +429,12 @@ TEST_CASE("the same bits with any number of workers, and whichever of a pair is 
             test::Random random(15);
             Balls balls(count, workers);
             for (uint32_t n = 0; n < count; ++n) {
-                const auto layer = static_cast<float>(n / 400), row = static_cast<float>(n / 20 % 20),
-                           column = static_cast<float>(n % 20);
+                const uint32_t layer = n / 400, row = n / 20 % 20, column = n % 20;
                 const float scale = narrow(random.uniform(0.4, 0.5));
-                balls.place(n, scale, {column, 0.5f + 0.9f * layer, row},
-                            {random.real(-0.1, 0.1), -gravity * h, random.real(-0.1, 0.1)});
+                balls.place(
+                    n, scale,
+                    {static_cast<float>(column), 0.5f + 0.9f * static_cast<float>(layer), static_cast<float>(row)},
+                    {random.real(-0.1, 0.1), -gravity * h, random.real(-0.1, 0.1)});
                 if (n < 400) balls.stand_on(n, 0.0f, 0.4f);
             }
             for (uint32_t n = 0; n < count; ++n)
