@@ -10,6 +10,7 @@ namespace {
 constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 constexpr uint32_t usual_colours = 64; // by bits; what finds none goes into blocks of its own
 constexpr uint32_t crowd_sweeps = 20, roll_every = 4;
+constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
 constexpr uint32_t held_sweeps = 4; // more over what is not moved: no heap may press anything into a collider
 // Blocks and groups of bodies for which another thread is called: some microseconds of work.
 constexpr uint32_t block_grain = 4, group_grain = 16;
@@ -220,6 +221,19 @@ void CrowdSolver::sweep(const CrowdTarget& target, const CrowdInput& in, const W
         each_block(workers, pair_colours_, [&](PairBlock& block) { target.sweep(in, block); });
 }
 
+// Restitution and friction together can give energy (Kane 1984): those that would bounce less.
+void CrowdSolver::restrain(const CrowdTarget& target, const CrowdInput& in, const Workers& workers) {
+    for (uint32_t round = 0; round < bounce_rounds; ++round) {
+        std::atomic<bool> some{false};
+        each_block(workers, 0, [&](PairBlock& block) {
+            if (target.restrain(in, block)) some.store(true, std::memory_order_relaxed);
+        });
+        if (!some) return;
+        for (uint32_t n = 0; n < bounce_sweeps; ++n)
+            each_block(workers, 0, [&](PairBlock& block) { target.sweep(in, block); });
+    }
+}
+
 bool CrowdSolver::solve(const CrowdTarget& target, float h, float gravity, const CrowdKind* kinds,
                         const CrowdRange* ranges, uint32_t range_count, CrowdUnit* units, uint32_t unit_count,
                         const Workers& workers) {
@@ -241,6 +255,7 @@ bool CrowdSolver::solve(const CrowdTarget& target, float h, float gravity, const
     each_block(workers, 0, [&](PairBlock& block) { target.touch(in, block); });
     each_block(workers, 0, [&](PairBlock& block) { target.velocity(in, block); });
     sweep(target, in, workers, rolls);
+    restrain(target, in, workers);
     each_group(workers, [&](uint32_t kind, uint32_t begin) { target.finish(in, kind, begin); });
     return true;
 }

@@ -63,6 +63,7 @@ private:
     template <class Function> void each_block(const Workers& workers, uint32_t from, Function&& function);
     template <class Function> void each_group(const Workers& workers, Function&& function);
     void sweep(const CrowdTarget& target, const CrowdInput& in, const Workers& workers, bool rolls);
+    void restrain(const CrowdTarget& target, const CrowdInput& in, const Workers& workers);
 
     Allocator* allocator_;
     uint32_t body_count_ = 0, unit_count_ = 0, block_count_ = 0, group_count_ = 0;

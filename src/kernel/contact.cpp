@@ -37,6 +37,7 @@ const CrowdTarget& crowd_target(int32_t simd) {
      &N_##target::crowd_move,                                                                                          \
      &N_##target::crowd_touch,                                                                                         \
      &N_##target::crowd_velocity,                                                                                      \
+     &N_##target::crowd_restrain,                                                                                      \
      &N_##target::crowd_finish},
     static constexpr CrowdTarget targets[] = {LR_FOR_BUILT_TARGETS(LR_TARGET)};
 #undef LR_TARGET

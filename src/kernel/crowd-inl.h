@@ -100,9 +100,12 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, PairContacts& c, size_t at, V
     hn::Store(mul_add(part, hn::Sub(to, from), from), d, c.bounce + at);
 }
 
-// What overlaps by more than this part of the reach is undone over several substeps: bodies that have come to lie in each other
+// Of overlap that a substep began with no more than this part of the reach is undone in it: bodies that have come to lie in each other
 // must not be thrown apart.
 constexpr float pair_push = 0.02f, collider_push = 0.5f;
+// Of overlap between bodies beyond the slop so much is undone in a substep: pairs of a heap that contradict each other would
+// throw each other to and fro.
+constexpr float undone = 0.3f;
 
 HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     const DF d;
@@ -113,8 +116,13 @@ HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     set_gaps(s, h, c, at, arm_a, arm_b);
     set_gains(s.a, s.b, c, at);
     const Vec3 normal = load3(c.normal, at), tangent = load3(c.tangent, at);
-    const VF most = hn::Mul(hn::IfThenElse(s.pair, constant(-pair_push), constant(-collider_push)), s.reach);
-    const VF push = hn::Max(hn::Load(d, c.gap + at), most);
+    const auto solid = hn::Gt(hn::Load(d, c.solid + at), zero);
+    const VF gap = hn::Load(d, c.gap + at);
+    const VF overlap = hn::Min(hn::Add(hn::Load(d, c.before + at), s.slop), zero);
+    const VF most = hn::Mul(constant(pair_push), s.reach);
+    const VF stays = hn::Min(hn::Mul(constant(1.0f - undone), overlap), hn::Add(overlap, most));
+    const VF push =
+        hn::IfThenElse(solid, hn::Max(gap, hn::Mul(constant(-collider_push), s.reach)), hn::Sub(gap, stays));
     const Vec3 relative =
         sub(velocity_of(s.a.turn, s.way[0], load3(c.arm_a, at)), velocity_of(s.b.turn, s.way[1], load3(c.arm_b, at)));
     hn::Store(hn::Sub(dot(normal, relative), push), d, c.target + at);
@@ -312,7 +320,9 @@ void crowd_move(const CrowdInput& in, uint32_t kind, uint32_t begin) {
         store3(row + at_q, at, {q.x, q.y, q.z});
         hn::Store(q.w, d, row[at_q + 3] + at);
         // What the correction turns keeps its velocity in the world, and with it its momentum.
-        store6(twist, at, {to_body(q, seen.v), to_body(q, seen.u)});
+        const Twist goes{to_body(q, seen.v), to_body(q, seen.u)};
+        store6(twist, at, goes);
+        store6(row + at_way, at, goes);
         store3(row + at_rolled, at, {zero, zero, zero});
         hn::Store(constant(2e-5f * in.gravity * in.h), d, row[at_dust] + at);
         hn::Store(zero, d, twist[6] + at);
@@ -364,8 +374,25 @@ void crowd_touch(const CrowdInput& in, PairBlock& block) {
     }
 }
 
+// Both points of a contact in the middle between them: impulses that act at two turn the pair. Not farther than where they still
+// say how the surfaces go: a way that turns by much may end with them far from each other.
+constexpr float most_joined = 0.2f; // of the smaller reach
+
+HWY_INLINE void join_arms(const Side& a, const Side& b, const Size& size_a, const Size& size_b, Vec3 apart,
+                          PairContacts& c, size_t at) {
+    const Vec3 on_a = to_world(a.turn, scale(size_a.length, load3(c.arm_a, at)));
+    const Vec3 on_b = to_world(b.turn, scale(size_b.length, load3(c.arm_b, at)));
+    Vec3 half = scale(constant(0.5f), add(apart, sub(on_a, on_b)));
+    const VF most = hn::Mul(constant(most_joined), hn::Min(size_a.reach, size_b.reach));
+    half = scale(hn::Min(hn::Div(most, hn::Max(hn::Sqrt(dot(half, half)), constant(1e-30f))), constant(1.0f)), half);
+    store3(c.arm_a, at, scale(size_a.inverse, to_body(a.turn, sub(on_a, half))));
+    store3(c.arm_b, at, scale(size_b.inverse, to_body(b.turn, add(on_b, half))));
+}
+
 void crowd_velocity(const CrowdInput& in, PairBlock& block) {
     const DF d;
+    const bool pairs = block.ratio[0] != 0.0f; // of all lanes or of none
+    bool bouncing = false;
     const Gathered g(in, block);
     alignas(64) LaneRow twist_a[twist_floats], twist_b[twist_floats];
     gather<twist_floats, twist_floats>(
@@ -387,11 +414,14 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
         const auto rests_a = hn::Lt(load(g.a, at_depth), mul_add(constant(2.0f), size_a.slop, fall));
         const auto rests_b = hn::Lt(load(g.b, at_depth), mul_add(constant(2.0f), size_b.slop, fall));
         const VF guess = hn::IfThenElseZero(hn::And(rests_a, rests_b), constant(2.0f / in.h));
+        const Vec3 apart = sub(load3(g.a + at_x, at), load3(g.b + at_x, at));
         const auto any = hn::Gt(hn::Max(load(g.a, at_touches), load(g.b, at_touches)), zero);
         Twist ta = load6(twist_a, at), tb = load6(twist_b, at);
         VF more = zero;
+        const Twist met_a = load6(g.a + at_way, at), met_b = load6(g.b + at_way, at);
         for (uint32_t k = 0; k < block.used; ++k) {
             PairContacts& c = block.contact[k];
+            if (pairs) join_arms(a, b, size_a, size_b, apart, c, at);
             set_gains(a, b, c, at);
             hn::Store(hn::IfThenElseZero(any, hn::Load(d, c.inverse + at)), d, c.inverse + at);
             const Vec3 normal = load3(c.normal, at), first = load3(c.tangent, at), second = cross(normal, first);
@@ -407,6 +437,13 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
             hn::Store(target, d, c.target + at);
             hn::Store(dot(first, surface), d, c.drift[0] + at);
             hn::Store(dot(second, surface), d, c.drift[1] + at);
+            const VF bounces = hn::IfThenElseZero(touches, away);
+            hn::Store(bounces, d, c.bounce + at);
+            bouncing = bouncing || !hn::AllTrue(d, hn::Eq(bounces, zero));
+            const Vec3 met =
+                sub(sub(velocity_of(a.turn, met_a, load3(c.arm_a, at)), velocity_of(b.turn, met_b, load3(c.arm_b, at))),
+                    surface);
+            store3(c.came, at, {dot(normal, met), dot(first, met), dot(second, met)});
             const VF kept = hn::IfThenElseZero(touches, guess);
             VF impulses[3];
             float* const kept_at[3] = {c.pressed, c.dragged[0], c.dragged[1]};
@@ -426,6 +463,46 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
         hn::Store(hn::Add(hn::Load(d, twist_a[6] + at), more), d, twist_a[6] + at);
     }
     put_back(in, block, twist_a, twist_b);
+    block.bounces = bouncing ? 1 : 0;
+}
+
+// The work of a contact's impulse is half of it times the sum of the velocities before and after.
+bool crowd_restrain(const CrowdInput& in, PairBlock& block) {
+    if (block.bounces == 0) return false;
+    const DF d;
+    alignas(64) LaneRow twist_a[twist_floats], twist_b[twist_floats];
+    gather<twist_floats, twist_floats>(
+        floats(in.twists), [&](size_t lane) { return block.a[lane]; }, twist_a);
+    gather<twist_floats, twist_floats>(
+        floats(in.twists), [&](size_t lane) { return block.b[lane]; }, twist_b);
+    const VF zero = hn::Zero(d), most_gain = constant(1.01f);
+    bool restrained = false;
+    for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
+        const Matrix turn_a = load_matrix(block.turn_a, at), turn_b = load_matrix(block.turn_b, at);
+        const Twist ta = load6(twist_a, at), tb = load6(twist_b, at);
+        for (uint32_t k = 0; k < block.used; ++k) {
+            PairContacts& c = block.contact[k];
+            const auto load = [&](const float* row) LR_LAMBDA { return hn::Load(d, row + at); };
+            const VF pressed = load(c.pressed), bounces = load(c.bounce);
+            const auto counts = hn::And(hn::Gt(bounces, zero), hn::Gt(pressed, zero));
+            if (hn::AllFalse(d, counts)) continue;
+            const Vec3 normal = load3(c.normal, at), first = load3(c.tangent, at), second = cross(normal, first);
+            const Vec3 relative =
+                sub(velocity_of(turn_a, ta, load3(c.arm_a, at)), velocity_of(turn_b, tb, load3(c.arm_b, at)));
+            const VF sum_x = hn::Add(load(c.came[1]), hn::Sub(dot(first, relative), load(c.drift[0])));
+            const VF sum_y = hn::Add(load(c.came[2]), hn::Sub(dot(second, relative), load(c.drift[1])));
+            const VF work = mul_add(load(c.dragged[0]), sum_x, hn::Mul(load(c.dragged[1]), sum_y));
+            const VF over = hn::Div(work, hn::Max(pressed, constant(1e-30f)));
+            const VF most = hn::Max(hn::Neg(hn::Add(load(c.came[0]), over)), zero);
+            const auto less = hn::And(counts, hn::Gt(bounces, hn::Mul(most_gain, most)));
+            if (hn::AllFalse(d, less)) continue;
+            restrained = true;
+            const VF by = hn::IfThenElseZero(less, hn::Sub(bounces, most));
+            hn::Store(hn::Sub(bounces, by), d, c.bounce + at);
+            hn::Store(hn::Sub(load(c.target), by), d, c.target + at);
+        }
+    }
+    return restrained;
 }
 
 // Velocities, and the static lock: as for a body alone.

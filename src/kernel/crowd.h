@@ -14,13 +14,14 @@ struct alignas(64) CrowdBody {
     float v0[3], w0[3];
     float scale;
     // What contact makes of it.
-    float way[6], correction[6]; // twists (v, d s w) times s
-    float depth;                 // m, of the deepest overlap
-    float shallow;               // m, of the gaps with colliders that the substep began with the least, or 0
-    float carried;               // m/s, the fastest surface that it touches
-    float touches;               // 1: it touches something
-    float rolled[3];             // impulse couple against rolling
-    float dust;                  // m or m/s: spins that do not count
+    float way[6];        // twist (v, d s w) times s; of the second projection: the velocity before it
+    float correction[6]; // of the way
+    float depth;         // m, of the deepest overlap
+    float shallow;       // m, of the gaps with colliders that the substep began with the least, or 0
+    float carried;       // m/s, the fastest surface that it touches
+    float touches;       // 1: it touches something
+    float rolled[3];     // impulse couple against rolling
+    float dust;          // m or m/s: spins that do not count
 };
 // What sweeps change of it.
 struct alignas(32) CrowdTwist {
@@ -44,12 +45,14 @@ struct PairContacts {
     // The solver's own; kernel/crowd-inl.h.
     LaneRow tangent[3], inverse, to_first, to_second, hold[3], least, target, drift[2], dragged[2];
     LaneRow before, bounce, touching;
+    LaneRow came[3];              // along normal and tangents, against the surface, before the velocity projection
     LaneRow change[3], search[3]; // of the impulses: by the last sweep, and the direction in which they go on
 };
 struct PairBlock {
     uint32_t kind_a, kind_b; // of all lanes
     uint32_t used;           // contacts that any lane has
     uint32_t lanes;          // that are pairs; the others are pairs of nobody with itself
+    uint32_t bounces;        // 1: some do
     alignas(64) uint32_t a[contact_lanes];
     uint32_t b[contact_lanes];
     LaneRow ratio;                      // of a's mass unit to b's; 0: b is not moved
@@ -84,6 +87,7 @@ struct CrowdTarget {
                  uint32_t begin); // the way's correction is made, and velocities are next
     void (*touch)(const CrowdInput&, PairBlock&);
     void (*velocity)(const CrowdInput&, PairBlock&); // rows of the second projection
+    bool (*restrain)(const CrowdInput&, PairBlock&); // true: some would bounce by more than they have lost
     void (*finish)(const CrowdInput&, uint32_t kind, uint32_t begin);
 };
 // Of the same instruction set as a KernelTarget's.

@@ -23,6 +23,18 @@ Vector row_of(const LaneRow (&rows)[3], uint32_t lane) {
     return {rows[0][lane], rows[1][lane], rows[2][lane]};
 }
 
+// Of a body's fastest point, at most, m/s.
+float speed_of(Vector extent, Vector v, Vector w) {
+    return length(v) + farthest(extent, w);
+}
+// A body in a heap falls through what sweeps leave of gaps, is stopped in the next substep, and rocks back: what does not last for
+// two, and is no more than restitution counts (2 g h), is no motion.
+float lasting_speed(const BodyAfter& body, Vector v0, Vector w0, Vector v, Vector w, float fall) {
+    const float before = speed_of(body.extent, v0, w0), now = speed_of(body.extent, v, w);
+    if (std::max(before, now) > 2.0f * fall) return std::max(before, now);
+    return std::min({before, now, speed_of(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
+}
+
 } // namespace
 
 void CrowdStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const {
@@ -75,8 +87,16 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
             if (which == Held::apart || touches(i)) from.field[f][first + i] = field[f][i];
     for (uint32_t i = 0; i < count; ++i) {
         if (touches(i) != (which == Held::touching)) continue;
-        const BodyAfter body = body_after(
+        BodyAfter body = body_after(
             member.run, group, i, first + i, [&](size_t f) { return field[f][i]; }, began_rows);
+        if (std::count(body.now, body.now + most_touches, touching_body) != 0) {
+            const auto began = [&](size_t f) {
+                return Vector{began_rows[f][i], began_rows[f + 1][i], began_rows[f + 2][i]};
+            };
+            const auto now = [&](size_t f) { return Vector{field[f][i], field[f + 1][i], field[f + 2][i]}; };
+            body.speed = lasting_speed(body, began(field_vx), began(field_wx), now(field_vx), now(field_wx),
+                                       member.run.step.gravity * h);
+        }
         enter_body(member.run.book, body, member.run.step.settings->may_rest, h, last(substep),
                    [&](uint32_t collider) { return group.meeting(i, collider, began_rows); });
         group.visit_at_rest(i, [&](const ContactGroup::AtRest& other) { wake(body, other); });
@@ -238,6 +258,8 @@ void CrowdStep::put_back(uint32_t place, uint32_t substep) {
         body_moved(index, *member.run.step.shape, from.scale, member.run.still, vector_of(from.v), vector_of(from.w),
                    {vector_of(from.x0), {from.q0[0], from.q0[1], from.q0[2], from.q0[3]}},
                    {vector_of(from.x), {from.q[0], from.q[1], from.q[2], from.q[3]}});
+    body.speed = lasting_speed(body, vector_of(from.v0), vector_of(from.w0), vector_of(from.v), vector_of(from.w),
+                               member.run.step.gravity * static_cast<float>(time_.h));
     body.still *= heap_still;
     TouchList touched;
     for (uint32_t k = 0; k < c.held_count[place]; ++k) {
