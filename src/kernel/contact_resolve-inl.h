@@ -62,11 +62,12 @@ template <bool kFull, class C> HWY_INLINE float most_turned(const C& c) {
 }
 
 // Of a slot's normal impulse: what the contact must be held with at once, and the new one.
-HWY_INLINE VF press(Row& r, VF normal, VF dust) {
-    const VF wanted = hn::Mul(hn::Sub(r.target, normal), hn::Mul(constant(1.3f), r.inverse)); // over-relaxed
-    const VF more = hn::Sub(hn::Max(hn::Add(r.pressed, wanted), hn::Zero(DF())), r.pressed);
-    // Each lane by itself: what is under the dust stays as it is, in every later sweep too.
-    const VF counted = hn::IfThenElseZero(hn::Gt(hn::Abs(more), hn::Mul(dust, r.inverse)), more);
+HWY_INLINE VF press(Row& r, VF normal, VF dust, VF relaxed = constant(1.3f)) {
+    const VF wanted = hn::Mul(hn::Sub(r.target, normal), r.inverse);
+    const auto change = [&](VF by) { return hn::Sub(hn::Max(hn::Add(r.pressed, by), hn::Zero(DF())), r.pressed); };
+    // Each lane by itself: what is under the dust stays as it is, in every later sweep too, however relaxed that is.
+    const auto counts = hn::Gt(hn::Abs(change(wanted)), hn::Mul(dust, r.inverse));
+    const VF counted = hn::IfThenElseZero(counts, change(hn::Mul(relaxed, wanted)));
     r.pressed = hn::Add(r.pressed, counted);
     return counted;
 }
@@ -110,9 +111,11 @@ HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF sp
     Vec3 rolled{zero, zero, zero}; // impulse couple against rolling and spinning
     for (uint32_t sweep = 0; sweep < contact_sweeps; ++sweep) {
         VF change = zero, load = zero;
+        // Over-relaxed, but for the first: a body's only contact is done then, and exactly.
+        const VF relaxed = constant(sweep == 0 ? 1.0f : 1.3f);
         for (uint32_t i = 0; i < count; ++i) {
             Row& r = rows[(sweep & 1) == 0 ? i : count - 1 - i];
-            const VF more = press(r, product(r.along[0], t), dust);
+            const VF more = press(r, product(r.along[0], t), dust, relaxed);
             const VF x = hn::Sub(mul_add(more, r.to_first, product(r.along[1], t)), r.surface[0]);
             const VF y = hn::Sub(mul_add(more, r.to_second, product(r.along[2], t)), r.surface[1]);
             VF step_x, step_y;
@@ -215,6 +218,7 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
 
         Vec3 over[contact_slots]; // arms over d s
         VF gap[contact_slots], before[contact_slots], bounce[contact_slots], depth = zero;
+        VF left[contact_slots]; // of the gap, of what is to be undone later
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 normal = load3(s.normal, at), arm = load3(s.arm, at), surface = load3(s.surface, at);
@@ -224,17 +228,19 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             r.pressed = r.dragged[0] = r.dragged[1] = zero;
             gap[k] = hn::Load(d, s.gap + at);
             const auto empty_slot = hn::Ge(gap[k], empty);
-            // Deep overlap, as of a body that a collider was put on, is undone over a few substeps.
-            const VF push = hn::Max(gap[k], hn::Mul(constant(-0.5f), reach));
             depth = hn::Max(depth, hn::IfThenElse(empty_slot, zero, hn::Neg(gap[k])));
             r.inverse = hn::IfThenElse(empty_slot, zero, r.inverse);
-            r.target = hn::Sub(product(r.along[0], way), push);
             const Vec3 path = add(load3(s.lag, at), scale(h, surface));
             set_surface(r, to_body(q, path));
             r.friction = hn::IfThenElse(empty_slot, zero, hn::Load(d, s.friction + at));
             // Of the point that touches: where it was, and how fast it came when the gap closed, between its speeds at the ends.
             const Vec3 moved = sub(add(sub(x, x0), to_world(q, arm)), to_world(q0, arm));
             before[k] = hn::Add(gap[k], dot(normal, sub(path, moved)));
+            // Deep overlap that it had already, as of a body that a collider was put on, is undone over a few substeps.
+            const VF gained = hn::Sub(gap[k], hn::Min(before[k], zero));
+            const VF push = hn::Max(gap[k], hn::Min(mul_add(constant(-0.5f), reach, gained), zero));
+            r.target = hn::Sub(product(r.along[0], way), push);
+            left[k] = hn::Sub(gap[k], push);
             const Twist end{load3(b.arrays, field_vx, at), scale(length, load3(b.arrays, field_wx, at))};
             const VF carried = dot(normal, surface);
             const VF first = hn::Sub(dot(normal, to_world(q0, velocity_at(began, over[k]))), carried);
@@ -259,6 +265,25 @@ template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactS
             gap[k] = hn::Add(gap[k], product(rows[k].along[0], correction));
             const auto touches = hn::Or(hn::Gt(rows[k].pressed, zero), hn::Le(gap[k], slop));
             touching[k] = hn::IfThenElseZero(touches, one);
+        }
+        if (!hn::AllTrue(d, hn::Eq(less, one))) {
+            // Of what is left where the turn was too large the deepest is undone along its normal, if that opens all others.
+            VF deepest = zero;
+            Vec3 up{zero, zero, zero};
+            for (uint32_t k = 0; k < count; ++k) {
+                const auto deeper = hn::Gt(hn::Sub(left[k], gap[k]), deepest);
+                deepest = hn::IfThenElse(deeper, hn::Sub(left[k], gap[k]), deepest);
+                up = select(deeper, load3(slots.slot[used[k]].normal, at), up);
+            }
+            auto opens = hn::And(hn::Lt(less, one), hn::Gt(deepest, zero));
+            for (uint32_t k = 0; k < count; ++k)
+                opens = hn::And(
+                    opens, hn::Or(hn::Ge(gap[k], empty), hn::Ge(dot(up, load3(slots.slot[used[k]].normal, at)), zero)));
+            correction.v = select(opens, add(correction.v, scale(deepest, to_body(q, up))), correction.v);
+            for (uint32_t k = 0; k < count; ++k) {
+                const VF risen = mul_add(deepest, dot(up, load3(slots.slot[used[k]].normal, at)), gap[k]);
+                gap[k] = hn::IfThenElse(opens, risen, gap[k]);
+            }
         }
         x = add(x, to_world(q, correction.v));
         q = normalised(turn(q, q, hn::Mul(half, inverse), correction.u));
