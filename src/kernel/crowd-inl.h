@@ -118,11 +118,13 @@ HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     const Vec3 normal = load3(c.normal, at), tangent = load3(c.tangent, at);
     const auto solid = hn::Gt(hn::Load(d, c.solid + at), zero);
     const VF gap = hn::Load(d, c.gap + at);
-    const VF overlap = hn::Min(hn::Add(hn::Load(d, c.before + at), s.slop), zero);
+    const VF before = hn::Load(d, c.before + at), overlap = hn::Min(hn::Add(before, s.slop), zero);
     const VF most = hn::Mul(constant(pair_push), s.reach);
     const VF stays = hn::Min(hn::Mul(constant(1.0f - undone), overlap), hn::Add(overlap, most));
-    const VF push =
-        hn::IfThenElse(solid, hn::Max(gap, hn::Mul(constant(-collider_push), s.reach)), hn::Sub(gap, stays));
+    // Against what is solid as for a body alone.
+    const VF gained = hn::Sub(gap, hn::Min(before, zero));
+    const VF out = hn::Max(gap, hn::Min(mul_add(constant(-collider_push), s.reach, gained), zero));
+    const VF push = hn::IfThenElse(solid, out, hn::Sub(gap, stays));
     const Vec3 relative =
         sub(velocity_of(s.a.turn, s.way[0], load3(c.arm_a, at)), velocity_of(s.b.turn, s.way[1], load3(c.arm_b, at)));
     hn::Store(hn::Sub(dot(normal, relative), push), d, c.target + at);
