@@ -47,6 +47,9 @@ cmp build/samples/leaf.lrb build/samples/imported.lrb # in process and by the to
 python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples/leaf.lrb assets/leaf.obj
 python3 tests/samples/check_paper_figures.py build/samples/paper_figures "$prefix/bin/lr_bake" . build/samples
 
+step "API reference: Doxygen without a warning"
+scripts/api_reference.sh
+
 if [ "${1:-}" != --quick ]; then
     step "Determinism: the same bits from clang; and on 64-bit ARM, whose emulator has one thread, beside what follows"
     arm64=

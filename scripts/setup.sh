@@ -21,7 +21,7 @@ if [ "${1:-build}" = bench ]; then               # test, and what docs/performan
     set -- test "${@:2}"
 fi
 if [ "${1:-build}" = test ]; then
-    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy)
+    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen)
 fi
 if [ "${1:-build}" = battery ]; then
     packages+=(dieharder)

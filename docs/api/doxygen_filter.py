@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""Turns the header's plain comments into what Doxygen reads. Usage: doxygen_filter.py FILE, to standard output.
+
+The header stays as it is read in an editor. Here comments before a declaration and behind a member become its documentation,
+banners become groups, a text's "name: ..." about a parameter becomes @param, and its list of statuses @returns. The baker's
+header, in C++, has line comments.
+"""
+import re
+import sys
+
+COMMENT = re.compile(r"/\*.*?\*/", re.S)
+BANNER = re.compile(r"^/\* -+ \*/\n/\* (.*?)\s*\*/\n(?:/\* -+ \*/\n)?", re.M)
+
+
+# What a parameter of this name is where the text has no more to say of it.
+COMMON = {
+    "world": "the world",
+    "batch": "handle of a batch of the world",
+    "a": "handle of a batch of the world",
+    "b": "handle of a batch of the world",
+    "asset": "the asset",
+    "body": "a body's id",
+    "bodies": "`count` ids of bodies",
+    "collider": "a collider's handle",
+    "colliders": "`count` handles of colliders",
+    "source": "handle of a wind source of the world",
+    "desc": "initialised by its `_init` function, or with struct_size set",
+    "struct_size": "sizeof the struct as the caller sees it",
+    "count": "elements of the arrays",
+    "capacity": "elements that there is room for",
+    "kinds": "bits, as said above",
+    "out_ids": "receives `count` ids; may be null",
+    "memory": "the bytes",
+    "size": "bytes",
+    "format": "one of the constants above",
+    "level": "one of LR_LOG_*",
+    "user": "as given along with the function",
+}
+
+
+def text_of(comment):
+    """The words of a comment, a line each, without what frames them."""
+    lines = comment[2:-2].strip("\n").split("\n")
+    lines[0] = lines[0].removeprefix(" ")
+    return [re.sub(r"^\s*\*(?: |$)", "", line).rstrip() for line in lines]
+
+
+def escaped(text):
+    return re.sub(r"([@\\<>#&%])", r"\\\1", text)
+
+
+def parameters(declaration):
+    """Names in a function's declaration, in order."""
+    inside = declaration[declaration.find("(") + 1:declaration.rfind(")")]
+    inside = re.sub(r"\([^()]*\)\s*\([^()]*\)", "", inside)
+    return [m.group(1) for part in inside.split(",") if (m := re.search(r"(\w+)\s*(?:\[\w*\])?\s*$", part))]
+
+
+def sections(text, names):
+    """@param for what is said of parameters, @returns for the statuses."""
+    if names:
+        name = "|".join(map(re.escape, names))
+        start = rf"(?:(?<=^)|(?<=\n)|(?<=[.;] )|(?<=[.;]\n))((?:{name})(?:(?:, | and )(?:{name}))*): "
+        text = re.sub(start, lambda m: "\n@param " + re.sub(r", | and ", ",", m.group(1)) + " ", text)
+        text = re.sub(r"(?:(?<=\n)|(?<=^)|(?<=\. ))(LR_OK\b)", r"\n@returns \1", text, count=1)
+        text = re.sub(r"(?<=[.\)])\s+(Any thread\.)", r"\n@par Threads\n\1", text)
+    return text
+
+
+def indented_as_code(lines):
+    """Lists that are laid out by hand stay so."""
+    out, code = [], False
+    for line in lines:
+        starts = line.startswith("  ") and not line.startswith("  - ")
+        if starts != code:
+            out.append("@verbatim" if starts else "@endverbatim")
+            code = starts
+        out.append(line if code else escaped(line))
+    if code:
+        out.append("@endverbatim")
+    return out
+
+
+def documented(source):
+    out, at, group = [], 0, 0
+    for match in COMMENT.finditer(source):
+        before, comment = source[at:match.start()], match.group()
+        out.append(before)
+        at = match.end()
+        line_start = source.rfind("\n", 0, match.start()) + 1
+        code_before = source[line_start:match.start()].strip()
+        if comment.startswith("/**"):  # made by a banner
+            out.append(comment)
+            continue
+        lines = text_of(comment)
+        if code_before:
+            words = escaped(" ".join(line.strip() for line in lines).strip())
+            directive = code_before.startswith("#") and not code_before.startswith("#define")
+            out.append(comment if directive else f"/**< {words} */")
+            continue
+        declaration = source[at:]
+        declaration = declaration[:declaration.find(";") + 1]
+        is_function = declaration.lstrip().startswith(("LR_API", "typedef void (", "typedef float (")) or "(*" in declaration[:80]
+        names = parameters(declaration) if is_function else []
+        body = sections("\n".join(indented_as_code(lines)), names)
+        if "@param" in body:
+            said = set(re.split(r"[,\s]+", " ".join(re.findall(r"@param ([\w,]+)", body))))
+            more = "".join(f"@param {name} {COMMON[name]}\n" for name in names if name not in said and name in COMMON)
+            at_end = body.find("@returns")
+            body = body[:at_end] + more + body[at_end:] if at_end >= 0 else body + "\n" + more
+        newlines = comment.count("\n")
+        out.append("/**\n" + body + "\n*/" if newlines or names else f"/** {body.strip()} */")
+    out.append(source[at:])
+    return "".join(out)
+
+
+def line_comments(source):
+    """The baker's header, in C++: `//` before a declaration, and behind a member."""
+    out = []
+    for line in source.split("\n"):
+        match = re.match(r"^(.*?)//\s?(.*)$", line)
+        if match and not match.group(1).rstrip().endswith(":"):
+            trailing = match.group(1).strip()
+            line = match.group(1) + ("///< " if trailing else "/// ") + escaped(match.group(2))
+        out.append(line)
+    return "\n".join(out)
+
+
+def grouped(source):
+    """Banners as groups, each to the next one's beginning."""
+    count = 0
+
+    def group(match):
+        nonlocal count
+        count += 1
+        end = "/** @} */\n" if count > 1 else ""
+        title = escaped(match.group(1).strip().rstrip("."))
+        return f"{end}/** @defgroup part{count} {title}\n@{{ */\n"
+
+    source = BANNER.sub(group, source)
+    if count:
+        cut = source.rfind("#ifdef __cplusplus")
+        source = source[:cut] + "/** @} */\n" + source[cut:]
+    return source
+
+
+def main():
+    with open(sys.argv[1], encoding="utf-8") as file:
+        source = file.read()
+    heading = COMMENT.match(source)
+    front = ""
+    if heading:
+        lines = [line for line in text_of(heading.group()) if "SPDX" not in line]
+        front = "/** @file\n@verbatim\n" + "\n".join(lines).strip("\n") + "\n@endverbatim\n*/\n"
+        source = source[heading.end():]
+    plus = sys.argv[1].endswith(".hpp")
+    sys.stdout.write(front + (line_comments(source) if plus else documented(grouped(source))))
+
+
+if __name__ == "__main__":
+    main()
