@@ -49,6 +49,7 @@ void Crew::finish(const FloatMode& mode) {
     const CallersMode outside(mode);
     jobs_.finish(jobs_.user, token_);
     called_ = false;
+    present_.store(0, std::memory_order_relaxed); // also of a system that ran an index twice
 }
 
 void Crew::gather() {
