@@ -158,12 +158,8 @@ void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, co
     to.collider[i] = collider;
 }
 
-// As in the kernel: half a hundredth of the body, what it falls in a substep, and what its position is rounded to.
 float ContactGroup::margin_of(uint32_t i, float h) const {
-    const float reach = step_->shape->reach * arrays_.field[field_scale][i];
-    const Vector x = pose_of(i).position;
-    const float far = std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z)));
-    return 0.005f * reach + 1e-6f * far + step_->gravity * h * h;
+    return contact_margin(step_->shape->reach * arrays_.field[field_scale][i], pose_of(i).position, step_->gravity, h);
 }
 
 void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float end, float h) {

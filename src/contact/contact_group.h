@@ -9,6 +9,7 @@
 #include "kernel/wind.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace lr {
@@ -71,6 +72,12 @@ struct SurfaceMotion {
     Vector lag_at(Vector point) const;
 };
 SurfaceMotion motion_of(const Collider& collider, float begin, float end, float h); // begin, end: parts of the step
+
+// m, of a body at x: half a hundredth of it, what it falls in a substep, and what its position is rounded to. As in the kernel.
+inline float contact_margin(float reach, Vector x, float gravity, float h) {
+    const float far = std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z)));
+    return 0.005f * reach + 1e-6f * far + gravity * h * h;
+}
 
 // How a body met a collider.
 struct Touch {

@@ -14,14 +14,10 @@ constexpr uint32_t grain = 128; // bodies: some ten microseconds
 
 } // namespace
 
-// As of a body near a collider (contact/contact_group.cpp).
 float CrowdStep::margin_of(const CrowdMember& member, uint32_t index) const {
     const BatchArrays& a = member.item.batch->arrays();
-    const auto size = [&](size_t f) { return std::abs(a.field[f][index]); };
-    const float far = std::max(size(field_x), std::max(size(field_y), size(field_z)));
-    const auto h = static_cast<float>(time_.h);
-    const float reach = member.run.step.shape->reach * a.field[field_scale][index];
-    return 0.005f * reach + 1e-6f * far + member.run.step.gravity * h * h;
+    return contact_margin(member.run.step.shape->reach * a.field[field_scale][index], pose_of(a, index).position,
+                          member.run.step.gravity, static_cast<float>(time_.h));
 }
 
 void CrowdStep::set_box(const CrowdMember& member, uint32_t index) {

@@ -19,6 +19,20 @@ std::vector<float> waves(uint32_t n, float spacing, float size) {
     return heights;
 }
 
+// n samples across, about the origin; heights: must last as long.
+lr_collider_desc uneven_ground(const std::vector<float>& heights, uint32_t n, float reach) {
+    lr_collider_desc ground = heightfield_collider(heights, n, reach);
+    ground.position[0] = ground.position[2] = -0.5f * static_cast<float>(n - 1) * reach;
+    return ground;
+}
+
+lr_body_desc turned_anyhow(Random& random, float x, float y, float z) {
+    lr_body_desc d = body_desc();
+    for (float& q : d.orientation) q = random.real(-1, 1);
+    d.position[0] = x, d.position[1] = y, d.position[2] = z;
+    return d;
+}
+
 } // namespace
 
 TEST_CASE("coins, rods and bricks come to rest on uneven ground") {
@@ -30,18 +44,12 @@ TEST_CASE("coins, rods and bricks come to rest on uneven ground") {
         const Asset asset = make(rigid_box(size[0], size[1], size[2], 800.0));
         const lr_batch batch = add_batch(world, asset, 64);
         const std::vector<float> heights = waves(81, reach, reach);
-        lr_collider_desc ground = heightfield_collider(heights, 81, reach);
-        ground.position[0] = ground.position[2] = -40.0f * reach;
-        add_collider(world, ground);
+        add_collider(world, uneven_ground(heights, 81, reach));
         Random random(9);
-        for (uint32_t i = 0; i < 64; ++i) {
-            lr_body_desc d = body_desc();
-            for (float& q : d.orientation) q = random.real(-1, 1);
-            d.position[0] = 4.2f * reach * (static_cast<float>(i % 8) - 3.5f);
-            d.position[2] = 4.2f * reach * (static_cast<float>(i / 8) - 3.5f);
-            d.position[1] = 3.0f * reach;
-            add_body(world, batch, d);
-        }
+        for (uint32_t i = 0; i < 64; ++i)
+            add_body(world, batch,
+                     turned_anyhow(random, 4.2f * reach * (static_cast<float>(i % 8) - 3.5f), 3.0f * reach,
+                                   4.2f * reach * (static_cast<float>(i / 8) - 3.5f)));
         steps(world, 600, 1.0f / 60.0f, 4);
         CHECK(view_of(world, batch).awake_count <= 1);
     }
@@ -85,17 +93,11 @@ TEST_CASE("a body that trembled long enough half-way through a snapshot comes to
     const lr_batch batch = add_batch(world, asset, 8);
     const float reach = 0.0135f;
     const std::vector<float> heights = waves(41, reach, reach);
-    lr_collider_desc ground = heightfield_collider(heights, 41, reach);
-    ground.position[0] = ground.position[2] = -20.0f * reach;
-    add_collider(world, ground);
+    add_collider(world, uneven_ground(heights, 41, reach));
     Random random(12);
-    for (uint32_t i = 0; i < 8; ++i) {
-        lr_body_desc d = body_desc();
-        for (float& q : d.orientation) q = random.real(-1, 1);
-        d.position[0] = 4.0f * reach * (static_cast<float>(i) - 3.5f);
-        d.position[1] = 2.0f * reach;
-        add_body(world, batch, d);
-    }
+    for (uint32_t i = 0; i < 8; ++i)
+        add_body(world, batch,
+                 turned_anyhow(random, 4.0f * reach * (static_cast<float>(i) - 3.5f), 2.0f * reach, 0.0f));
     for (int frame = 0; frame < 200; ++frame) {
         const std::vector<unsigned char> saved = snapshot_of(world);
         steps(world, 1, 1.0f / 60.0f, 4);
