@@ -47,6 +47,9 @@ cmp build/samples/leaf.lrb build/samples/imported.lrb # in process and by the to
 python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples/leaf.lrb assets/leaf.obj
 python3 tests/samples/check_paper_figures.py build/samples/paper_figures "$prefix/bin/lr_bake" . build/samples
 
+step "Generator of bindings: the header as data"
+/usr/bin/python3 bindings/generator/test_api_model.py
+
 step "API reference: Doxygen without a warning"
 scripts/api_reference.sh
 

@@ -21,7 +21,8 @@ if [ "${1:-build}" = bench ]; then               # test, and what docs/performan
     set -- test "${@:2}"
 fi
 if [ "${1:-build}" = test ]; then
-    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen)
+    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
+        python3-clang-14)                        # generators of bindings
 fi
 if [ "${1:-build}" = battery ]; then
     packages+=(dieharder)
