@@ -80,7 +80,15 @@ namespace UnityEditor
     {
         public static readonly List<string> Imported = new List<string>();
         public static void ImportAsset(string path) { Imported.Add(path); }
-        public static UnityEngine.Object LoadMainAssetAtPath(string assetPath) { return null; }
+        public static readonly Dictionary<string, UnityEngine.Object> Assets = new Dictionary<string, UnityEngine.Object>();
+        public static string ScriptPath;
+        public static UnityEngine.Object LoadMainAssetAtPath(string assetPath) { return LoadAssetAtPath<UnityEngine.Object>(assetPath); }
+        public static T LoadAssetAtPath<T>(string assetPath) where T : UnityEngine.Object
+        {
+            UnityEngine.Object found;
+            return Assets.TryGetValue(assetPath, out found) ? found as T : null;
+        }
+        public static string GetAssetPath(UnityEngine.Object assetObject) { return assetObject is MonoScript ? ScriptPath : ""; }
     }
 
     public class AssetImporter : UnityEngine.Object
@@ -88,6 +96,11 @@ namespace UnityEditor
         public static readonly Dictionary<string, AssetImporter> ShimImporters = new Dictionary<string, AssetImporter>();
         public static AssetImporter GetAtPath(string path) { AssetImporter i; return ShimImporters.TryGetValue(path, out i) ? i : null; }
         public void SaveAndReimport() { }
+    }
+
+    public class MonoScript : UnityEngine.Object
+    {
+        public static MonoScript FromMonoBehaviour(MonoBehaviour behaviour) { return new MonoScript(); }
     }
 
     public static class EditorGUIUtility { public static void PingObject(UnityEngine.Object obj) { } }

@@ -59,6 +59,7 @@ namespace UnityEngine
     {
         internal bool On = true;
         internal bool Running;
+        internal bool Started;
         public bool enabled { get { return On; } set { On = value; ShimPlayer.Refresh(this); } }
         public bool isActiveAndEnabled { get { return Running; } }
     }
@@ -172,7 +173,13 @@ namespace UnityEngine
         private static void All(string message)
         {
             var order = Objects.SelectMany(o => o.Behaviours).Where(b => b.Running).OrderBy(OrderOf).ToArray();
-            foreach (Behaviour b in order) if (b.Running) Send(b, message);
+            foreach (Behaviour b in order)
+            {
+                if (!b.Running) continue;
+                if (!b.Started) Send(b, "Start");
+                b.Started = true;
+                Send(b, message);
+            }
         }
 
         private static int OrderOf(Behaviour b)

@@ -59,7 +59,7 @@ namespace LangevinUnity
         {
             eventCapacity = capacity;
             eventKinds = kinds;
-            if (simulation == null) return;
+            if (Simulation == null) return;
             CompleteStep();
             ApplyEvents();
         }
@@ -81,7 +81,7 @@ namespace LangevinUnity
 
         private void DispatchEvents()
         {
-            if (eventCapacity <= 0 || simulation == null) return;
+            if (eventCapacity <= 0 || Simulation == null) return;
             ContactEventList list = ContactEventList.Create();
             LangevinException.Check(Native.lr_world_get_contact_events(simulation.Handle, &list), "lr_world_get_contact_events");
             LostEvents = (long)list.TotalLost;

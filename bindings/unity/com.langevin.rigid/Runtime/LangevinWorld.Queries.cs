@@ -26,7 +26,7 @@ namespace LangevinUnity
     {
         private LangevinSimulation Idle()
         {
-            if (simulation == null) throw new InvalidOperationException("The LangevinWorld is disabled: it has no simulation.");
+            if (Simulation == null) throw new InvalidOperationException("The LangevinWorld is disabled: it has no simulation.");
             CompleteStep();
             return simulation;
         }

@@ -84,8 +84,8 @@ namespace LangevinUnity
         /// <summary>The first world that was enabled, which members without a preferred one join.</summary>
         public static LangevinWorld First { get { return Enabled.Count > 0 ? Enabled[0] : null; } }
 
-        /// <summary>What the world is to the library; null while the component is disabled.</summary>
-        public LangevinSimulation Simulation { get { return simulation; } }
+        /// <summary>What the world is to the library; null while the component is disabled, and after LangevinSimulation.DisposeAll.</summary>
+        public LangevinSimulation Simulation { get { return simulation == null || simulation.IsDisposed ? null : simulation; } }
 
         /// <summary>When it is stepped.</summary>
         public LangevinStepMode StepMode { get { return stepMode; } set { stepMode = value; } }
@@ -197,7 +197,7 @@ namespace LangevinUnity
         public void Present()
         {
             CompleteStep();
-            if (simulation == null) return;
+            if (Simulation == null) return;
             if (stepped)
                 foreach (LangevinMember member in Members) member.AfterStep(simulation);
             stepped = false;
@@ -207,7 +207,7 @@ namespace LangevinUnity
         private void Begin(float dt)
         {
             CompleteStep();
-            if (simulation == null || !(dt > 0.0f)) return;
+            if (Simulation == null || !(dt > 0.0f)) return;
             Vector3 now = Gravity;
             if (now != gravitySet)
             {
@@ -236,7 +236,7 @@ namespace LangevinUnity
             budget = kind;
             budgetMilliseconds = milliseconds;
             budgetBodySubsteps = bodySubsteps;
-            if (simulation == null) return;
+            if (Simulation == null) return;
             CompleteStep();
             ApplyBudget();
         }
@@ -253,7 +253,7 @@ namespace LangevinUnity
 #if UNITY_EDITOR
         private void OnValidate()
         {
-            if (simulation != null && !simulation.IsDisposed) SetBudget(budget, budgetMilliseconds, budgetBodySubsteps);
+            if (Simulation != null) SetBudget(budget, budgetMilliseconds, budgetBodySubsteps);
         }
 #endif
 
