@@ -183,6 +183,14 @@ public sealed class ColliderTests : Stage
         box.enabled = true;
         Frames(1);
         Assert.AreEqual(1.5, Top(0.0f, 0.0f), 1e-4);
+        var fixedOne = box.GetComponent<LangevinCollider>();
+        fixedOne.NeverMoves = true;
+        box.transform.position = Vector3.right;
+        Frames(1);
+        Assert.AreEqual(1.5, Top(-0.4f, 0.0f), 1e-4);
+        fixedOne.NeverMoves = false;
+        Frames(1);
+        NothingAt(-0.4f, 0.0f);
         // Layers and surfaces.
         var member = box.GetComponent<LangevinCollider>();
         box.gameObject.layer = 9;

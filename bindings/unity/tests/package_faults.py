@@ -3,6 +3,7 @@
 """Breaks a good package in many ways, each of which package.check must find.   package_faults.py PACKAGE PREFIX SCRATCH"""
 import pathlib
 import shutil
+import struct
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
@@ -47,6 +48,36 @@ def refused(prefix):
     return False
 
 
+def platforms(scratch):
+    """Libraries of other systems, by what their first bytes say; and what Unity is told about each."""
+    import metas
+    bad = []
+    dll = bytearray(256)
+    dll[:2] = b"MZ"
+    struct.pack_into("<I", dll, 0x3C, 128)
+    dll[128:132] = b"PE\0\0"
+    for machine, wanted in ((0x8664, "Windows/x86_64"), (0x14C, None)):
+        struct.pack_into("<H", dll, 132, machine)
+        (scratch / "bin").mkdir(parents=True, exist_ok=True)
+        (scratch / "bin/langevin_rigid.dll").write_bytes(dll)
+        if (None if refused(scratch) else package.library_of(scratch)[0]) != wanted:
+            bad.append(f"a DLL for machine {machine:#x}")
+    shutil.rmtree(scratch / "bin")
+    (scratch / "lib").mkdir(parents=True)
+    for content, wanted in ((b"!<arch>\nx.o/  \0asm", "WebGL"), (b"!<arch>\nx.o/  \x7fELF", None)):
+        (scratch / "lib/liblangevin_rigid.a").write_bytes(content)
+        if (None if refused(scratch) else package.library_of(scratch)[0]) != wanted:
+            bad.append(f"an archive of {content[-4:]}")
+    shutil.rmtree(scratch / "lib")
+    enabled = {"Linux/x86_64": {"Editor", "Linux64"}, "Linux/arm64": {"EmbeddedLinux"}, "Windows/x86_64": {"Editor", "Win64"}, "WebGL": {"WebGL"}}
+    for folder, wanted in enabled.items():
+        blocks = metas.plugin(f"Runtime/Plugins/{folder}/liblangevin_rigid.so").split("  - first:\n")[1:]
+        on = {block.split("\n")[0].split(": ")[1] for block in blocks if "enabled: 1" in block}
+        if on != wanted:
+            bad.append(f"{folder} is enabled for {on}")
+    return bad
+
+
 def main():
     good, prefix, scratch = (pathlib.Path(a) for a in sys.argv[1:4])
     bad = 0
@@ -72,12 +103,15 @@ def main():
     if not refused(scratch):
         bad += 1
         print("an empty prefix was taken")
+    missed = platforms(scratch)
+    bad += len(missed)
+    print(*missed, sep="\n")
     (scratch / "lib").mkdir()
     (scratch / "lib/liblangevin_rigid.so").write_bytes(b"\x7fELF\x01" + bytes(40))
     if not refused(scratch):
         bad += 1
         print("a 32-bit library was taken")
-    print(f"{len(CASES) + 3} cases, {bad} missed")
+    print(f"{len(CASES) + 11} cases, {bad} missed")
     sys.exit(1 if bad else 0)
 
 

@@ -18,6 +18,8 @@ namespace LangevinUnity
         [SerializeField, Range(0.0f, 1.0f)] private float restitution = 0.2f;
         [Tooltip("m. What moves farther in a step is put there, instead of sweeping bodies along on its way.")]
         [SerializeField, Min(0.0f)] private float teleportDistance = 5.0f;
+        [Tooltip("It and its shape never change: saves the look at it before each step. For scenery by the thousand.")]
+        [SerializeField] private bool neverMoves = false;
         [SerializeField] private LangevinUnityEvent onEvent = new LangevinUnityEvent();
 
         private ColliderId id;
@@ -33,6 +35,9 @@ namespace LangevinUnity
 
         /// <summary>Whose shape it has; set it while the component is disabled.</summary>
         public Collider Source { get { return source; } set { source = value; } }
+
+        /// <summary>Whether it is taken as it is when it joins the world, and not looked at again.</summary>
+        public bool NeverMoves { get { return neverMoves; } set { neverMoves = value; } }
 
         /// <summary>Raised when a body touches or leaves it.</summary>
         public event Action<LangevinEvent> Happened;
@@ -127,6 +132,7 @@ namespace LangevinUnity
 
         internal override void BeforeStep(LangevinSimulation simulation, float dt)
         {
+            if (neverMoves && !id.IsNull) return;
             if (source == null || !source.enabled)
             {
                 OnLeave(simulation);

@@ -5,7 +5,6 @@ using LangevinRigid;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
-using Allocator = Unity.Collections.Allocator;
 #if LANGEVIN_BURST
 using Unity.Burst;
 #endif
@@ -30,18 +29,6 @@ namespace LangevinUnity
         public float Dt;
         public uint Substeps;
         public NativeArray<int> Status;
-
-        public static LangevinStepJob Of(IntPtr world, float dt, uint substeps)
-        {
-            return new LangevinStepJob
-            {
-                World = world,
-                Dt = dt,
-                Substeps = substeps,
-                // Not TempJob: with a step in FixedUpdate it may live for more than four frames when the editor is paused.
-                Status = new NativeArray<int>(1, Allocator.Persistent),
-            };
-        }
 
         public void Execute()
         {

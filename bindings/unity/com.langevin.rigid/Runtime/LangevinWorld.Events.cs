@@ -66,9 +66,11 @@ namespace LangevinUnity
 
         private void ApplyEvents()
         {
-            bool on = eventCapacity > 0 && eventKinds != ContactEvents.None;
+            // "Everything" in the inspector sets all 32 bits.
+            ContactEvents kinds = eventKinds & ContactEvents.All;
+            bool on = eventCapacity > 0 && kinds != ContactEvents.None;
             Status status = Native.lr_world_set_contact_events(simulation.Handle, on ? (uint)eventCapacity : 0u,
-                on ? eventKinds : ContactEvents.None);
+                on ? kinds : ContactEvents.None);
             LangevinException.Check(status, "lr_world_set_contact_events");
             LostEvents = 0;
         }

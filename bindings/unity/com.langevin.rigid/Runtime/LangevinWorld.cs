@@ -2,6 +2,7 @@
 using System;
 using System.Collections.Generic;
 using LangevinRigid;
+using Unity.Collections;
 using Unity.Jobs;
 using UnityEngine;
 
@@ -70,11 +71,11 @@ namespace LangevinUnity
         [SerializeField, Range(-1, 64)] private int workers = -1;
         [SerializeField] private LangevinBudgetKind budget = LangevinBudgetKind.None;
         [SerializeField, Min(0.001f)] private float budgetMilliseconds = 2.0f;
-        [SerializeField, Min(1)] private long budgetBodySubsteps = 100000;
+        [SerializeField] private long budgetBodySubsteps = 100000;
 
         private LangevinSimulation simulation;
         private JobHandle pending;
-        private LangevinStepJob job;
+        private NativeArray<int> jobStatus;
         private bool running;
         private bool stepped;
         private Vector3 gravitySet;
@@ -144,6 +145,7 @@ namespace LangevinUnity
             }
             if (simulation != null) simulation.Dispose();
             simulation = null;
+            if (jobStatus.IsCreated) jobStatus.Dispose();
             ForgetEvents();
         }
 
@@ -185,9 +187,7 @@ namespace LangevinUnity
             if (!running) return;
             running = false;
             pending.Complete();
-            Status status = (Status)job.Status[0];
-            job.Status.Dispose();
-            LangevinException.Check(status, "lr_world_step");
+            LangevinException.Check((Status)jobStatus[0], "lr_world_step");
             stepped = true;
             DispatchEvents();
         }
@@ -224,7 +224,8 @@ namespace LangevinUnity
                 DispatchEvents();
                 return;
             }
-            job = LangevinStepJob.Of(simulation.Handle, dt, (uint)substeps);
+            if (!jobStatus.IsCreated) jobStatus = new NativeArray<int>(1, Unity.Collections.Allocator.Persistent);
+            var job = new LangevinStepJob { World = simulation.Handle, Dt = dt, Substeps = (uint)substeps, Status = jobStatus };
             pending = job.Schedule();
             running = true;
             JobHandle.ScheduleBatchedJobs();
