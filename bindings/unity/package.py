@@ -92,7 +92,7 @@ def find_needed(name, beside, reader):
     return pathlib.Path(match.group(1)) if match else None
 
 
-def copy_elf(source, folder, name, as_plugin):
+def copy_elf(source, folder, name, as_plugin, licences):
     """Copies an ELF file and the libraries it needs that not every system has; all of them look for each other in their folder.
 
     as_plugin: libfoo.so.1 becomes libfoo.so, for Unity takes only files whose names end with .so for plug-ins, and leaves others out of
@@ -114,6 +114,7 @@ def copy_elf(source, folder, name, as_plugin):
             names[need] = re.sub(r"\.so\..*$", ".so", need) if as_plugin else need
             shutil.copyfile(at.resolve(), folder / names[need])
             copied.append(names[need])
+            licences.append(at)
             waiting.append(at.resolve())
     for file in copied:
         os.chmod(folder / file, 0o755)
@@ -131,14 +132,39 @@ def copy_elf(source, folder, name, as_plugin):
     return copied
 
 
-def put_native(prefix, package):
+def licence_of(library, prefix):
+    """(name, text) of the licence of a library that was copied: from the prefix's own documents, else from the system's package."""
+    name = re.match(r"(lib.*?)(\.so.*|\.dll)$", library.name).group(1)
+    for document in sorted((prefix / "share" / "doc").rglob("*")) if (prefix / "share" / "doc").exists() else []:
+        if document.is_file() and name.removeprefix("lib") in document.as_posix().lower() and re.search("licen|copyright", document.name, re.I):
+            return name, document.read_text(errors="replace")
+    owner = subprocess.run(["dpkg-query", "-S", library.resolve()], capture_output=True, text=True).stdout if shutil.which("dpkg-query") else ""
+    if not owner:  # /lib is a link to /usr/lib, and only one of both is in the package's list
+        owner = subprocess.run(["dpkg-query", "-S", f"*/{library.resolve().name}"], capture_output=True, text=True).stdout
+    document = pathlib.Path("/usr/share/doc") / owner.split(":")[0] / "copyright"
+    if not owner or not document.exists():
+        raise PackageError(f"{library}: no licence found, neither in {prefix}/share/doc nor of a package of this system")
+    return name, document.read_text(errors="replace")
+
+
+def write_notices(licences, package):
+    lines = ["Third party notices", "===================", "", "The native libraries and the baker in this package contain, or come with:", ""]
+    lines += [f"- {name}" for name in sorted(licences)]
+    for name, text in sorted(licences.items()):
+        lines += ["", name, "-" * len(name), "", text.rstrip()]
+    (package / "Third Party Notices.md").write_text("\n".join(lines) + "\n")
+
+
+def put_native(prefix, package, licences):
     platform, library = library_of(prefix)
     folder = package / "Runtime" / "Plugins" / platform
     if folder.exists():
         raise PackageError(f"{prefix}: a library for {platform} is there already")
     names = {"WebGL": "liblangevin_rigid.a", "Windows/x86_64": "langevin_rigid.dll"}
     if platform.startswith("Linux"):
-        copied = copy_elf(library, folder, "liblangevin_rigid.so", True)
+        found = []
+        copied = copy_elf(library, folder, "liblangevin_rigid.so", True, found)
+        licences.update(licence_of(path, prefix) for path in found)
     else:
         folder.mkdir(parents=True)
         shutil.copyfile(library, folder / names[platform])
@@ -149,10 +175,10 @@ def put_native(prefix, package):
                     shutil.copyfile(beside, folder / beside.name)
                     copied.append(beside.name)
     print(f"package: {platform}: {', '.join(copied)}")
-    put_tool(prefix, platform, package)
+    put_tool(prefix, platform, package, licences)
 
 
-def put_tool(prefix, platform, package):
+def put_tool(prefix, platform, package, licences):
     if platform not in TOOLS:
         return
     suffix = ".exe" if platform.startswith("Windows") else ""
@@ -162,7 +188,9 @@ def put_tool(prefix, platform, package):
         return
     folder = package / "Tools~" / TOOLS[platform]
     if platform.startswith("Linux"):
-        copy_elf(tool, folder, "lr_bake", False)
+        found = []
+        copy_elf(tool, folder, "lr_bake", False, found)
+        licences.update(licence_of(path, prefix) for path in found)
     else:
         folder.mkdir(parents=True)
         shutil.copyfile(tool, folder / tool.name)
@@ -242,6 +270,8 @@ def check(package):
     for sample in manifest.get("samples", []):
         if not (package / sample["path"]).is_dir():
             faults.append(f"package.json: no folder {sample['path']}")
+    if not (package / "Third Party Notices.md").exists():
+        faults.append("Third Party Notices.md: missing")
     libraries = [path for path in sorted((package / "Runtime" / "Plugins").rglob("*")) if path.name in
                  ("liblangevin_rigid.so", "langevin_rigid.dll", "liblangevin_rigid.a")]
     if not libraries:
@@ -265,8 +295,10 @@ def build(prefixes, out):
         shutil.rmtree(package)
     shutil.copytree(SOURCE, package)
     shutil.copytree(BINDING, package / "Runtime" / "Bindings", dirs_exist_ok=True)
+    licences = {}
     for prefix in prefixes:
-        put_native(prefix, package)
+        put_native(prefix, package, licences)
+    write_notices(licences, package)
     put_sample(prefixes, package)
     metas.write(package)
     faults = check(package)
