@@ -86,7 +86,7 @@ static unsafe class LifetimeTests
             {
                 Type type = parameter.ParameterType;
                 if (type.FullName.StartsWith("System.Span") || type.FullName.StartsWith("System.ReadOnlySpan")) possible = false;
-                arguments.Add(Some(type, given));
+                if (possible) arguments.Add(Some(type, given));
             }
             if (!possible || method.ReturnType.Name == "BatchData") continue; // reflection cannot hold them
             try

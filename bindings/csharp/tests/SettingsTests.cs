@@ -311,7 +311,8 @@ static unsafe class SettingsTests
         }
         Aerodynamics none = Aerodynamics.Create();
         using (Asset asset = Asset.CreateRigid(desc, none)) Check.Equal(0.0, asset.Aerodynamics.Drag.X, "coefficients");
-        desc.Mass = -1.0;
-        Check.Status(Status.InvalidArgument, () => Asset.CreateRigid(desc));
+        RigidDesc wrong = desc;
+        wrong.Mass = -1.0;
+        Check.Status(Status.InvalidArgument, () => Asset.CreateRigid(wrong));
     }
 }
