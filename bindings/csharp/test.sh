@@ -20,6 +20,7 @@ if ! command -v mcs > /dev/null || ! command -v mono > /dev/null; then
 fi
 mkdir -p "$build"
 cd "$build"
+rm -f ./*.dll ./*.exe
 
 # step NAME COMMAND...: one line, and the output of what fails
 step() {
@@ -79,6 +80,16 @@ wrong_library() {
     cp Tests.exe "wrong/$kind/"
     (cd "wrong/$kind" && LD_LIBRARY_PATH=. mono Tests.exe --load "$kind")
 }
+# No code is made at run time: what IL2CPP, iOS and WebGL ask for. Mono's corlib is compiled along, as a copy in here.
+ahead_of_time() {
+    rm -rf aot && mkdir aot
+    cp "$(dirname "$(readlink -f "$(command -v mono)")")/../lib/mono/4.5/mscorlib.dll" Tests.exe aot/
+    cd aot
+    export MONO_PATH=$PWD
+    mono --aot=full mscorlib.dll > /dev/null
+    mono --aot=full Tests.exe
+    LANGEVIN_TEST_ASSET=$build/leaf.lrb LD_LIBRARY_PATH=$library timeout 100 mono --full-aot Tests.exe
+}
 hello() {
     mcs -langversion:latest -warnaserror -r:LangevinRigid.dll -out:Hello.exe "$here/samples/Hello.cs"
     LD_LIBRARY_PATH=$library mono Hello.exe > hello.cs.txt
@@ -99,6 +110,7 @@ step "library and its documentation, without a warning" library_builds
 step "asset for the tests" "$prefix/bin/lr_bake" mesh "$root/assets/leaf.obj" -o leaf.lrb --density 350 --quiet
 step "tests with arrays (netstandard2.0)" run_tests ""
 step "tests with spans (netstandard2.1)" run_tests NETSTANDARD2_1
+step "tests compiled ahead of time, as for IL2CPP" ahead_of_time
 step "no library" wrong_library missing ""
 step "a damaged library" wrong_library damaged ""
 step "another library of that name" wrong_library other "int lr_other(void) { return 1; }"

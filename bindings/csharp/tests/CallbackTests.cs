@@ -206,7 +206,8 @@ static unsafe class CallbackTests
                 task.Run(0, task.Count);
                 return null;
             }
-            var left = new CountdownEvent(task.Count);
+            int left = task.Count;
+            var done = new ManualResetEvent(false);
             for (int i = 0; i < task.Count; ++i)
             {
                 int index = i;
@@ -222,10 +223,10 @@ static unsafe class CallbackTests
                     {
                         Interlocked.Increment(ref Refused);
                     }
-                    left.Signal();
+                    if (Interlocked.Decrement(ref left) == 0) done.Set();
                 }, null);
             }
-            return left;
+            return done;
         }
 
         public int Refused;
@@ -234,7 +235,7 @@ static unsafe class CallbackTests
         {
             ++Finished;
             if (FinishThrows) throw new FormatException("from Finish");
-            if (!FinishTooEarly && token != null) ((CountdownEvent)token).Wait();
+            if (!FinishTooEarly && token != null) ((ManualResetEvent)token).WaitOne();
         }
     }
 

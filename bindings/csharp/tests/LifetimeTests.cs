@@ -73,7 +73,7 @@ static unsafe class LifetimeTests
 
     static int AllThrow(object target, object[] given)
     {
-        var harmless = new HashSet<string> { "Dispose", "IsDisposed", "NoteChange", "ChangeCount", "World", "Id", "Capacity", "Equals",
+        var harmless = new List<string> { "Dispose", "IsDisposed", "NoteChange", "ChangeCount", "World", "Id", "Capacity", "Equals",
             "GetHashCode", "GetType", "ToString" };
         int tried = 0;
         foreach (MethodInfo method in target.GetType().GetMethods(BindingFlags.Instance | BindingFlags.Public))
