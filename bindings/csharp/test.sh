@@ -90,6 +90,14 @@ ahead_of_time() {
     mono --aot=full Tests.exe
     LANGEVIN_TEST_ASSET=$build/leaf.lrb LD_LIBRARY_PATH=$library timeout 100 mono --full-aot Tests.exe
 }
+leave() {
+    LD_LIBRARY_PATH=$library timeout 20 mono --debug Tests.exe --leave
+}
+version() {
+    local of_header
+    of_header=$(sed -n 's/^#define LR_VERSION_M[AI][JN]OR \([0-9]*\)$/\1./p; s/^#define LR_VERSION_PATCH \([0-9]*\)$/\1/p' "$root/include/langevin_rigid.h" | tr -d '\n')
+    grep -F "<Version>$of_header</Version>" "$here/LangevinRigid.csproj"
+}
 hello() {
     mcs -langversion:latest -warnaserror -r:LangevinRigid.dll -out:Hello.exe "$here/samples/Hello.cs"
     LD_LIBRARY_PATH=$library mono Hello.exe > hello.cs.txt
@@ -105,6 +113,7 @@ else
     skipped=$((skipped + 2))
     echo "SKIPPED: generated sources and layouts, for want of libclang: apt-get install python3-clang-14"
 fi
+step "the project has the version of the header" version
 step "every function is reached through the classes" all_reached
 step "library and its documentation, without a warning" library_builds
 step "asset for the tests" "$prefix/bin/lr_bake" mesh "$root/assets/leaf.obj" -o leaf.lrb --density 350 --quiet
@@ -116,6 +125,7 @@ step "a damaged library" wrong_library damaged ""
 step "another library of that name" wrong_library other "int lr_other(void) { return 1; }"
 step "a newer library" wrong_library newer "unsigned lr_version(void) { return 2u << 12; }"
 step "an older library" wrong_library older "unsigned lr_version(void) { return 0u << 12; }"
+step "a program that ends without Dispose" leave
 step "sample Hello: same bits as in C" hello
 
 echo "csharp: $passed passed, $failed failed$([ $skipped -eq 0 ] || echo ", $skipped skipped")"

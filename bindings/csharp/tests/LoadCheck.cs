@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 using System;
+using System.Threading;
 using LangevinRigid;
 
 /// <summary>What a process says whose library is missing or another one; each needs a process of its own.</summary>
@@ -23,6 +24,24 @@ static class LoadCheck
             }
             return Fail(kind + ": nothing was thrown");
         }
+        return 0;
+    }
+
+    /// <summary>A program that ends while worlds with callbacks and threads are there, and while one is in a step.</summary>
+    public static int Leave()
+    {
+        for (int i = 0; i < 3; ++i)
+        {
+            WorldDesc desc = WorldDesc.Create();
+            desc.WorkerCount = 2;
+            var world = new World(desc, new WorldServices { Allocator = new CountingAllocator(), Log = (level, text) => Console.WriteLine(text) });
+            Scene.Batch(world, 1000).CreateBodies(Scene.Bodies(1000));
+            world.SetWindField(query => Thread.Sleep(1));
+            var thread = new Thread(() => { for (;;) world.Step(Scene.Frame, 1); });
+            thread.IsBackground = true;
+            thread.Start();
+        }
+        Thread.Sleep(100);
         return 0;
     }
 

@@ -8,6 +8,7 @@ static class Program
     static int Main(string[] arguments)
     {
         if (arguments.Length == 2 && arguments[0] == "--load") return LoadCheck.Run(arguments[1]);
+        if (arguments.Length == 1 && arguments[0] == "--leave") return LoadCheck.Leave();
         int passed = 0, failed = 0;
         foreach (Type type in typeof(Program).Assembly.GetTypes())
         {
