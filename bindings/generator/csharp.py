@@ -3,7 +3,6 @@
 """Writes the raw layer of the C# binding from the public header.
 
     csharp.py [--out DIR]     DIR: bindings/csharp/src/Generated unless given
-    csharp.py --layout FILE   a C program that prints what the compiler makes of every struct and constant, and FILE.cs that compares
 """
 import argparse
 import pathlib

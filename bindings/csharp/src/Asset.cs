@@ -108,7 +108,7 @@ namespace LangevinRigid
         {
             get
             {
-                AssetInfo info = AssetInfo.Create();
+                var info = new AssetInfo { StructSize = (uint)sizeof(AssetInfo) };
                 bool held = false;
                 Status status = Native.lr_asset_get_info(Hold(ref held), &info);
                 Release(held);
@@ -125,7 +125,7 @@ namespace LangevinRigid
         {
             get
             {
-                Aerodynamics aerodynamics = LangevinRigid.Aerodynamics.Create();
+                var aerodynamics = new Aerodynamics { StructSize = (uint)sizeof(Aerodynamics) };
                 bool held = false;
                 Status status = Native.lr_asset_get_aerodynamics(Hold(ref held), &aerodynamics);
                 Release(held);

@@ -36,7 +36,7 @@ namespace LangevinRigid
         /// <summary>Coefficients of the loads at present.</summary>
         public Aerodynamics GetAerodynamics()
         {
-            Aerodynamics aerodynamics = Aerodynamics.Create();
+            var aerodynamics = new Aerodynamics { StructSize = (uint)sizeof(Aerodynamics) };
             Leave(Native.lr_batch_get_aerodynamics(Enter(), _id, &aerodynamics), "lr_batch_get_aerodynamics");
             return aerodynamics;
         }
@@ -80,7 +80,7 @@ namespace LangevinRigid
         /// <summary>How it keeps up with its world.</summary>
         public BatchPace GetPace()
         {
-            BatchPace pace = BatchPace.Create();
+            var pace = new BatchPace { StructSize = (uint)sizeof(BatchPace) };
             Leave(Native.lr_batch_get_pace(Enter(), _id, &pace), "lr_batch_get_pace");
             return pace;
         }
@@ -125,7 +125,7 @@ namespace LangevinRigid
         /// <summary>How bodies meet colliders at present.</summary>
         public BatchContact GetContact()
         {
-            BatchContact contact = BatchContact.Create();
+            var contact = new BatchContact { StructSize = (uint)sizeof(BatchContact) };
             Leave(Native.lr_batch_get_contact(Enter(), _id, &contact), "lr_batch_get_contact");
             return contact;
         }
@@ -169,7 +169,7 @@ namespace LangevinRigid
         /// <summary>What rules and emitter did in the last step; its lists are valid until the next call that is not a query.</summary>
         public BatchEvents GetEvents()
         {
-            BatchEvents events = BatchEvents.Create();
+            var events = new BatchEvents { StructSize = (uint)sizeof(BatchEvents) };
             Leave(Native.lr_batch_get_events(Enter(), _id, &events), "lr_batch_get_events");
             return events;
         }

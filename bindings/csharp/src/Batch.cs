@@ -90,7 +90,7 @@ namespace LangevinRigid
         /// <summary>The same as the library gives it: pointers that are valid until the next call that is not a query.</summary>
         public BatchView RawView()
         {
-            BatchView view = BatchView.Create();
+            var view = new BatchView { StructSize = (uint)sizeof(BatchView) };
             Leave(Native.lr_batch_get_view(Enter(), _id, &view), "lr_batch_get_view");
             return view;
         }

@@ -8,7 +8,7 @@ namespace LangevinRigid
         /// <summary>State of a body, world frame.</summary>
         public BodyState GetState(BodyId body)
         {
-            BodyState state = BodyState.Create();
+            var state = new BodyState { StructSize = (uint)sizeof(BodyState) };
             Leave(Native.lr_body_get_state(Enter(), body, &state), "lr_body_get_state");
             return state;
         }
@@ -16,7 +16,7 @@ namespace LangevinRigid
         /// <summary>Whether a body is there; false for one that was destroyed, and for none.</summary>
         public bool IsAlive(BodyId body)
         {
-            BodyState state = BodyState.Create();
+            var state = new BodyState { StructSize = (uint)sizeof(BodyState) };
             Status status = Native.lr_body_get_state(Enter(), body, &state);
             _callbacks.LastError = null;
             Leave(status == Status.StaleBody ? Status.Ok : status, "lr_body_get_state");

@@ -121,7 +121,7 @@ namespace LangevinRigid
         /// <summary>Where a collider is, and how it moves.</summary>
         public ColliderState GetState(ColliderId collider)
         {
-            ColliderState state = ColliderState.Create();
+            var state = new ColliderState { StructSize = (uint)sizeof(ColliderState) };
             Leave(Native.lr_collider_get_state(Enter(), collider, &state), "lr_collider_get_state");
             return state;
         }
@@ -129,7 +129,7 @@ namespace LangevinRigid
         /// <summary>Whether a collider is there; false for one that was destroyed, and for none.</summary>
         public bool IsAlive(ColliderId collider)
         {
-            ColliderState state = ColliderState.Create();
+            var state = new ColliderState { StructSize = (uint)sizeof(ColliderState) };
             Status status = Native.lr_collider_get_state(Enter(), collider, &state);
             _callbacks.LastError = null;
             Leave(status == Status.StaleCollider ? Status.Ok : status, "lr_collider_get_state");
@@ -166,7 +166,7 @@ namespace LangevinRigid
         /// <summary>Events of the last step, where they lie: valid until the next call that is not a query.</summary>
         public ContactEventList GetContactEvents()
         {
-            ContactEventList list = ContactEventList.Create();
+            var list = new ContactEventList { StructSize = (uint)sizeof(ContactEventList) };
             Leave(Native.lr_world_get_contact_events(Enter(), &list), "lr_world_get_contact_events");
             return list;
         }

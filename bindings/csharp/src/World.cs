@@ -95,7 +95,7 @@ namespace LangevinRigid
         {
             get
             {
-                WorldInfo info = WorldInfo.Create();
+                var info = new WorldInfo { StructSize = (uint)sizeof(WorldInfo) };
                 Leave(Native.lr_world_get_info(Enter(), &info), "lr_world_get_info");
                 return info;
             }
@@ -106,7 +106,7 @@ namespace LangevinRigid
         {
             get
             {
-                StepReport report = LangevinRigid.StepReport.Create();
+                var report = new StepReport { StructSize = (uint)sizeof(StepReport) };
                 Leave(Native.lr_world_get_step_report(Enter(), &report), "lr_world_get_step_report");
                 return report;
             }
