@@ -174,6 +174,10 @@ def put_native(prefix, package, licences):
                 if beside != library:
                     shutil.copyfile(beside, folder / beside.name)
                     copied.append(beside.name)
+                    try:
+                        licences.update([licence_of(beside, prefix)])
+                    except PackageError as error:
+                        print(f"package: warning: {error}")
     print(f"package: {platform}: {', '.join(copied)}")
     put_tool(prefix, platform, package, licences)
 

@@ -18,8 +18,6 @@ namespace UnityEngine
     public sealed class DisallowMultipleComponent : Attribute { }
 
     [AttributeUsage(AttributeTargets.Class)]
-    public sealed class HelpURLAttribute : Attribute { public HelpURLAttribute(string url) { } }
-
     [AttributeUsage(AttributeTargets.Class, AllowMultiple = true)]
     public sealed class RequireComponent : Attribute
     {

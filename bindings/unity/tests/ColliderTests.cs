@@ -210,6 +210,30 @@ public sealed class ColliderTests : Stage
     }
 
     [Test]
+    public void OneThatGoesWrongStopsNoOther()
+    {
+        MeshCollider mesh = Put<MeshCollider>(new Vector3(0.0f, 1.0f, 10.0f), m => m.sharedMesh = Wedge());
+        SphereCollider other = Put<SphereCollider>(new Vector3(50.0f, 0.0f, 0.0f));
+        Frames(1);
+        mesh.sharedMesh = null;
+        Frames(5);
+        Assert.AreEqual(1, Complaints("has no mesh"));
+        NothingAt(0.2f, 11.0f);
+        other.transform.position = new Vector3(60.0f, 0.0f, 0.0f);
+        Frames(2);
+        Assert.AreEqual(0.5, Top(60.0f, 0.0f), 1e-4);
+        mesh.sharedMesh = Wedge();
+        Frames(1);
+        Assert.AreEqual(1.5, Top(0.2f, 11.0f), 1e-3);
+        LangevinBatch batch = NewBatch(5, b => b.StartCount = 5);
+        batch.Emitter.scale = new Vector2(-1.0f, -1.0f);
+        batch.transform.position = Vector3.one;
+        Frames(5);
+        Assert.AreEqual(1, Complaints("lr_batch_set_emitter"));
+        Assert.AreEqual(5, batch.Count);
+    }
+
+    [Test]
     public void WhatHasNoCounterpartSaysWhy()
     {
         Put<CharacterController>(Vector3.zero);

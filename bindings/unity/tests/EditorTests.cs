@@ -141,6 +141,77 @@ public sealed class EditorTests : Stage
         Assert.IsFalse(File.Exists(lrb));
     }
 
+    // As the editor drives it: fields, a press on Bake, updates until it has ended.
+    private static BakeWindow Press(Mesh mesh, string output, bool cancel, out string message)
+    {
+        var window = ScriptableObject.CreateInstance<BakeWindow>();
+        Set(window, "mesh", mesh);
+        Set(window, "output", output);
+        EditorPrefs.SetString(LangevinBakerTool.PreferenceKey, Baker);
+        ShimPlayer.Send(window, "OnEnable");
+        ShimPlayer.Send(window, "OnGUI");
+        Assert.IsNull(window.GetType().GetMethod("Problem", Hidden).Invoke(window, null));
+        ShimPlayer.Send(window, "Begin");
+        EditorUtility.Cancel = cancel;
+        for (int i = 0; i < 600 && Get(window, "bake") != null; ++i)
+        {
+            System.Threading.Thread.Sleep(20);
+            EditorApplication.update();
+        }
+        EditorUtility.Cancel = false;
+        Assert.IsNull(Get(window, "bake"));
+        ShimPlayer.Send(window, "OnGUI");
+        ShimPlayer.Send(window, "OnDisable");
+        message = (string)Get(window, "message");
+        return window;
+    }
+
+    private const System.Reflection.BindingFlags Hidden = System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic;
+
+    private static void Set(object o, string field, object value) { o.GetType().GetField(field, Hidden).SetValue(o, value); }
+
+    private static object Get(object o, string field) { return o.GetType().GetField(field, Hidden).GetValue(o); }
+
+    [Test]
+    public void TheBakeWindowBakesAndImports()
+    {
+        string message;
+        AssetDatabase.Imported.Clear();
+        var importer = new LrbImporter { Mirror = MeshMirror.X };
+        AssetImporter.ShimImporters["Assets/made/box.lrb"] = importer;
+        BakeWindow window = Press(SeamedBox(), "Assets/made/box.lrb", false, out message);
+        Assert.IsFalse((bool)Get(window, "failed"));
+        Assert.IsTrue(message.Contains("box with a space"), message);
+        Assert.IsTrue(File.Exists("Assets/made/box.lrb"));
+        Assert.AreEqual("Assets/made/box.lrb", AssetDatabase.Imported.Single());
+        Assert.AreEqual(MeshMirror.Z, importer.Mirror);
+        Assert.IsNull(Get(window, "temporary"));
+        byte[] before = File.ReadAllBytes("Assets/made/box.lrb");
+        // Cancelled or failed, what was there stays.
+        window = Press(SeamedBox(), "Assets/made/box.lrb", true, out message);
+        Assert.IsTrue((bool)Get(window, "failed") && message.Contains("Cancelled"));
+        Mesh open = SeamedBox();
+        open.triangles = open.triangles.Skip(6).ToArray();
+        window = Press(open, "Assets/made/box.lrb", false, out message);
+        Assert.IsTrue((bool)Get(window, "failed") && message.Contains("error "), message);
+        Assert.IsTrue(before.SequenceEqual(File.ReadAllBytes("Assets/made/box.lrb")));
+        Assert.AreEqual(1, AssetDatabase.Imported.Count);
+        Assert.AreEqual(0, Directory.GetFiles(".", "*.obj").Length);
+    }
+
+    [Test]
+    public void ABakerThatLostItsMarkIsRun()
+    {
+        string copy = Path.Combine(Folder, "lr_bake copy");
+        File.WriteAllText(copy, "#!/bin/sh\necho it ran\n");
+        using (var bake = new LangevinBake(copy, new[] { "x" }))
+        {
+            bake.Wait();
+            Assert.AreEqual(0, bake.ExitCode);
+            Assert.AreEqual("it ran\n", bake.Report);
+        }
+    }
+
     [Test]
     public void TheBakerIsFound()
     {

@@ -95,6 +95,7 @@ namespace LangevinUnity.Editor
             process.StartInfo = start;
             process.ErrorDataReceived += (sender, e) => Take(e.Data, true);
             process.OutputDataReceived += (sender, e) => Take(e.Data, false);
+            LangevinBakerTool.MakeExecutable(program);
             process.Start();
             process.BeginErrorReadLine();
             process.BeginOutputReadLine();
@@ -164,6 +165,14 @@ namespace LangevinUnity.Editor
                 if (File.Exists(found)) return found;
             }
             return null;
+        }
+
+        /// <summary>Archives of packages may lose the mark of a program. What cannot be marked will say so when it is started.</summary>
+        public static void MakeExecutable(string program)
+        {
+            if (IsWindows) return;
+            var start = new ProcessStartInfo("/bin/chmod", LangevinCommandLine.Join(new[] { "u+x", program })) { UseShellExecute = false, RedirectStandardError = true };
+            using (Process change = Process.Start(start)) change.WaitForExit();
         }
 
         private static bool IsWindows { get { return Path.DirectorySeparatorChar == '\\'; } }

@@ -6,7 +6,6 @@ using UnityEngine;
 namespace LangevinUnity
 {
     /// <summary>What lr_bake made of a mesh: an imported .lrb file. One asset may serve any number of batches and worlds.</summary>
-    [HelpURL("https://docs.unity3d.com/Packages/com.langevin.rigid@0.1/manual/index.html#assets")]
     public sealed unsafe class LangevinAsset : ScriptableObject
     {
         [SerializeField, HideInInspector] private byte[] bytes = new byte[0];
@@ -84,7 +83,7 @@ namespace LangevinUnity
         internal static LangevinAssetNumbers Of(IntPtr asset)
         {
             AssetInfo info = AssetInfo.Create();
-            LangevinException.Check(Native.lr_asset_get_info(asset, &info), "lr_asset_get_info");
+            LangevinSimulation.Check(Native.lr_asset_get_info(asset, &info), "lr_asset_get_info");
             int length = 0;
             while (length < 64 && info.Name[length] != 0) ++length;
             return new LangevinAssetNumbers

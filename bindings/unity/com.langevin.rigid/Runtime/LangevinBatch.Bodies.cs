@@ -40,7 +40,7 @@ namespace LangevinUnity
             get
             {
                 BatchView view = BatchView.Create();
-                LangevinException.Check(Native.lr_batch_get_view(Ready(), id, &view), "lr_batch_get_view");
+                LangevinSimulation.Check(Native.lr_batch_get_view(Ready(), id, &view), "lr_batch_get_view");
                 return (int)view.Count;
             }
         }
@@ -50,7 +50,7 @@ namespace LangevinUnity
         public BatchView View()
         {
             BatchView view = BatchView.Create();
-            LangevinException.Check(Native.lr_batch_get_view(Ready(), id, &view), "lr_batch_get_view");
+            LangevinSimulation.Check(Native.lr_batch_get_view(Ready(), id, &view), "lr_batch_get_view");
             return view;
         }
 
@@ -65,7 +65,7 @@ namespace LangevinUnity
             desc.AngularVelocity = LangevinConversion.SpinToLibrary(angularVelocity);
             desc.Scale = scale;
             BodyId body;
-            LangevinException.Check(Native.lr_body_create(world, id, &desc, 1, &body), "lr_body_create");
+            LangevinSimulation.Check(Native.lr_body_create(world, id, &desc, 1, &body), "lr_body_create");
             return body;
         }
 
@@ -78,13 +78,13 @@ namespace LangevinUnity
         /// <summary>Bears `count` bodies by the emitter now, all or none.</summary>
         public void Emit(int count)
         {
-            LangevinException.Check(Native.lr_batch_emit(Ready(), id, (uint)Mathf.Max(0, count), null), "lr_batch_emit");
+            LangevinSimulation.Check(Native.lr_batch_emit(Ready(), id, (uint)Mathf.Max(0, count), null), "lr_batch_emit");
         }
 
         /// <summary>Ends a body of this world.</summary>
         public void Despawn(BodyId body)
         {
-            LangevinException.Check(Native.lr_body_destroy(Ready(), &body, 1), "lr_body_destroy");
+            LangevinSimulation.Check(Native.lr_body_destroy(Ready(), &body, 1), "lr_body_destroy");
         }
 
         /// <summary>The state of a body; false if it is there no more.</summary>
@@ -93,8 +93,9 @@ namespace LangevinUnity
             BodyState native = BodyState.Create();
             Status status = Native.lr_body_get_state(Ready(), body, &native);
             state = default(LangevinBodyState);
-            if (status == Status.StaleBody) return false;
-            LangevinException.Check(status, "lr_body_get_state");
+            bool gone = status == Status.StaleBody;
+            LangevinSimulation.Check(gone ? Status.Ok : status, "lr_body_get_state");
+            if (gone) return false;
             state.position = LangevinConversion.ToUnity(native.Position);
             state.rotation = LangevinConversion.ToUnity(native.Orientation, mirror);
             state.velocity = LangevinConversion.ToUnity(native.LinearVelocity);
@@ -114,7 +115,7 @@ namespace LangevinUnity
             native.Mode = mode;
             native.Force = LangevinConversion.ToLibrary(force);
             native.Torque = LangevinConversion.SpinToLibrary(torque);
-            LangevinException.Check(Native.lr_body_add_force(world, &native, 1), "lr_body_add_force");
+            LangevinSimulation.Check(Native.lr_body_add_force(world, &native, 1), "lr_body_add_force");
         }
 
         /// <summary>An acceleration of all bodies, m/s^2, until changed.</summary>
@@ -123,14 +124,14 @@ namespace LangevinUnity
             IntPtr world = Ready();
             BatchForce native = BatchForce.Create();
             native.Acceleration = LangevinConversion.ToLibrary(acceleration);
-            LangevinException.Check(Native.lr_batch_set_force(world, id, &native), "lr_batch_set_force");
+            LangevinSimulation.Check(Native.lr_batch_set_force(world, id, &native), "lr_batch_set_force");
         }
 
         /// <summary>Puts a body to rest where it is, or wakes it.</summary>
         public void SetRest(BodyId body, bool resting)
         {
             Status status = Native.lr_body_set_rest(Ready(), &body, 1, resting ? RestState.Resting : RestState.Awake);
-            LangevinException.Check(status, "lr_body_set_rest");
+            LangevinSimulation.Check(status, "lr_body_set_rest");
         }
 
         /// <summary>Whether bodies of this batch and of another meet.</summary>
@@ -139,14 +140,14 @@ namespace LangevinUnity
             if (other == null) throw new ArgumentNullException("other");
             if (other.World != World) throw new ArgumentException("The batches are in different worlds.", "other");
             Status status = Native.lr_batch_set_pair_contact(Ready(), id, other.id, meet ? 1 : 0);
-            LangevinException.Check(status, "lr_batch_set_pair_contact");
+            LangevinSimulation.Check(status, "lr_batch_set_pair_contact");
         }
 
         /// <summary>What rules and emitter did in the last step and in all; its lists are valid until the world's next change.</summary>
         public BatchEvents LifeEvents()
         {
             BatchEvents events = BatchEvents.Create();
-            LangevinException.Check(Native.lr_batch_get_events(Ready(), id, &events), "lr_batch_get_events");
+            LangevinSimulation.Check(Native.lr_batch_get_events(Ready(), id, &events), "lr_batch_get_events");
             return events;
         }
     }

@@ -107,10 +107,10 @@ namespace LangevinUnity
             desc.Capacity = (uint)capacity;
             desc.LoadModel = loadModel;
             BatchId created;
-            LangevinException.Check(Native.lr_batch_create(simulation.Handle, &desc, &created), "lr_batch_create");
+            LangevinSimulation.Check(Native.lr_batch_create(simulation.Handle, &desc, &created), "lr_batch_create");
             id = created;
             AssetInfo info = AssetInfo.Create();
-            LangevinException.Check(Native.lr_asset_get_info(desc.Asset, &info), "lr_asset_get_info");
+            LangevinSimulation.Check(Native.lr_asset_get_info(desc.Asset, &info), "lr_asset_get_info");
             center = new Float3((float)info.CenterOfMass.X, (float)info.CenterOfMass.Y, (float)info.CenterOfMass.Z);
             mirror = asset.Mirror;
             ApplyTo(simulation);
@@ -128,7 +128,7 @@ namespace LangevinUnity
         {
             try
             {
-                if (!id.IsNull) LangevinException.Check(Native.lr_batch_destroy(simulation.Handle, id), "lr_batch_destroy");
+                if (!id.IsNull) LangevinSimulation.Check(Native.lr_batch_destroy(simulation.Handle, id), "lr_batch_destroy");
             }
             finally
             {
@@ -170,39 +170,39 @@ namespace LangevinUnity
             contact.Restitution = restitution;
             contact.RollingResistance = rollingResistance;
             contact.GroundEffect = groundEffect;
-            LangevinException.Check(Native.lr_batch_set_contact(world, id, &contact), "lr_batch_set_contact");
-            LangevinException.Check(Native.lr_batch_set_pair_contact(world, id, id, meetEachOther ? 1 : 0), "lr_batch_set_pair_contact");
+            LangevinSimulation.Check(Native.lr_batch_set_contact(world, id, &contact), "lr_batch_set_contact");
+            LangevinSimulation.Check(Native.lr_batch_set_pair_contact(world, id, id, meetEachOther ? 1 : 0), "lr_batch_set_pair_contact");
             LoadGains gains = LoadGains.Create();
             gains.Drag = drag;
             gains.Lift = lift;
             gains.SpinDrag = spinDrag;
             gains.Turbulence = turbulence;
-            LangevinException.Check(Native.lr_batch_set_load_gains(world, id, &gains), "lr_batch_set_load_gains");
+            LangevinSimulation.Check(Native.lr_batch_set_load_gains(world, id, &gains), "lr_batch_set_load_gains");
             BatchRate rate = BatchRate.Create();
             rate.Divisor = (uint)divisor;
             rate.Priority = priority;
-            LangevinException.Check(Native.lr_batch_set_rate(world, id, &rate), "lr_batch_set_rate");
+            LangevinSimulation.Check(Native.lr_batch_set_rate(world, id, &rate), "lr_batch_set_rate");
             ApplyLife(world);
         }
 
         // Rules that respawn need an emitter, so they end before it and begin after it.
         private void ApplyLife(IntPtr world)
         {
-            if (!rules.enabled) LangevinException.Check(Native.lr_batch_set_rules(world, id, null), "lr_batch_set_rules");
+            if (!rules.enabled) LangevinSimulation.Check(Native.lr_batch_set_rules(world, id, null), "lr_batch_set_rules");
             if (emitter.enabled)
             {
-                EmitterDesc desc = emitter.ToLibrary(transform, mirror);
-                LangevinException.Check(Native.lr_batch_set_emitter(world, id, &desc), "lr_batch_set_emitter");
                 transform.hasChanged = false;
+                EmitterDesc desc = emitter.ToLibrary(transform, mirror);
+                LangevinSimulation.Check(Native.lr_batch_set_emitter(world, id, &desc), "lr_batch_set_emitter");
             }
             if (rules.enabled)
             {
                 if (!emitter.enabled && rules.action == EndAction.Respawn)
                     throw new InvalidOperationException("LangevinBatch \"" + name + "\": rules that respawn need an emitter.");
                 BatchRules desc = rules.ToLibrary();
-                LangevinException.Check(Native.lr_batch_set_rules(world, id, &desc), "lr_batch_set_rules");
+                LangevinSimulation.Check(Native.lr_batch_set_rules(world, id, &desc), "lr_batch_set_rules");
             }
-            if (!emitter.enabled) LangevinException.Check(Native.lr_batch_set_emitter(world, id, null), "lr_batch_set_emitter");
+            if (!emitter.enabled) LangevinSimulation.Check(Native.lr_batch_set_emitter(world, id, null), "lr_batch_set_emitter");
         }
 
         internal override void BeforeStep(LangevinSimulation simulation, float dt)
@@ -215,9 +215,9 @@ namespace LangevinUnity
             }
             else if (emitter.enabled && transform.hasChanged)
             {
-                EmitterDesc desc = emitter.ToLibrary(transform, mirror);
-                LangevinException.Check(Native.lr_batch_set_emitter(simulation.Handle, id, &desc), "lr_batch_set_emitter");
                 transform.hasChanged = false;
+                EmitterDesc desc = emitter.ToLibrary(transform, mirror);
+                LangevinSimulation.Check(Native.lr_batch_set_emitter(simulation.Handle, id, &desc), "lr_batch_set_emitter");
             }
         }
 

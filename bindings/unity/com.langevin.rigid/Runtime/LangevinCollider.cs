@@ -29,6 +29,8 @@ namespace LangevinUnity
         private uint layers;
         private float frictionSet;
         private float restitutionSet;
+        private bool refused;
+        private int refusedKey;
 
         /// <summary>The library's handle; null while the collider is in no world.</summary>
         public ColliderId Id { get { return id; } }
@@ -60,7 +62,7 @@ namespace LangevinUnity
             if (id.IsNull) return;
             ColliderId gone = id;
             id = default(ColliderId);
-            LangevinException.Check(Native.lr_collider_destroy(simulation.Handle, &gone, 1), "lr_collider_destroy");
+            LangevinSimulation.Check(Native.lr_collider_destroy(simulation.Handle, &gone, 1), "lr_collider_destroy");
         }
 
         protected override void OnDisable()
@@ -138,10 +140,16 @@ namespace LangevinUnity
                 OnLeave(simulation);
                 return;
             }
-            if (id.IsNull || LangevinColliderShapes.KeyOf(source) != shape.Key)
+            int key = LangevinColliderShapes.KeyOf(source);
+            if (id.IsNull || key != shape.Key)
             {
+                // What was refused is tried again when it has changed, not in every step.
+                if (refused && key == refusedKey) return;
                 OnLeave(simulation);
+                refused = true;
+                refusedKey = key;
                 Create(simulation);
+                refused = false;
                 return;
             }
             SynchronizeSurface(simulation);
@@ -159,7 +167,7 @@ namespace LangevinUnity
             surface.Friction = frictionSet;
             surface.Restitution = restitutionSet;
             ColliderId self = id;
-            LangevinException.Check(Native.lr_collider_set_surface(simulation.Handle, &self, 1, &surface), "lr_collider_set_surface");
+            LangevinSimulation.Check(Native.lr_collider_set_surface(simulation.Handle, &self, 1, &surface), "lr_collider_set_surface");
         }
 
         // Where the transform went since the last step is where the collider goes in the next one: so it has a velocity there.
@@ -173,7 +181,7 @@ namespace LangevinUnity
             motion.Mode = (to - position).magnitude > teleportDistance ? MoveMode.Place : MoveMode.To;
             motion.Position = LangevinConversion.ToLibrary(to);
             motion.Orientation = LangevinConversion.ToLibrary(turned);
-            LangevinException.Check(Native.lr_collider_move(simulation.Handle, &motion, 1), "lr_collider_move");
+            LangevinSimulation.Check(Native.lr_collider_move(simulation.Handle, &motion, 1), "lr_collider_move");
             position = to;
             rotation = turned;
         }

@@ -85,7 +85,7 @@ namespace LangevinUnity
         public void Refresh(IntPtr world, BatchId batch, Float3 center, MeshMirror mirror)
         {
             BatchView view = BatchView.Create();
-            LangevinException.Check(Native.lr_batch_get_view(world, batch, &view), "lr_batch_get_view");
+            LangevinSimulation.Check(Native.lr_batch_get_view(world, batch, &view), "lr_batch_get_view");
             bool kept = valid && view.Revision == revision;
             uint wanted = kept ? Math.Max(awake, view.AwakeCount) : view.Count;
             wanted = Math.Min(wanted, view.Count);
@@ -95,7 +95,7 @@ namespace LangevinUnity
             {
                 TransformFormat format = rows == 3 ? TransformFormat.Matrix3x4ColumnMajor : TransformFormat.Matrix4x4ColumnMajor;
                 Status status = Native.lr_batch_write_first_transforms(world, batch, format, first, 0, wanted, &written);
-                LangevinException.Check(status, "lr_batch_write_first_transforms");
+                LangevinSimulation.Check(status, "lr_batch_write_first_transforms");
             }
             Count = (int)view.Count;
             Written = (int)written;

@@ -15,6 +15,9 @@ namespace LangevinUnity
         // Held by a static field: native code keeps the pointer as long as there is a world.
         private static readonly LogFn LogThunk = OnLog;
 
+        // What the library said of the call that failed last: it logs before it returns.
+        private static volatile string lastError;
+
         private readonly Dictionary<LangevinAsset, IntPtr> assets = new Dictionary<LangevinAsset, IntPtr>();
         private IntPtr world;
 
@@ -38,7 +41,7 @@ namespace LangevinUnity
             desc.FluidViscosity = fluidViscosity;
             desc.Log = Marshal.GetFunctionPointerForDelegate(LogThunk);
             IntPtr created;
-            LangevinException.Check(Native.lr_world_create(&desc, &created), "lr_world_create");
+            LangevinSimulation.Check(Native.lr_world_create(&desc, &created), "lr_world_create");
             world = created;
             Living.Add(this);
         }
@@ -58,7 +61,7 @@ namespace LangevinUnity
         public WorldInfo Info()
         {
             WorldInfo info = WorldInfo.Create();
-            LangevinException.Check(Native.lr_world_get_info(world, &info), "lr_world_get_info");
+            LangevinSimulation.Check(Native.lr_world_get_info(world, &info), "lr_world_get_info");
             return info;
         }
 
@@ -71,6 +74,14 @@ namespace LangevinUnity
             foreach (IntPtr asset in assets.Values) Native.lr_asset_release(asset);
             assets.Clear();
             Living.Remove(this);
+        }
+
+        /// <summary>Throws a LangevinException for a status that is an error, with what the library said of it.</summary>
+        public static void Check(Status status, string function)
+        {
+            string detail = lastError;
+            lastError = null;
+            if (status < Status.Ok) throw new LangevinException(status, function, detail);
         }
 
         /// <summary>Ends what is left: before scripts are reloaded, and before a play session that keeps the last one's statics.</summary>
@@ -93,7 +104,7 @@ namespace LangevinUnity
             try
             {
                 string text = "Langevin Rigid: " + TextOf(message);
-                if (level == LogLevel.Error) Debug.LogError(text);
+                if (level == LogLevel.Error) lastError = TextOf(message);
                 else if (level == LogLevel.Warning) Debug.LogWarning(text);
                 else Debug.Log(text);
             }

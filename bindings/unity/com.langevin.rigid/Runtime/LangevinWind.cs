@@ -98,7 +98,7 @@ namespace LangevinUnity
             if (!any) return;
             WindDesc desc = WindDesc.Create();
             desc.Velocity = LangevinConversion.ToLibrary(sum);
-            LangevinException.Check(Native.lr_world_set_wind(simulation.Handle, &desc), "lr_world_set_wind");
+            LangevinSimulation.Check(Native.lr_world_set_wind(simulation.Handle, &desc), "lr_world_set_wind");
         }
 
         private void Synchronize(LangevinSimulation simulation)
@@ -189,11 +189,11 @@ namespace LangevinUnity
         {
             if (!id.IsNull)
             {
-                LangevinException.Check(Native.lr_world_update_wind(simulation.Handle, id, desc), "lr_world_update_wind");
+                LangevinSimulation.Check(Native.lr_world_update_wind(simulation.Handle, id, desc), "lr_world_update_wind");
                 return;
             }
             WindSourceId added;
-            LangevinException.Check(Native.lr_world_add_wind(simulation.Handle, desc, &added), "lr_world_add_wind");
+            LangevinSimulation.Check(Native.lr_world_add_wind(simulation.Handle, desc, &added), "lr_world_add_wind");
             id = added;
         }
 
@@ -202,7 +202,7 @@ namespace LangevinUnity
             if (id.IsNull) return;
             WindSourceId gone = id;
             id = default(WindSourceId);
-            LangevinException.Check(Native.lr_world_remove_wind(simulation.Handle, gone), "lr_world_remove_wind");
+            LangevinSimulation.Check(Native.lr_world_remove_wind(simulation.Handle, gone), "lr_world_remove_wind");
         }
 
 #if UNITY_EDITOR

@@ -71,7 +71,7 @@ namespace LangevinUnity
             bool on = eventCapacity > 0 && kinds != ContactEvents.None;
             Status status = Native.lr_world_set_contact_events(simulation.Handle, on ? (uint)eventCapacity : 0u,
                 on ? kinds : ContactEvents.None);
-            LangevinException.Check(status, "lr_world_set_contact_events");
+            LangevinSimulation.Check(status, "lr_world_set_contact_events");
             LostEvents = 0;
         }
 
@@ -85,7 +85,7 @@ namespace LangevinUnity
         {
             if (eventCapacity <= 0 || Simulation == null) return;
             ContactEventList list = ContactEventList.Create();
-            LangevinException.Check(Native.lr_world_get_contact_events(simulation.Handle, &list), "lr_world_get_contact_events");
+            LangevinSimulation.Check(Native.lr_world_get_contact_events(simulation.Handle, &list), "lr_world_get_contact_events");
             LostEvents = (long)list.TotalLost;
             int count = (int)list.Count;
             if (count == 0) return;

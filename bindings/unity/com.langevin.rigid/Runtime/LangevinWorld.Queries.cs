@@ -44,7 +44,7 @@ namespace LangevinUnity
         public ulong Hash()
         {
             ulong hash;
-            LangevinException.Check(Native.lr_world_hash(Idle().Handle, &hash), "lr_world_hash");
+            LangevinSimulation.Check(Native.lr_world_hash(Idle().Handle, &hash), "lr_world_hash");
             return hash;
         }
 
@@ -52,7 +52,7 @@ namespace LangevinUnity
         public StepReport LastStep()
         {
             StepReport report = StepReport.Create();
-            LangevinException.Check(Native.lr_world_get_step_report(Idle().Handle, &report), "lr_world_get_step_report");
+            LangevinSimulation.Check(Native.lr_world_get_step_report(Idle().Handle, &report), "lr_world_get_step_report");
             return report;
         }
 
@@ -63,7 +63,7 @@ namespace LangevinUnity
             // The mirror swaps which of both z is the lower one.
             Float3 low = new Float3(a.X, a.Y, b.Z), high = new Float3(b.X, b.Y, a.Z);
             uint woken;
-            LangevinException.Check(Native.lr_world_wake_box(Idle().Handle, &low.X, &high.X, &woken), "lr_world_wake_box");
+            LangevinSimulation.Check(Native.lr_world_wake_box(Idle().Handle, &low.X, &high.X, &woken), "lr_world_wake_box");
             return (int)woken;
         }
 
@@ -77,7 +77,7 @@ namespace LangevinUnity
             var to = (Vector3*)NativeArrayUnsafeUtility.GetUnsafePtr(velocities);
             for (int i = 0; i < positions.Length; ++i) to[i] = new Vector3(from[i].x, from[i].y, -from[i].z);
             Status status = Native.lr_world_sample_wind(handle, (float*)to, (uint)positions.Length, (float*)to);
-            LangevinException.Check(status, "lr_world_sample_wind");
+            LangevinSimulation.Check(status, "lr_world_sample_wind");
             for (int i = 0; i < velocities.Length; ++i) to[i].z = -to[i].z;
         }
 
@@ -85,7 +85,7 @@ namespace LangevinUnity
         public Vector3 SampleWind(Vector3 position)
         {
             Float3 p = LangevinConversion.ToLibrary(position), v = default(Float3);
-            LangevinException.Check(Native.lr_world_sample_wind(Idle().Handle, &p.X, 1, &v.X), "lr_world_sample_wind");
+            LangevinSimulation.Check(Native.lr_world_sample_wind(Idle().Handle, &p.X, 1, &v.X), "lr_world_sample_wind");
             return LangevinConversion.ToUnity(v);
         }
 
@@ -97,7 +97,7 @@ namespace LangevinUnity
             ray.Direction = LangevinConversion.ToLibrary(direction);
             ray.MaxDistance = maxDistance;
             RayHit native;
-            LangevinException.Check(Native.lr_world_ray_cast(Idle().Handle, &ray, 1, &native), "lr_world_ray_cast");
+            LangevinSimulation.Check(Native.lr_world_ray_cast(Idle().Handle, &ray, 1, &native), "lr_world_ray_cast");
             hit = default(LangevinRayHit);
             if (native.Body.IsNull && native.Collider.IsNull) return false;
             hit.body = native.Body;
@@ -115,7 +115,7 @@ namespace LangevinUnity
             var bytes = new byte[Native.lr_world_snapshot_size(handle)];
             ulong written;
             fixed (byte* first = bytes)
-                LangevinException.Check(Native.lr_world_snapshot_save(handle, first, (ulong)bytes.Length, &written), "lr_world_snapshot_save");
+                LangevinSimulation.Check(Native.lr_world_snapshot_save(handle, first, (ulong)bytes.Length, &written), "lr_world_snapshot_save");
             if (written < (ulong)bytes.Length) Array.Resize(ref bytes, (int)written);
             return bytes;
         }
@@ -126,7 +126,7 @@ namespace LangevinUnity
             if (bytes == null) throw new ArgumentNullException("bytes");
             IntPtr handle = Idle().Handle;
             fixed (byte* first = bytes)
-                LangevinException.Check(Native.lr_world_snapshot_restore(handle, first, (ulong)bytes.Length), "lr_world_snapshot_restore");
+                LangevinSimulation.Check(Native.lr_world_snapshot_restore(handle, first, (ulong)bytes.Length), "lr_world_snapshot_restore");
             stepped = true;
         }
 

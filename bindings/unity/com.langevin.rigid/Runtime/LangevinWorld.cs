@@ -187,7 +187,7 @@ namespace LangevinUnity
             if (!running) return;
             running = false;
             pending.Complete();
-            LangevinException.Check((Status)jobStatus[0], "lr_world_step");
+            LangevinSimulation.Check((Status)jobStatus[0], "lr_world_step");
             stepped = true;
             DispatchEvents();
         }
@@ -212,14 +212,19 @@ namespace LangevinUnity
             if (now != gravitySet)
             {
                 Float3 g = LangevinConversion.ToLibrary(now);
-                LangevinException.Check(Native.lr_world_set_gravity(simulation.Handle, &g.X), "lr_world_set_gravity");
+                LangevinSimulation.Check(Native.lr_world_set_gravity(simulation.Handle, &g.X), "lr_world_set_gravity");
                 gravitySet = now;
             }
             LangevinWind.Apply(this);
-            for (int i = 0; i < Members.Count; ++i) Members[i].BeforeStep(simulation, dt);
+            for (int i = 0; i < Members.Count; ++i)
+            {
+                // One member with a wrong value must not stop the others.
+                try { Members[i].BeforeStep(simulation, dt); }
+                catch (Exception e) { Debug.LogException(e, Members[i]); }
+            }
             if (stepThread == LangevinStepThread.Main)
             {
-                LangevinException.Check(Native.lr_world_step(simulation.Handle, dt, (uint)substeps), "lr_world_step");
+                LangevinSimulation.Check(Native.lr_world_step(simulation.Handle, dt, (uint)substeps), "lr_world_step");
                 stepped = true;
                 DispatchEvents();
                 return;
@@ -248,7 +253,7 @@ namespace LangevinUnity
             native.Kind = (BudgetKind)budget;
             if (budget == LangevinBudgetKind.BodySubsteps) native.BodySubsteps = (ulong)Math.Max(1L, budgetBodySubsteps);
             if (budget == LangevinBudgetKind.Milliseconds) native.Seconds = budgetMilliseconds * 1e-3;
-            LangevinException.Check(Native.lr_world_set_budget(simulation.Handle, &native), "lr_world_set_budget");
+            LangevinSimulation.Check(Native.lr_world_set_budget(simulation.Handle, &native), "lr_world_set_budget");
         }
 
 #if UNITY_EDITOR
