@@ -10,6 +10,7 @@ PREFIX   an installed package of the library (include/, lib/ or bin/, bin/lr_bak
 --tgz    also writes com.langevin.rigid-VERSION.tgz, for "Install package from tarball".
 """
 import argparse
+import gzip
 import json
 import os
 import pathlib
@@ -320,7 +321,8 @@ def write_tgz(package, out):
         entry.uname = entry.gname = ""
         return entry
 
-    with tarfile.open(path, "w:gz") as archive:
+    # Without times, owners and its own name: the same bits each time.
+    with open(path, "wb") as file, gzip.GzipFile("", "wb", fileobj=file, mtime=0) as packed, tarfile.open(fileobj=packed, mode="w") as archive:
         # npm's layout: Unity's Package Manager wants everything in a folder of this name.
         archive.add(package, "package", filter=plain)
     return path

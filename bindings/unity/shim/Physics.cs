@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 namespace UnityEngine
 {
+    // Not used by the package: here so that names which the binding has too are told apart as in Unity.
+    public struct Ray { public Vector3 origin, direction; }
+    public enum ForceMode { Force = 0, Impulse = 1, VelocityChange = 2, Acceleration = 5 }
+
     public static class Physics
     {
         public static Vector3 gravity { get; set; }

@@ -148,7 +148,7 @@ public sealed class BatchTests : Stage
     {
         LangevinBatch batch = NewBatch(4);
         BodyId a = batch.Spawn(Vector3.zero, Quaternion.identity);
-        batch.AddForce(a, new Vector3(0.0f, 0.0f, 2.0f), new Vector3(0.0f, 3.0f, 0.0f), ForceMode.Velocity);
+        batch.AddForce(a, new Vector3(0.0f, 0.0f, 2.0f), new Vector3(0.0f, 3.0f, 0.0f), LangevinRigid.ForceMode.Velocity);
         LangevinBodyState state;
         batch.TryGetState(a, out state);
         Near(new Vector3(0.0f, 0.0f, 2.0f), state.velocity, 1e-5);

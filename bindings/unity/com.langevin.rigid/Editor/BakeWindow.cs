@@ -44,19 +44,26 @@ namespace LangevinUnity.Editor
         {
             using (new EditorGUI.DisabledScope(bake != null))
             {
-                fromFile = EditorGUILayout.Toggle(new GUIContent("From a file", "An OBJ, FBX, glTF, PLY or STL file, instead of a Unity mesh."), fromFile);
+                fromFile = EditorGUILayout.Toggle(
+                    new GUIContent("From a file", "An OBJ, FBX, glTF, PLY or STL file, instead of a Unity mesh."), fromFile);
                 if (fromFile) FileField();
                 else mesh = (Mesh)EditorGUILayout.ObjectField("Mesh", mesh, typeof(Mesh), false);
-                settings.sheet = EditorGUILayout.Toggle(new GUIContent("Sheet", "The mesh is the middle surface of a thin sheet, open or closed."), settings.sheet);
+                settings.sheet = EditorGUILayout.Toggle(
+                    new GUIContent("Sheet", "The mesh is the middle surface of a thin sheet, open or closed."), settings.sheet);
                 if (settings.sheet)
                 {
-                    settings.thickness = EditorGUILayout.DoubleField(new GUIContent("Thickness", "In the mesh's unit."), settings.thickness);
-                    settings.arealDensity = EditorGUILayout.DoubleField(new GUIContent("Mass per area (kg/m²)", "0: density counts. Paper: 0.08."), settings.arealDensity);
+                    settings.thickness = EditorGUILayout.DoubleField(
+                        new GUIContent("Thickness", "In the mesh's unit."), settings.thickness);
+                    settings.arealDensity = EditorGUILayout.DoubleField(
+                        new GUIContent("Mass per area (kg/m²)", "0: density counts. Paper: 0.08."), settings.arealDensity);
                 }
                 if (!(settings.sheet && settings.arealDensity > 0.0))
-                    settings.density = EditorGUILayout.DoubleField(new GUIContent("Density (kg/m³)", "Dry leaves 350, paper 800."), settings.density);
-                settings.fluid = EditorGUILayout.TextField(new GUIContent("Fluid", "air, water, or density and viscosity: 1.2,1.5e-5"), settings.fluid);
-                settings.unit = EditorGUILayout.TextField(new GUIContent("Unit", "m, cm or mm; file: what an FBX or Collada file says."), settings.unit);
+                    settings.density = EditorGUILayout.DoubleField(
+                        new GUIContent("Density (kg/m³)", "Dry leaves 350, paper 800."), settings.density);
+                settings.fluid = EditorGUILayout.TextField(
+                    new GUIContent("Fluid", "air, water, or density and viscosity: 1.2,1.5e-5"), settings.fluid);
+                settings.unit = EditorGUILayout.TextField(
+                    new GUIContent("Unit", "m, cm or mm; file: what an FBX or Collada file says."), settings.unit);
                 settings.wake = EditorGUILayout.Toggle(new GUIContent("Turbulence of the wake", "Takes seconds more."), settings.wake);
                 output = EditorGUILayout.TextField("Output", output);
                 string problem = Problem();

@@ -171,7 +171,11 @@ namespace LangevinUnity.Editor
         public static void MakeExecutable(string program)
         {
             if (IsWindows) return;
-            var start = new ProcessStartInfo("/bin/chmod", LangevinCommandLine.Join(new[] { "u+x", program })) { UseShellExecute = false, RedirectStandardError = true };
+            var start = new ProcessStartInfo("/bin/chmod", LangevinCommandLine.Join(new[] { "u+x", program }))
+            {
+                UseShellExecute = false,
+                RedirectStandardError = true,
+            };
             using (Process change = Process.Start(start)) change.WaitForExit();
         }
 

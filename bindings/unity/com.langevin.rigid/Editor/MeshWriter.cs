@@ -18,7 +18,8 @@ namespace LangevinUnity.Editor
             Vector3[] vertices = mesh.vertices;
             int[] triangles = mesh.triangles;
             if (vertices.Length == 0 || triangles.Length == 0)
-                throw new ArgumentException("Mesh \"" + mesh.name + "\" has no triangles" + (mesh.isReadable ? "." : ": turn on Read/Write in its import settings."));
+                throw new ArgumentException("Mesh \"" + mesh.name + "\" has no triangles" +
+                    (mesh.isReadable ? "." : ": turn on Read/Write in its import settings."));
             var points = new Float3[vertices.Length];
             var indices = new uint[triangles.Length];
             LangevinConversion.MeshToLibrary(vertices, triangles, points, indices);

@@ -29,7 +29,8 @@ namespace LangevinUnity
         private IntPtr Ready()
         {
             if (Simulation == null || id.IsNull)
-                throw new InvalidOperationException("LangevinBatch \"" + name + "\" is in no world: there is none that is enabled, or it could not join (see the console).");
+                throw new InvalidOperationException("LangevinBatch \"" + name +
+                    "\" is in no world: there is none that is enabled, or it could not join (see the console).");
             World.CompleteStep();
             return Simulation.Handle;
         }

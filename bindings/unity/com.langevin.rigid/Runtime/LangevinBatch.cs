@@ -118,7 +118,8 @@ namespace LangevinUnity
             bool wantsGroup = drawing.mode == LangevinDrawMode.BatchRendererGroup && drawing.Problem() == null;
             bool packed = wantsGroup && LangevinGroupDrawing.Supported;
             if (wantsGroup && !packed)
-                Debug.LogWarning("This graphics API has no raw buffers for BatchRendererGroup: \"" + name + "\" is drawn by RenderMeshInstanced.", this);
+                Debug.LogWarning("This graphics API has no raw buffers for BatchRendererGroup: \"" + name +
+                    "\" is drawn by RenderMeshInstanced.", this);
             instances = new LangevinInstances(capacity, packed);
             if (packed) group = new LangevinGroupDrawing(drawing, instances, capacity, gameObject.layer);
             AfterStep(simulation);

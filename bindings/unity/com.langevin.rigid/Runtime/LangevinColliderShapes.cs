@@ -48,8 +48,8 @@ namespace LangevinUnity
             var mesh = collider as MeshCollider;
             if (mesh != null) return Mix(key, mesh.sharedMesh == null ? 0 : mesh.sharedMesh.GetHashCode(), mesh.convex ? 1 : 0);
             var terrain = collider as TerrainCollider;
-            if (terrain != null) return terrain.terrainData == null ? 0 : Mix(17, terrain.terrainData.GetHashCode(), terrain.terrainData.size.GetHashCode());
-            return 0;
+            TerrainData data = terrain == null ? null : terrain.terrainData;
+            return data == null ? 0 : Mix(17, data.GetHashCode(), data.size.GetHashCode());
         }
 
         private static int Mix(int a, int b, int c) { return unchecked((a * 397 ^ b) * 397 ^ c); }

@@ -64,7 +64,10 @@ public sealed class LeafStorm : MonoBehaviour
         leaves.Rules.action = EndAction.Respawn;
         leaves.Rules.volumes = new[]
         {
-            new LangevinKillVolume { shape = VolumeShape.Box, side = KillSide.Outside, center = new Vector3(0, 10, 0), size = new Vector3(30, 15, 30) },
+            new LangevinKillVolume
+            {
+                shape = VolumeShape.Box, side = KillSide.Outside, center = new Vector3(0, 10, 0), size = new Vector3(30, 15, 30),
+            },
         };
         leaves.Drawing.mesh = mesh;
         leaves.Drawing.materials = new[] { material != null ? material : LeafMaterial() };
