@@ -21,8 +21,7 @@ public sealed class LeafStorm : MonoBehaviour
         var world = new GameObject("World", typeof(LangevinWorld)).GetComponent<LangevinWorld>();
         world.StepThread = LangevinStepThread.Job;
 
-        GameObject lawn = Solid(PrimitiveType.Cube, "Lawn", new Vector3(0.0f, -0.5f, 0.0f), new Vector3(60.0f, 1.0f, 60.0f));
-        lawn.layer = gameObject.layer;
+        Solid(PrimitiveType.Cube, "Lawn", new Vector3(0.0f, -0.5f, 0.0f), new Vector3(60.0f, 1.0f, 60.0f));
         for (int i = 0; i < 5; ++i) Solid(PrimitiveType.Cube, "Crate", new Vector3(i * 4.0f - 8.0f, 0.5f, 3.0f), Vector3.one);
         ball = Solid(PrimitiveType.Sphere, "Ball", new Vector3(0.0f, 0.75f, -8.0f), Vector3.one * 1.5f).transform;
 
