@@ -78,7 +78,10 @@ public sealed class BatchTests : Stage
         float before = floats[16 * 2000 + 13];
         floats[16 * 2000 + 13] = 12345.0f;
         float moving = floats[16 * 2 + 13];
+        // In the chunk of those that move too.
+        float[] resting = Enumerable.Range(16 * 5, 16 * 1000).Select(i => floats[i]).ToArray();
         Frames(1);
+        Assert.IsTrue(resting.SequenceEqual(Enumerable.Range(16 * 5, 16 * 1000).Select(i => floats[i])), "bodies at rest moved");
         Assert.AreEqual(12345.0f, floats[16 * 2000 + 13]);
         Assert.AreNotEqual(moving, floats[16 * 2 + 13]);
         Assert.AreEqual(5L, World.AwakeCount);
