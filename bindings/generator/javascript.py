@@ -121,7 +121,7 @@ def raw_type(type_):
 
 
 def types(model):
-    lines = [NOTICE, "import type { Asset } from '../langevin_rigid.js';", "", "/** Constants of the C header, without LR_. */",
+    lines = [NOTICE, "import type { Asset } from '../../langevin_rigid.mjs';", "", "/** Constants of the C header, without LR_. */",
              "export declare const LR: {"]
     for c in model["constants"]:
         lines += comment(c["doc"], "  ") + [f"  readonly {c['name'].removeprefix('LR_')}: {number(c)};"]

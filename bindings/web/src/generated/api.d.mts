@@ -1,7 +1,7 @@
 // Made by bindings/generator/javascript.py from include/langevin_rigid.h: changes here are lost.
 // SPDX-License-Identifier: MIT
 
-import type { Asset } from '../langevin_rigid.js';
+import type { Asset } from '../../langevin_rigid.mjs';
 
 /** Constants of the C header, without LR_. */
 export declare const LR: {
