@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shapes, as baked or made.
 
-const leaked = new FinalizationRegistry(({ host, address }) => host.raw.lr_asset_release(address));
+const leaked = new FinalizationRegistry(({ host, address }) => host.release('lr_asset_release', address));
 const silent = () => '';
 
 /** An immutable shape, for any number of worlds and batches, which keep what they need of it. */
@@ -91,7 +91,7 @@ export class Asset {
   dispose() {
     if (this.#address === 0) return;
     leaked.unregister(this);
-    this.#host.raw.lr_asset_release(this.#address);
+    this.#host.release('lr_asset_release', this.#address);
     this.#address = 0;
   }
 

@@ -180,7 +180,7 @@ export class Batch {
   }
 }
 
-const buffers = new FinalizationRegistry(({ heap, address }) => heap.free(address));
+const buffers = new FinalizationRegistry(({ host, address }) => host.release('free', address));
 
 /** Transforms of a batch in the module's memory. */
 export class TransformBuffer {
@@ -202,7 +202,7 @@ export class TransformBuffer {
     this.count = 0;
     this.#address = this.#heap.allocate(4 * this.floatsPerBody * this.capacity);
     if (this.#address === 0) throw host.error('malloc', LR.ERROR_OUT_OF_MEMORY);
-    buffers.register(this, { heap: this.#heap, address: this.#address }, this);
+    buffers.register(this, { host, address: this.#address }, this);
   }
 
   get #live() {
@@ -247,7 +247,7 @@ export class TransformBuffer {
   dispose() {
     if (this.#address === 0) return;
     buffers.unregister(this);
-    this.#heap.free(this.#address);
+    this.#batch.world.host.release('free', this.#address);
     this.#address = 0;
     this.#array = new Float32Array(0);
   }

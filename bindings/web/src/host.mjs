@@ -98,10 +98,6 @@ export class Host {
     return id;
   }
 
-  replaceCallback(id, callback) {
-    this.#callbacks.set(id, callback);
-  }
-
   removeCallback(id) {
     this.#callbacks.delete(id);
   }
@@ -129,6 +125,11 @@ export class Host {
       throw error;
     }
     return result;
+  }
+
+  /** Gives something back to the module, if that still works: from finalizers too, which have nobody to throw at. */
+  release(name, address) {
+    if (!this.#broken) this.invoke(name, address);
   }
 
   error(name, status, detail = '') {

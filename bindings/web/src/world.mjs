@@ -6,7 +6,7 @@ import { LR } from './generated/api.mjs';
 const leaked = new FinalizationRegistry(end);
 
 function end({ host, address, callbacks }) {
-  host.invoke('lr_world_destroy', address);
+  host.release('lr_world_destroy', address);
   for (const id of callbacks) host.removeCallback(id);
 }
 
@@ -21,15 +21,16 @@ export class World {
   #wind = 0;
   #surface = 0;
 
+  /** @internal What the library logs of a refused call is part of what is thrown. */
+  hear(message) {
+    this.#said = message;
+  }
+
   /** @internal */
   static create(host, { log = null, ...desc }) {
     const world = new World();
     world.#host = host;
-    const answer = (to) => (level, message) => {
-      if (to && level === LR.LOG_ERROR) to.#said = message;
-      log?.(level, message);
-    };
-    const id = host.addCallback(answer(world));
+    const id = host.addCallback(logTo(new WeakRef(world), log));
     try {
       host.scratch((scratch) => {
         const out = scratch.bytes(4);
@@ -41,8 +42,6 @@ export class World {
       host.removeCallback(id);
       throw error;
     }
-    const weak = new WeakRef(world); // the host's list of callbacks must not keep the world
-    host.replaceCallback(id, (...said) => answer(weak.deref())(...said));
     world.#kept = { host, address: world.#address, callbacks: new Set([id]) };
     leaked.register(world, world.#kept, world);
     return world;
@@ -344,6 +343,12 @@ export class World {
     });
   }
 }
+
+// Where no world is in scope: the host's list of callbacks must not keep one from being collected.
+const logTo = (world, log) => (level, message) => {
+  if (level === LR.LOG_ERROR) world.deref()?.hear(message);
+  log?.(level, message);
+};
 
 const withBatch = ({ batch, ...desc }) => (batch ? { ...desc, batch: batch.handle ?? batch } : desc);
 

@@ -137,7 +137,7 @@ test('bodies: made singly and many at once, read, set, forced, at rest', () => {
   assert.ok(Math.abs(world.bodyState(many[0]).linearVelocity[0] - 3) < 1e-5);
   batch.addForces({ mode: LR.FORCE_MODE_VELOCITY, first: 1, force: [[1, 1], [0, 0], [0, 0]] });
   const { velocity } = batch.view();
-  assert.ok(Math.abs(velocity[0][1] - 1) < 1e-5 && Math.abs(velocity[0][3]) < 1e-5);
+  assert.ok(Math.abs(velocity[0][2] - 1) < 1e-5 && Math.abs(velocity[0][3]) < 1e-5);
   assert.throws(() => batch.addForces({ force: [[1], [1, 2], [1]] }), RangeError);
   batch.setForce({ acceleration: [0, 1, 0] });
   world.setRest(many, true);
@@ -364,12 +364,9 @@ test('out of memory is a status, and the world is as it was', async () => {
 test('a defect ends the module, and says so', async () => {
   const broken = await load();
   const world = broken.createWorld();
-  new DataView(broken.memory.buffer).setUint32(world.address, 0xfffffff0, true);
-  const batch = () => {
-    for (let i = 0; i < 64; i += 4) new DataView(broken.memory.buffer).setUint32(world.address + 4 * i, 0xfffffff0, true);
-    return world.hash();
-  };
-  assert.throws(batch, refused('INTERNAL'));
+  world.createBatch({ asset: broken.loadAsset(leafBytes), capacity: 10 }).createBody();
+  new Uint32Array(broken.memory.buffer, world.address, 512).fill(0x7ffffff0); // addresses behind the end of memory
+  assert.throws(() => world.hash(), refused('INTERNAL'));
   assert.throws(() => broken.createWorld(), /stopped in lr_world_hash/);
 });
 
@@ -381,10 +378,10 @@ test('what is forgotten is collected', async () => {
     world.createBatch({ asset, capacity: 50000 }).createTransforms();
     if (i % 10 === 9) {
       globalThis.gc();
-      await new Promise((resolve) => setTimeout(resolve));
+      await new Promise((resolve) => setTimeout(resolve, 2));
     }
   }
-  assert.ok(own.memory.buffer.byteLength < 5e8, String(own.memory.buffer.byteLength));
+  assert.ok(own.memory.buffer.byteLength < 3e8, String(own.memory.buffer.byteLength));
   for (const [Class, made] of [[Asset, asset], [World, own.createWorld()]]) assert.ok(made instanceof Class);
   assert.ok(Batch && TransformBuffer);
 });
