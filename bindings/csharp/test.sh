@@ -106,6 +106,19 @@ hello() {
     diff hello.c.txt hello.cs.txt
 }
 
+# The lines of the guide, as they stand there.
+guide() {
+    {
+        echo 'using System; using LangevinRigid; static class Guide { static float lowest; static void Splash(Float3 p) { lowest = Math.Min(lowest, p.Y); }'
+        echo 'static void Main() { var matrices = new float[16 * 10000];'
+        sed -n '/^```csharp$/,/^```$/{/^```/!p}' "$root/docs/integration/csharp.md"
+        echo 'Console.WriteLine(matrices[13] + " " + view.Count); world.Dispose(); } }'
+    } > Guide.cs
+    mcs -langversion:latest -warnaserror -r:LangevinRigid.dll -out:Guide.exe Guide.cs
+    LD_LIBRARY_PATH=$library mono Guide.exe | tee guide.txt
+    grep -q '^4.99[0-9]* 10000$' guide.txt
+}
+
 if "$python" -c "import clang.cindex" 2> /dev/null; then
     step "generated sources are those of the header" drift
     step "sizes, offsets and values are those of the C compiler" same_layout
@@ -127,6 +140,7 @@ step "a newer library" wrong_library newer "unsigned lr_version(void) { return 2
 step "an older library" wrong_library older "unsigned lr_version(void) { return 0u << 12; }"
 step "a program that ends without Dispose" leave
 step "sample Hello: same bits as in C" hello
+step "the lines of docs/integration/csharp.md" guide
 
 echo "csharp: $passed passed, $failed failed$([ $skipped -eq 0 ] || echo ", $skipped skipped")"
 [ $failed -eq 0 ]
