@@ -252,11 +252,18 @@ static unsafe class CallbackTests
         Check.Equal(alone, WorldTests.HashAfter(desc, new WorldServices { Jobs = inline }, 20000, 5), "hash, run within Enqueue");
     }
 
+    static readonly ManualResetEvent begun = new ManualResetEvent(false), go = new ManualResetEvent(false);
+
+    [MonoPInvokeCallback(typeof(TaskFn))]
+    static void BeginAndWait(IntPtr task, uint begin, uint end)
+    {
+        begun.Set();
+        go.WaitOne();
+    }
+
     public static void AStepWaitsForTasksThatHaveBegun()
     {
-        var begun = new ManualResetEvent(false);
-        var go = new ManualResetEvent(false);
-        TaskFn run = (task, begin, end) => { begun.Set(); go.WaitOne(); };
+        TaskFn run = BeginAndWait;
         var job = new JobTask(System.Runtime.InteropServices.Marshal.GetFunctionPointerForDelegate(run), IntPtr.Zero, 1);
         var runner = new Thread(() => job.Run(0, 1));
         var closer = new Thread(() => job.Close());
