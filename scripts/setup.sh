@@ -23,6 +23,7 @@ fi
 if [ "${1:-build}" = test ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
         python3-clang-14                         # generators of bindings
+        mono-mcs mono-runtime libmono-corlib4.5-cil   # C# binding
         ccache)                                  # the second run is a third of the first (scripts/compiler_cache.sh)
 fi
 if [ "${1:-build}" = battery ]; then
