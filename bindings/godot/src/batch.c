@@ -94,8 +94,8 @@ static void apply_all(batch_node* self) {
 void batch_ensure(batch_node* self) {
     if (!self->world || !self->world->world) return;
     if (self->rebuild) {
-        self->rebuild = 0;
         batch_leave(self);
+        self->rebuild = 0;
         const asset_node* asset = batch_asset(self);
         if (!asset || !asset->asset) return; /* the editor shows a warning on the node */
         lr_batch_desc desc;

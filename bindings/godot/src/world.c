@@ -14,9 +14,9 @@ enum { ENTER_TREE = 10, EXIT_TREE = 11, INTERNAL_PROCESS = 25, INTERNAL_PHYSICS_
 /* A frame that took longer than this is not made up for: the game stood still, and so did the leaves. */
 #define LONGEST_STEP 0.25
 
+/* Errors are what calls return, and are reported with what was called here. */
 static void on_log(void* user, int32_t level, const char* message) {
     (void)user;
-    if (level == LR_LOG_ERROR) gd_error("%s", message);
     if (level == LR_LOG_WARNING) gd_warning("%s", message);
 }
 
