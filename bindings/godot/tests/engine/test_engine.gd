@@ -86,7 +86,7 @@ func test_asset() -> void:
 	check(stored.get_content_hash() == asset.get_content_hash(), "stored in a text resource")
 	var disc := LangevinAsset.new()
 	check(disc.make_ellipsoid(Vector3(0.02, 0.02, 0.0005), 500.0) == OK and disc.is_valid(), "ellipsoid")
-	print("(three refused assets: errors are expected here)")
+	print("refused assets (4 expected)")
 	check(disc.make_ellipsoid(Vector3(-1, 1, 1), 500.0) == ERR_INVALID_PARAMETER and disc.is_valid(), "bad ellipsoid")
 	var bytes := FileAccess.get_file_as_bytes("res://leaf.lrb")
 	bytes[bytes.size() / 2] ^= 0x55
@@ -121,7 +121,7 @@ func test_bodies_and_transforms() -> void:
 	check(near(batch.get_body_age(ids[0]), 0.5, 1e-4), "age")
 	check(batch.destroy_bodies(ids.slice(0, 50)) == OK and batch.get_body_count() == 150, "destroyed")
 	check(not batch.has_body(ids[0]) and batch.has_body(ids[60]), "stale ids are known")
-	print("(two refused calls: errors are expected here)")
+	print("refused calls (2 expected)")
 	check(batch.destroy_bodies(ids.slice(0, 1)) == FAILED, "destroyed twice")
 	check(batch.emit(100) == FAILED and batch.get_body_count() == 150, "no room")
 	batch.clear()
@@ -149,7 +149,7 @@ func test_spawn_and_forces() -> void:
 	batch.apply_force(still, Vector3(0.001, 0, 0), Vector3.ZERO)
 	world.step(1.0 / 60.0)
 	check(near(batch.get_body_linear_velocity(still).x, 0.001 / 0.00018 / 60.0, 0.02), "force along the leaf: F t/m")
-	print("(two refused calls: errors are expected here)")
+	print("refused calls (2 expected)")
 	check(batch.spawn(Transform3D(Basis.FLIP_X, Vector3.ZERO), Vector3.ZERO, Vector3.ZERO) == 0, "mirrored")
 	check(batch.get_body_age(12345) == 0.0, "no such body")
 	world.free()
@@ -197,7 +197,7 @@ func test_snapshot() -> void:
 	for i in 20:
 		world.step(1.0 / 60.0)
 	check(world.get_state_hash() == later, "and goes on as before")
-	print("(a refused snapshot: an error is expected here)")
+	print("a refused snapshot (1 expected)")
 	check(world.restore_snapshot(PackedByteArray([1, 2, 3])) != OK, "no snapshot")
 	world.reset()
 	world.step(1.0 / 60.0)
@@ -226,7 +226,7 @@ func test_emitter_rules() -> void:
 	batch.bounds = AABB(Vector3(-10, -10, -10), Vector3(20, 20, 20))
 	world.step(1.0 / 60.0)
 	check(batch.get_body_count() == 0, "bodies outside of the bounds end")
-	print("(two refused properties: errors are expected here)")
+	print("refused properties (2 expected)")
 	batch.scale_min = -1.0
 	check(batch.scale_min == 0.5, "a property out of range is refused")
 	batch.asset = null
@@ -447,11 +447,10 @@ func test_freeing_order() -> void:
 	other.queue_free()
 	await process_frame
 	check(not is_instance_valid(other), "queue_free")
-	print("(a batch without a world: a warning is expected here)")
+	print("a batch without a world (1 expected)")
 	var lonely := LangevinBatch.new()
 	root.add_child(lonely)
 	check(lonely.get_body_count() == 0, "a batch without a world")
-	check(lonely._get_configuration_warnings().size() == 3 if lonely.has_method("_get_configuration_warnings") else true, "")
 	lonely.free()
 	var scene: PackedScene = load("res://storm.tscn")
 	for i in 3:
