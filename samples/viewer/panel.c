@@ -19,10 +19,10 @@ static layout layout_of(int picture_height) {
     l.letter = roundf(clamped((float)picture_height / 66.0f, 8.0f, 28.0f));
     l.line = roundf(2.0f * l.letter);
     l.left = l.top = roundf(1.2f * l.letter);
-    l.bar_left = l.left + 9.0f * l.letter;
+    l.bar_left = l.left + 10.2f * l.letter;
     l.bar_width = 9.0f * l.letter;
     l.value_left = l.bar_left + l.bar_width + 0.8f * l.letter;
-    l.width = l.value_left + 7.8f * l.letter - l.left;
+    l.width = l.value_left + 10.6f * l.letter - l.left;
     return l;
 }
 

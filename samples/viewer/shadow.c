@@ -4,7 +4,7 @@
 #include "failure.h"
 #include "shaders.h"
 
-enum { map_side = 2048 };
+enum { map_side = 4096 };
 
 const float sun_direction[3] = {-0.4794f, 0.6592f, -0.5793f};
 

@@ -68,7 +68,8 @@ static void draw_glyph(const cell* c, char letter) {
             at += 2;
         }
         if (*at) ++at;
-        if (n == 1) draw_segment(c, points[0], points[0]);
+        const cell dot_of = {c->pixels, c->width, c->height, c->stride, c->unit, 1.5f * c->half};
+        if (n == 1) draw_segment(&dot_of, points[0], points[0]);
         const int closed = n > 2 && memcmp(points[0], points[n - 1], sizeof points[0]) == 0;
         for (int i = 0; i + 1 < n; ++i) {
             const float *before = points[i        ? i - 1

@@ -5,7 +5,7 @@ uniform sampler2D depth_map;
 uniform sampler2DShadow lit_map;
 
 const vec3 sunlight = vec3(3.3, 2.85, 2.25);
-const vec3 from_sky = vec3(0.52, 0.66, 0.88), from_ground = vec3(0.20, 0.19, 0.12);
+const vec3 from_sky = vec3(0.52, 0.66, 0.88), from_ground = vec3(0.33, 0.31, 0.22);
 
 float hash2(vec2 p) { return fract(sin(dot(p, vec2(127.1, 311.7))) * 43758.5453); }
 float noise2(vec2 p) {
@@ -42,15 +42,15 @@ float sun_seen(vec3 at, float slack) {
     if (side > 0.495 || p.z > 1.0) return 1.0;
     float per_metre = 0.5 / light_box.x, texel = 1.0 / float(textureSize(depth_map, 0).x);
     float turn = 6.2832 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    float search = max(0.016 * per_metre, 2.0 * texel), sum = 0.0, blockers = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        float a = turn + 2.39996 * float(i), r = sqrt((float(i) + 0.5) / 8.0);
+    float search = max(0.016 * per_metre, 3.0 * texel), sum = 0.0, blockers = 0.0;
+    for (int i = 0; i < 12; ++i) {
+        float a = turn + 2.39996 * float(i), r = sqrt((float(i) + 0.5) / 12.0);
         float z = textureLod(depth_map, p.xy + search * r * vec2(cos(a), sin(a)), 0.0).r;
         if (z < p.z) { sum += z; blockers += 1.0; }
     }
     if (blockers == 0.0) return 1.0;
     float gap = (p.z - sum / blockers) * 2.0 * light_box.y;
-    float soft = max(min(0.0065 * gap, 0.03) * per_metre, 1.1 * texel), seen = 0.0;
+    float soft = max(min(0.0065 * gap, 0.03) * per_metre, 1.5 * texel), seen = 0.0;
     for (int i = 0; i < 14; ++i) {
         float a = turn + 2.39996 * float(i), r = sqrt((float(i) + 0.5) / 14.0);
         seen += textureLod(lit_map, vec3(p.xy + soft * r * vec2(cos(a), sin(a)), p.z), 0.0);

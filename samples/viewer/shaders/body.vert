@@ -16,10 +16,11 @@ void main() {
     int row = int(body.x) * 3;
     vec4 r0 = texelFetch(transforms, row), r1 = texelFetch(transforms, row + 1), r2 = texelFetch(transforms, row + 2);
     at = vec3(dot(r0, p), dot(r1, p), dot(r2, p));
+    uint h = mixed(body.y * 0x9e3779b9u + 1u);
+    at.y += 0.0004 * float(h >> 8) / 16777216.0; // sheets that lie in one plane would be drawn through each other
     facing = vec3(dot(r0.xyz, normal), dot(r1.xyz, normal), dot(r2.xyz, normal));
     across = uv;
     upper = normal.z;
-    uint h = mixed(body.y * 0x9e3779b9u + 1u);
     lot = vec4(h & 255u, (h >> 8) & 255u, (h >> 16) & 255u, h >> 24) / 255.0;
     gl_Position = to_clip * vec4(at, 1.0);
 }

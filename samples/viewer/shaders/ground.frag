@@ -5,7 +5,8 @@ out vec4 colour;
 
 vec3 lawn(vec2 p, inout vec3 n) {
     vec2 q = mat2(0.8, 0.6, -0.6, 0.8) * p;
-    float blades = 0.38 * grain(p * vec2(190.0, 70.0)) + 0.34 * grain(q * vec2(75.0, 210.0)) + 0.28 * grain(p * 37.0);
+    float fine = grain(p * vec2(430.0, 170.0)) * 0.5 + grain(q * vec2(190.0, 460.0)) * 0.5;
+    float blades = 0.30 * fine + 0.70 * (0.38 * grain(p * vec2(190.0, 70.0)) + 0.34 * grain(q * vec2(75.0, 210.0)) + 0.28 * grain(p * 37.0));
     float patches = 0.45 * grain(p * 5.3) + 0.35 * grain(p * 1.7 + 3.0) + 0.20 * noise2(p * 0.31);
     vec3 c = mix(vec3(0.020, 0.040, 0.008), vec3(0.110, 0.165, 0.034), blades * blades * 1.5);
     c = mix(c, c * vec3(1.5, 1.15, 0.7), smoothstep(0.40, 0.75, patches));
@@ -13,8 +14,9 @@ vec3 lawn(vec2 p, inout vec3 n) {
     return mix(c, vec3(0.090, 0.066, 0.036) * (0.6 + 0.8 * blades), smoothstep(0.60, 0.78, patches) * 0.8);
 }
 
-float joint(vec2 p, vec2 half_size, float width) { // 1 in the gap around a tile of which p is the place from its middle
-    vec2 d = half_size - abs(p), w = fwidth(p) + 1e-5;
+// 1 in the gap around a tile of which `own` is the place from its middle; w: m a pixel.
+float joint(vec2 own, vec2 half_size, float width, vec2 w) {
+    vec2 d = half_size - abs(own);
     vec2 gap = clamp((width - d) / w + 0.5, 0.0, 1.0) * min(vec2(1.0), 2.0 * width / w);
     return max(gap.x, gap.y);
 }
@@ -27,7 +29,7 @@ vec3 paving(vec2 p, inout vec3 n) {
     vec3 c = mix(vec3(0.17, 0.165, 0.155), vec3(0.34, 0.325, 0.30), speck) * (0.86 + 0.28 * hash2(tile));
     c *= 0.9 + 0.2 * grain(p * 2.3);
     n = normalize(n + 0.12 * vec3(grain(p * 90.0) - 0.5, 0.0, grain(p * 90.0 + 31.0) - 0.5));
-    return mix(c, vec3(0.045, 0.043, 0.035), 0.85 * joint(own, vec2(0.3, 0.2), 0.004));
+    return mix(c, vec3(0.045, 0.043, 0.035), 0.85 * joint(own, vec2(0.3, 0.2), 0.004, fwidth(p) + 1e-5));
 }
 
 vec3 boards(vec2 p, inout vec3 n) {
@@ -40,7 +42,7 @@ vec3 boards(vec2 p, inout vec3 n) {
     float fibre = 0.6 * rings + 0.4 * grain(q * vec2(9.0, 320.0));
     vec3 c = mix(vec3(0.150, 0.082, 0.036), vec3(0.330, 0.205, 0.105), fibre) * (0.78 + 0.44 * lot);
     n = normalize(n + 0.10 * vec3(0.0, 0.0, grain(q * vec2(9.0, 320.0)) - 0.5));
-    return mix(c, vec3(0.020, 0.014, 0.010), 0.9 * joint(own, vec2(0.9, 0.07), 0.0025));
+    return mix(c, vec3(0.020, 0.014, 0.010), 0.9 * joint(own, vec2(0.9, 0.07), 0.0025, fwidth(p) + 1e-5));
 }
 
 vec3 sand(vec2 p, inout vec3 n) {
@@ -66,7 +68,7 @@ void main() {
         n = mix(grass, hard, laid);
     }
     float lit = max(dot(n, sun), 0.0);
-    if (lit > 0.0) lit *= sun_seen(at, 0.0005);
+    if (lit > 0.0) lit *= sun_seen(at, 0.0001);
     c *= sunlight * lit + ambient(n);
     if (laid > 0.5) { // worn by feet: a little shine
         vec3 h = normalize(v + sun);

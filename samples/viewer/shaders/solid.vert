@@ -6,9 +6,9 @@ layout(location = 3) in float wooden;
 out vec3 at, facing, own;
 out float wood;
 void main() {
-    at = position;
+    at = position - 0.0004 * normal; // as in ground.vert
     facing = normal;
     own = own_place;
     wood = wooden;
-    gl_Position = to_clip * vec4(position, 1.0);
+    gl_Position = to_clip * vec4(at, 1.0);
 }
