@@ -5,7 +5,7 @@
 #include "event.h"
 #include "scene.h"
 
-enum { press_room = 64, ticks_a_second = 60 };
+enum { press_room = 256, ticks_a_second = 60 };
 
 /* An event of --press. */
 typedef struct press {

@@ -30,15 +30,18 @@ static float row_top(const layout* l, int row) {
     return l->top + l->line * ((float)row + 1.5f);
 }
 
-int panel_row_at(const viewer* v, float x, float y, float* place) {
+int panel_row_at(const viewer* v, float x, float y) {
     const layout l = layout_of(v->picture.height);
     if (!v->show_overlay || x < l.left || x > l.left + l.width) return -1;
     for (int row = 0; row < setting_number; ++row) {
-        if (y < row_top(&l, row) || y >= row_top(&l, row) + l.line) continue;
-        *place = (x - l.bar_left) / l.bar_width;
-        return row;
+        if (y >= row_top(&l, row) && y < row_top(&l, row) + l.line) return row;
     }
     return -1;
+}
+
+float panel_place(const viewer* v, float x) {
+    const layout l = layout_of(v->picture.height);
+    return (x - l.bar_left) / l.bar_width;
 }
 
 static void draw_sliders(viewer* v, const layout* l) {

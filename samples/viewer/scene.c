@@ -127,18 +127,23 @@ static lr_emitter_desc emitter_of(const scene* s, const scene_batch* b) {
     return desc;
 }
 
-/* The air is full at once: as many as a fall from the births lasts, at all heights below them. */
-static void fill_air(scene* s, scene_batch* b) {
+static void emit(scene* s, const scene_batch* b, const lr_emitter_desc* desc, uint32_t count) {
+    check(lr_batch_set_emitter(s->world, b->batch, desc), "emitter", "try a smaller --count");
+    check(lr_batch_emit(s->world, b->batch, count < b->count ? count : b->count, NULL), "births", NULL);
+}
+
+/* The air is full at once: as many as a fall from the births lasts, at all heights below them; or the first burst. */
+static void fill_air(scene* s, const scene_batch* b) {
     const scene_kind* kind = b->kind;
     lr_emitter_desc desc = emitter_of(s, b);
-    if (!(s->plan->ready > 0.0f) || kind->burst > 0.0f || kind->shape != LR_EMIT_BOX) return;
+    if (kind->burst > 0.0f) emit(s, b, &desc, desc.burst_count);
+    if (!(s->plan->ready > 0.0f) || kind->burst > 0.0f) return;
     const float top = kind->at[1] + kind->half[1], bottom = 0.25f * top;
     const float fall = s->plan->ready * (top - bottom) / 1.1f; /* s: about as fast as leaves and paper */
     const uint32_t count = (uint32_t)(desc.rate * fall);
     desc.position[1] = 0.5f * (top + bottom);
     desc.size[1] = 0.5f * (top - bottom);
-    check(lr_batch_set_emitter(s->world, b->batch, &desc), "emitter", NULL);
-    check(lr_batch_emit(s->world, b->batch, count < b->count ? count : b->count, NULL), "births", NULL);
+    emit(s, b, &desc, count);
 }
 
 static void set_emitter(scene* s, const scene_batch* b) {

@@ -112,10 +112,10 @@ static void press_button(viewer* v, const event* e) {
     v->pressed_x = v->pointer_x = e->x, v->pressed_y = v->pointer_y = e->y;
     v->moved = 0;
     v->dragged_button = e->button;
-    float place = 0.0f;
-    v->dragged_row = e->button == button_left ? panel_row_at(v, e->x, e->y, &place) : -1;
+    v->dragged_row = e->button == button_left ? panel_row_at(v, e->x, e->y) : -1;
     if (v->dragged_row < 0) return;
     v->row = v->dragged_row;
+    const float place = panel_place(v, e->x);
     if (place >= 0.0f && place <= 1.0f) v->wanted.value[v->row] = setting_at((enum setting)v->row, place);
 }
 
@@ -126,10 +126,7 @@ static void move(viewer* v, const event* e) {
     if (hypotf(e->x - v->pressed_x, e->y - v->pressed_y) > click_reach) v->moved = 1;
     if (v->dragged_row >= 0) {
         const int row = v->dragged_row;
-        float place = 0.0f;
-        /* Also beside the row: only how far along counts. */
-        if (panel_row_at(v, e->x, v->pressed_y, &place) == row)
-            v->wanted.value[row] = setting_at((enum setting)row, place);
+        v->wanted.value[row] = setting_at((enum setting)row, panel_place(v, e->x)); /* also beside the row */
     } else if (!v->moved) {
         return;
     } else if (v->dragged_button == button_left) {

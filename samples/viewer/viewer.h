@@ -53,8 +53,9 @@ void viewer_draw(viewer* v, int width, int height);
 /* What the user does: ui.c. */
 void viewer_handle(viewer* v, const event* e);
 
-/* The panel over the picture, and which row of it is at a place: panel.c. */
+/* The panel over the picture: panel.c. */
 void panel_draw(viewer* v);
-int panel_row_at(const viewer* v, float x, float y, float* place);
+int panel_row_at(const viewer* v, float x, float y); /* whose slider is there; -1: none */
+float panel_place(const viewer* v, float x);         /* along a slider: 0 to 1, and beyond its ends */
 
 #endif

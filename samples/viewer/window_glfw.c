@@ -15,6 +15,7 @@ struct window {
     event queue[queue_room];
     int first, count;
     float scale_x, scale_y; /* px of the picture to a unit of the pointer's place */
+    double x, y;            /* of the pointer by the last event: GLFW would say where it is by now */
 };
 
 static window the_window;
@@ -60,9 +61,7 @@ static void on_key(GLFWwindow* handle, int key, int scan_code, int action, int m
 
 static event at_pointer(GLFWwindow* handle, enum event_kind kind) {
     const window* w = glfwGetWindowUserPointer(handle);
-    double x = 0.0, y = 0.0;
-    glfwGetCursorPos(handle, &x, &y);
-    const event e = {.kind = kind, .x = (float)x * w->scale_x, .y = (float)y * w->scale_y};
+    const event e = {.kind = kind, .x = (float)w->x * w->scale_x, .y = (float)w->y * w->scale_y};
     return e;
 }
 
@@ -76,8 +75,9 @@ static void on_button(GLFWwindow* handle, int button, int action, int modifiers)
 }
 
 static void on_move(GLFWwindow* handle, double x, double y) {
-    (void)x, (void)y;
-    enqueue(glfwGetWindowUserPointer(handle), at_pointer(handle, event_move));
+    window* w = glfwGetWindowUserPointer(handle);
+    w->x = x, w->y = y;
+    enqueue(w, at_pointer(handle, event_move));
 }
 
 static void on_scroll(GLFWwindow* handle, double x, double y) {
@@ -110,6 +110,7 @@ window* window_open(int width, int height, const char* title) {
     glfwSetCursorPosCallback(w->handle, on_move);
     glfwSetScrollCallback(w->handle, on_scroll);
     w->scale_x = w->scale_y = 1.0f;
+    glfwGetCursorPos(w->handle, &w->x, &w->y);
     return w;
 }
 
