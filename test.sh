@@ -46,6 +46,7 @@ python3 tests/samples/check_assets.py .
 build/samples/import_mesh assets/leaf.obj build/samples/imported.lrb 2>/dev/null
 cmp build/samples/leaf.lrb build/samples/imported.lrb # in process and by the tool
 python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples/leaf.lrb assets/leaf.obj
+python3 tests/samples/check_viewer.py build/samples .
 python3 tests/samples/check_paper_figures.py build/samples/paper_figures "$prefix/bin/lr_bake" . build/samples
 
 step "Generator of bindings: the header as data"
