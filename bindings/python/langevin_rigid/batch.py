@@ -119,7 +119,7 @@ class Batch:
             raise TypeError(f"out: a writable array of float32 is wanted, not one of {out.dtype}")
         inner = 4
         for size, step in zip(out.shape[:0:-1], out.strides[:0:-1]):
-            if size != 1 and step != inner:
+            if size != 1 and step != inner and len(out):
                 raise ValueError("out: each element must be without gaps, in C's order")
             inner *= size
         if out.ndim < 2 or inner != 4 * floats:

@@ -122,17 +122,19 @@ class Recording:
 
     def slots(self) -> Tuple[List[np.ndarray], int]:
         """For each frame the slot of each of its bodies, and how many slots there are. A life keeps its slot, and one that ends
-        leaves its slot empty for at least a frame, so that nothing is interpolated from one body to another."""
+        leaves it empty for two frames at least, so that nothing need fly from where one ended to where the next begins."""
         lives = max((int(frame.ids.max()) + 1 for frame in self.frames if len(frame.ids)), default=0)
         slot_of = np.full(lives, -1, np.int64)
         free: List[int] = []
         empty: List[int] = []
+        just_left: List[int] = []
         before = np.empty(0, np.int64)
         count = 0
         result = []
         for frame in self.frames:
             free += empty
-            empty = slot_of[np.setdiff1d(before, frame.ids, assume_unique=True)].tolist()
+            empty = just_left
+            just_left = slot_of[np.setdiff1d(before, frame.ids, assume_unique=True)].tolist()
             born = frame.ids[slot_of[frame.ids] < 0]
             reused = min(len(free), len(born))
             slot_of[born[:reused]] = [free.pop() for _ in range(reused)]

@@ -39,12 +39,17 @@ def carrier_frames(recording: Recording) -> np.ndarray:
         out[at, slot, 1] = frame.position + reach * turned(frame.orientation, np.broadcast_to(unit_x, frame.position.shape))
         out[at, slot, 2] = frame.position + reach * turned(frame.orientation, np.broadcast_to(unit_y, frame.position.shape))
         alive[at, slot] = True
-    # An empty slot waits where its next body begins, and after the last one where that ended.
+    # An empty slot is one frame where its last body ended, then where the next one begins; after the last, where that ended.
+    ended = alive.copy()
+    for at in range(1, len(out)):
+        fill = ~alive[at] & alive[at - 1]
+        out[at, fill] = out[at - 1, fill, :1]
+        ended[at] |= fill
     for order, beside in ((range(len(out) - 2, -1, -1), 1), (range(1, len(out)), -1)):
         for at in order:
-            fill = ~alive[at] & alive[at + beside]
+            fill = ~ended[at] & ended[at + beside]
             out[at, fill] = out[at + beside, fill, :1]
-            alive[at] |= fill
+            ended[at] |= fill
     return out
 
 
