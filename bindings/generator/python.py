@@ -74,6 +74,14 @@ OPTIONS = {
     "lr_turbulence_table": "TurbulenceTableOptions", "lr_wave": "WaveOptions", "lr_wind_source_desc": "WindSourceOptions",
     "lr_world_desc": "WorldOptions",
 }
+# Fields that callers give otherwise: as parameters of their own, or by what follows from others.
+GIVEN_OTHERWISE = {
+    "lr_batch_desc": {"asset", "capacity"}, "lr_world_desc": {"allocator", "log", "log_user", "jobs"},
+    "lr_collider_desc": {"kind", "vertex_count", "triangle_count", "counts"}, "lr_wind_source_desc": {"kind"},
+    "lr_surface_desc": {"wave_count"}, "lr_turbulence_table": {"count"}, "lr_body_state": {"key", "resting"},
+}
+# Enumerations that are read back as such.
+READ_AS = {"simd_target": "SimdTarget", "resting": "Rest"}
 RESERVED = re.compile(r"struct_size|reserved(_\d+)?$")
 
 
@@ -299,13 +307,13 @@ def hint(type_, reading):
 def fields(model):
     structs = {s["name"]: s for s in model["structs"]}
     out = [HEAD, '"""Types of what calls take as keywords, and of what they read back."""', "from __future__ import annotations", "",
-           "from typing import TYPE_CHECKING, Any, TypedDict", "", "import numpy as np", "", "from ._record import Record", "",
+           "from typing import TYPE_CHECKING, Any, TypedDict", "", "import numpy as np", "", "from ._record import Record", "from .enums import Rest, SimdTarget", "",
            "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike", ""]
     for struct, name in OPTIONS.items():
         s = structs[struct]
         out += ["", f"class {name}(TypedDict, total=False):", f'    """Keywords for {struct}."""']
         for f in s["fields"]:
-            if not RESERVED.match(f["name"]):
+            if not RESERVED.match(f["name"]) and f["name"] not in GIVEN_OTHERWISE.get(struct, ()):
                 out.append(f"    {f['name']}: {hint(f['type'], False)}")
         out.append("")
     for struct, name in RECORDS.items():
@@ -313,7 +321,7 @@ def fields(model):
         used = [f for f in s["fields"] if not RESERVED.match(f["name"])]
         text = (s["doc"] or f"What {struct} says.") + "\n\n" + "\n".join(field_line(f) for f in used)
         out += ["", f"class {name}(Record):", quoted(text, "    "), f"    __slots__ = {tuple(f['name'] for f in used)!r}"]
-        out += [f"    {f['name']}: {hint(f['type'], True)}" for f in used]
+        out += [f"    {f['name']}: {READ_AS.get(f['name']) or hint(f['type'], True)}" for f in used]
         out.append("")
     return "\n".join(out)
 

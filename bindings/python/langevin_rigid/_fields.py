@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypedDict
 import numpy as np
 
 from ._record import Record
+from .enums import Rest, SimdTarget
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -49,8 +50,6 @@ class ContactOptions(TypedDict, total=False):
 
 class BatchOptions(TypedDict, total=False):
     """Keywords for lr_batch_desc."""
-    capacity: int
-    asset: Any
     load_model: int
     clock: int
     table_end: int
@@ -89,14 +88,12 @@ class RulesOptions(TypedDict, total=False):
 
 class StateOptions(TypedDict, total=False):
     """Keywords for lr_body_state."""
-    key: int
     position: ArrayLike
     orientation: ArrayLike
     linear_velocity: ArrayLike
     angular_velocity: ArrayLike
     scale: float
     age: float
-    resting: int
 
 
 class BudgetOptions(TypedDict, total=False):
@@ -108,7 +105,6 @@ class BudgetOptions(TypedDict, total=False):
 
 class ColliderOptions(TypedDict, total=False):
     """Keywords for lr_collider_desc."""
-    kind: int
     position: ArrayLike
     orientation: ArrayLike
     linear_velocity: ArrayLike
@@ -118,9 +114,6 @@ class ColliderOptions(TypedDict, total=False):
     restitution: float
     layers: int
     flags: int
-    vertex_count: int
-    triangle_count: int
-    counts: ArrayLike
     spacing: ArrayLike
     vertices: Any
     indices: Any
@@ -207,7 +200,6 @@ class RigidOptions(TypedDict, total=False):
 
 class SurfaceOptions(TypedDict, total=False):
     """Keywords for lr_surface_desc."""
-    wave_count: int
     position: ArrayLike
     normal: ArrayLike
     density: float
@@ -219,7 +211,6 @@ class SurfaceOptions(TypedDict, total=False):
 
 class TurbulenceTableOptions(TypedDict, total=False):
     """Keywords for lr_turbulence_table."""
-    count: int
     chi: Any
     epsilon: Any
     dt: float
@@ -239,7 +230,6 @@ class WaveOptions(TypedDict, total=False):
 
 class WindSourceOptions(TypedDict, total=False):
     """Keywords for lr_wind_source_desc."""
-    kind: int
     position: ArrayLike
     direction: ArrayLike
     side: ArrayLike
@@ -270,10 +260,6 @@ class WorldOptions(TypedDict, total=False):
     fluid_density: float
     simd_target: int
     fluid_viscosity: float
-    allocator: Any
-    log: Any
-    log_user: Any
-    jobs: Any
 
 
 class Aerodynamics(Record):
@@ -391,7 +377,7 @@ class WorldInfo(Record):
     awake_count: bodies that are not at rest: lr_body_set_rest
     """
     __slots__ = ('simd_target', 'worker_count', 'batch_count', 'body_count', 'substep_count', 'time', 'memory_bytes', 'collider_count', 'awake_count')
-    simd_target: int
+    simd_target: SimdTarget
     worker_count: int
     batch_count: int
     body_count: int
@@ -470,7 +456,7 @@ class BodyState(Record):
     angular_velocity: np.ndarray
     scale: float
     age: float
-    resting: int
+    resting: Rest
 
 
 class ColliderState(Record):

@@ -91,7 +91,7 @@ class AirMixin:
 
         samples: of a grid, shape (z, y, x, 3) or (frames, z, y, x, 3), m/s; counts and frames follow from it.
         """
-        fields = {**options, "kind": int(kind)}
+        fields: Dict[str, Any] = {**options, "kind": int(kind)}
         keep: List[Any] = []
         desc = _source(fields, keep)
         out = ctypes.c_uint32()

@@ -150,7 +150,7 @@ def job_callbacks(executor: Executor, guard: Guard) -> Any:
     """An executor's threads as the library's job system; what its threads have not begun is done by the one that steps."""
     enqueued: Dict[int, List[Tuple[Future, int]]] = {}
     tasks: Dict[int, Tuple[Any, Any]] = {}
-    enqueue_type, finish_type = (dict(native.lr_job_system._fields_)[name] for name in ("enqueue", "finish"))
+    types: Dict[str, Any] = dict(native.lr_job_system._fields_)
 
     def enqueue(_: Any, run: Any, task: Any, count: int) -> int:
         token = max(enqueued, default=0) + 1
@@ -174,4 +174,4 @@ def job_callbacks(executor: Executor, guard: Guard) -> Any:
                 if exception is not None:
                     guard.caught(exception)
 
-    return native.lr_job_system(None, enqueue_type(enqueue), finish_type(finish))
+    return native.lr_job_system(None, types["enqueue"](enqueue), types["finish"](finish))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, List, Mapping, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, NamedTuple, Optional
 
 import numpy as np
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from typing_extensions import Unpack
 
-    from ._fields import ColliderOptions, ColliderSurfaceOptions, MotionOptions
+    from ._fields import ColliderOptions, ColliderSurfaceOptions
     from .world import World
 
 
@@ -75,7 +75,7 @@ class Collider:
     def set_surface(self, **surface: "Unpack[ColliderSurfaceOptions]") -> None:
         """Layers, friction and restitution; what is not given stays."""
         state = self.state
-        fields = {"layers": state.layers, "friction": state.friction, "restitution": state.restitution, **surface}
+        fields: Dict[str, Any] = {"layers": state.layers, "friction": state.friction, "restitution": state.restitution, **surface}
         value = make(native.lr_collider_surface, fields, [])
         ids = np.array([self.id], np.uint64)
         self.world._change("lr_collider_set_surface", address(ids, ctypes.c_uint64), 1, ctypes.byref(value))
@@ -123,7 +123,7 @@ class ContactMixin:
         def _ask(self, name: str, *arguments: Any) -> None: ...
         def _change(self, name: str, *arguments: Any) -> None: ...
 
-    def add_colliders(self, options: "List[ColliderOptions]") -> List[Collider]:
+    def add_colliders(self, options: List[Mapping[str, Any]]) -> List[Collider]:
         """Creates colliders, all or none, each from the keywords of `add_collider` as a dict with its kind."""
         keep: List[Any] = []
         descs = (native.lr_collider_desc * len(options))(*(make(native.lr_collider_desc, _shaped(o), keep) for o in options))

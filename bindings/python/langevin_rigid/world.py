@@ -12,7 +12,7 @@ import numpy as np
 from . import _native as native
 from ._fields import BodyState, StepReport, WorldInfo
 from ._library import error, library
-from ._structs import address, contiguous, dtype, elements, init, integer, make, takes, vectors
+from ._structs import address, contiguous, elements, init, integer, make, takes, vectors
 from .air import AirMixin
 from .batch import Batch
 from .callbacks import Guard, job_callbacks, log_callback

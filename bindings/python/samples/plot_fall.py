@@ -21,7 +21,7 @@ parser.add_argument("--tilts", type=int, default=7)
 parser.add_argument("--seconds", type=float, default=3.0)
 options = parser.parse_args()
 
-leaf = lr.Asset.load(options.asset) if options.asset else lr.Asset.ellipsoid(semi_axes=(0.04, 0.01, 0.00005), density=800)
+leaf = lr.Asset.load(options.asset) if options.asset else lr.Asset.ellipsoid(semi_axes=(0.04, 0.02, 0.0002), density=800)
 tilts = np.radians(np.linspace(5, 85, options.tilts))
 steps = int(options.seconds * 240)
 path = np.empty((steps, options.tilts, 3), np.float32)
@@ -35,11 +35,11 @@ with lr.World(seed=1) as world:
         world.step(1 / 240, 1)
         path[step] = batch.view().position.stack()
 
-figure, axes = plt.subplots(figsize=(7, 7))
+figure, axes = plt.subplots(figsize=(9, 4.5), layout="constrained")
 for i, tilt in enumerate(tilts):
     axes.plot(path[:, i, 2] + 0.5 * i, path[:, i, 1], label=f"{np.degrees(tilt):.0f}°")
 axes.set(xlabel="aside, m (each begins 0.5 m further)", ylabel="height, m", title=f"{leaf.info.name}: {options.seconds:g} s of falling")
 axes.set_aspect("equal")
-axes.legend(title="let go at")
+axes.legend(title="let go at", loc="center left", bbox_to_anchor=(1, 0.5))
 figure.savefig(options.out, dpi=90)
 print(f"{options.tilts} falls of {float(-path[-1, :, 1].mean()):.2f} m on average: {options.out}")
