@@ -108,4 +108,17 @@ else
     skip "types" "mypy" "apt-get install mypy"
 fi
 
+blender=${BLENDER:-blender}
+if ! command -v "$blender" >/dev/null; then
+    skip "the add-on in Blender" "Blender" "scripts/setup.sh test blender"
+elif ! "$blender" -b --factory-startup --python-exit-code 1 --python-expr 'import numpy' >"$work/log" 2>&1; then
+    skip "the add-on in Blender" "NumPy in Blender's Python" "apt-get install python3-numpy, or a Blender that has it"
+else
+    mkdir -p "$work/blender"
+    run "the add-on in Blender: 8 tests against what it evaluates" timeout 100 "$blender" -b --factory-startup \
+        --python-exit-code 1 -P "$here/tests/blender_check.py" -- "$work/blender"
+    run "leaf_storm.py as a command" bash -c "timeout 60 '$blender' -b --factory-startup --python-exit-code 1 -P \
+        '$here/blender/leaf_storm.py' -- --mesh '$root/assets/leaf.obj' --count 50 --frames 24 --cache '$work/blender/a.pc2' \
+        --save '$work/blender/a.blend' && test -s '$work/blender/a.blend'"
+fi
 finish

@@ -101,8 +101,7 @@ def prototype_of(leaf, asset, metres):
     mesh = leaf.data.copy()
     mesh.name = f"{leaf.name} about its centre of mass"
     mesh.transform(Matrix.Translation(-Vector(asset.info.center_of_mass) / metres))
-    prototype = bpy.data.objects.new(mesh.name, mesh)
-    return prototype
+    return bpy.data.objects.new(mesh.name, mesh)
 
 
 # The scene as the world sees it.
@@ -149,7 +148,7 @@ def simulate(scene, asset, settings, progress=lambda part: None):
     was_at = scene.frame_current
     gravity = np.array(scene.gravity) * metres if scene.use_gravity else np.zeros(3)
     try:
-        with lr.World(seed=settings.seed, gravity=gravity, worker_count=max((os.cpu_count() or 1) - 1, 0) % 65) as world:
+        with lr.World(seed=settings.seed, gravity=gravity, worker_count=min((os.cpu_count() or 1) - 1, 64)) as world:
             scene.frame_set(first)
             if settings.ground:
                 world.add_plane((0, 0, settings.ground_height * metres), (0, 0, 1), friction=0.7)
@@ -196,10 +195,8 @@ def socket(sockets, name):
 
 
 def align_node(nodes, axis, pivot):
-    try:
-        node = nodes.new("FunctionNodeAlignRotationToVector")  # Blender 4.2
-    except RuntimeError:
-        node = nodes.new("FunctionNodeAlignEulerToVector")
+    new = "FunctionNodeAlignRotationToVector"  # Blender 4.2
+    node = nodes.new(new if hasattr(bpy.types, new) else "FunctionNodeAlignEulerToVector")
     node.axis, node.pivot_axis = axis, pivot
     return node
 
@@ -566,7 +563,9 @@ def main(arguments):
     print(f"leaf_storm: {len(recording)} frames, {options.count} leaves, {len(collection.objects)} objects")
     if options.render:
         import leaf_storm_picture
-        leaf_storm_picture.render(scene, leaf, options.at, os.path.abspath(options.render))
+        at = min(max(options.at, 1), options.frames)
+        middle = recording[at - 1].position.mean(axis=0) / metres_per_unit(scene)
+        leaf_storm_picture.render(scene, leaf, at, middle.tolist(), os.path.abspath(options.render))
     if options.save:
         bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(options.save))
 

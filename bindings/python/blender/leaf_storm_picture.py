@@ -39,7 +39,8 @@ def paint(leaf):
     leaf.materials.append(made)
 
 
-def render(scene, leaf, frame, path, width=640, height=400, samples=24):
+def render(scene, leaf, frame, middle, path, width=560, height=340, samples=48):
+    """middle: where the camera looks, in Blender's units, of metres."""
     for thing in scene.objects:
         if thing.name in ("Cube", "Light"):
             thing.hide_render = True
@@ -48,7 +49,7 @@ def render(scene, leaf, frame, path, width=640, height=400, samples=24):
             paint(mesh)
     ground = bpy.data.meshes.new("Ground")
     ground.from_pydata([(-40, -40, 0), (40, -40, 0), (40, 40, 0), (-40, 40, 0)], [], [(0, 1, 2, 3)])
-    ground.materials.append(material("Ground", (0.16, 0.2, 0.1), 0.9))
+    ground.materials.append(material("Ground", (0.1, 0.13, 0.06), 0.9))
     scene.collection.objects.link(bpy.data.objects.new("Ground", ground))
     sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
     sun.data.energy, sun.data.angle = 3.5, 0.02
@@ -57,10 +58,11 @@ def render(scene, leaf, frame, path, width=640, height=400, samples=24):
     world = bpy.data.worlds.new("Sky")
     world.use_nodes = True
     world.node_tree.nodes["Background"].inputs[0].default_value = (0.55, 0.7, 0.9, 1)
+    world.node_tree.nodes["Background"].inputs[1].default_value = 0.6
     scene.world = world
     camera = bpy.data.objects.new("Camera of the storm", bpy.data.cameras.new("Camera of the storm"))
-    camera.location = (1.6, -3.0, 1.0)
-    camera.rotation_euler = (Vector((0.9, 0, 0.75)) - camera.location).to_track_quat("-Z", "Y").to_euler()
+    camera.location = Vector(middle) + Vector((0.4, -2.4, 0.1))
+    camera.rotation_euler = (Vector(middle) - camera.location).to_track_quat("-Z", "Y").to_euler()
     camera.data.lens = 32
     scene.collection.objects.link(camera)
     scene.camera = camera
