@@ -14,6 +14,7 @@ configure() { # directory, arguments
 
 step "Set-up"
 scripts/setup.sh test ${CI:+arm64}
+source scripts/compiler_cache.sh
 
 step "Formatting"
 find include src samples tests \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) -print0 |

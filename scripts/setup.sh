@@ -23,7 +23,8 @@ if [ "${1:-build}" = bench ]; then               # test, and what docs/performan
 fi
 if [ "${1:-build}" = test ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
-        python3-clang-14)                        # generators of bindings
+        python3-clang-14                         # generators of bindings
+        ccache)                                  # the second run is a third of the first (scripts/compiler_cache.sh)
 fi
 if [ "${1:-build}" = battery ]; then
     packages+=(dieharder)
