@@ -117,6 +117,20 @@ else
     mkdir -p "$work/blender"
     run "the add-on in Blender: 8 tests against what it evaluates" timeout 100 "$blender" -b --factory-startup \
         --python-exit-code 1 -P "$here/tests/blender_check.py" -- "$work/blender"
+    if [ -d "$work/carried" ]; then
+        mkdir -p "$work/scripts/addons/modules"
+        cp "$here/blender/leaf_storm.py" "$work/scripts/addons"
+        check="import bpy, sys; bpy.ops.preferences.addon_enable(module='leaf_storm'); m = sys.modules.get('leaf_storm'); "
+        installed() { env -u LANGEVIN_RIGID_LIBRARY -u PYTHONPATH BLENDER_USER_SCRIPTS="$work/scripts" timeout 60 "$blender" -b \
+            --factory-startup --python-exit-code 1 --python-expr "$check$1"; }
+        without() { set +o pipefail; installed "sys.exit(m is not None)" 2>&1 | grep "Leaf Storm needs langevin_rigid in Blender's Python: unpack.*$work/scripts/addons/modules" >/dev/null; }
+        run "the add-on installed without the package says what to do" without
+        cp -r "$work/carried/langevin_rigid" "$work/scripts/addons/modules"
+        run "the add-on installed, the wheel among its modules" installed "assert m.lr.library_path().startswith('$work/scripts'); \
+bpy.context.scene.leaf_storm.leaf = bpy.data.objects['Cube']; bpy.context.scene.leaf_storm.asset = '$work/cube.lrb'; \
+bpy.context.scene.leaf_storm.cache = '$work/cube.pc2'; bpy.context.scene.frame_end = 10; \
+assert bpy.ops.leaf_storm.bake_asset() == bpy.ops.leaf_storm.bake_storm() == {'FINISHED'}"
+    fi
     run "leaf_storm.py as a command" bash -c "timeout 60 '$blender' -b --factory-startup --python-exit-code 1 -P \
         '$here/blender/leaf_storm.py' -- --mesh '$root/assets/leaf.obj' --count 50 --frames 24 --cache '$work/blender/a.pc2' \
         --save '$work/blender/a.blend' && test -s '$work/blender/a.blend'"

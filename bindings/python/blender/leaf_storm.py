@@ -23,7 +23,11 @@ for _folder in (os.environ.get("LANGEVIN_RIGID_PYTHON"), str(pathlib.Path(__file
     if _folder and os.path.isdir(os.path.join(_folder, "langevin_rigid")) and _folder not in sys.path:
         sys.path.append(_folder)
 
-import langevin_rigid as lr  # noqa: E402
+try:
+    import langevin_rigid as lr
+except ModuleNotFoundError as error:
+    raise ImportError(f"Leaf Storm needs {error.name} in Blender's Python: unpack the wheel of langevin_rigid in "
+                      f"{bpy.utils.user_resource('SCRIPTS', path='addons/modules')}, or set LANGEVIN_RIGID_PYTHON to the folder that has it") from error
 from langevin_rigid.export import write_carrier_pc2, write_usda  # noqa: E402
 from langevin_rigid.mesh import Mesh  # noqa: E402
 

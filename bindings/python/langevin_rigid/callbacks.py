@@ -36,14 +36,18 @@ class Guard:
 
 def _copy_in(pointers: Any, count: int) -> np.ndarray:
     array = np.empty((len(pointers), count), np.float32)
-    for row, pointer in zip(array, pointers):
-        ctypes.memmove(row.ctypes.data, pointer, 4 * count)
+    row, step = array.ctypes.data, 4 * count
+    for pointer in pointers:
+        ctypes.memmove(row, pointer, step)
+        row += step
     return array
 
 
 def _copy_out(array: np.ndarray, pointers: Any, count: int) -> None:
-    for row, pointer in zip(array, pointers):
-        ctypes.memmove(pointer, row.ctypes.data, 4 * count)
+    row, step = array.ctypes.data, 4 * count
+    for pointer in pointers:
+        ctypes.memmove(pointer, row, step)
+        row += step
 
 
 class Query:
