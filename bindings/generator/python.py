@@ -180,7 +180,7 @@ def native(model):
         out.append(f"{c['name']} = {c['value']}")
     out.append("")
     for name in model["opaque"]:
-        out += ["", f"class {name}(ctypes.Structure):", f'    """Seen through pointers only."""', ""]
+        out += ["", f"class {name}(ctypes.Structure):", '    """Seen through pointers only."""', ""]
 
     callbacks = {c["name"]: c for c in model["callbacks"]}
     done = set(model["opaque"])

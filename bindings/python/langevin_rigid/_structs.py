@@ -155,9 +155,10 @@ def make(struct: Type[Any], fields: Mapping[str, Any], keep: List[Any]) -> Any:
 
 def elements(struct: Type[Any], count: int) -> np.ndarray:
     """An array of a struct, each with its initial values."""
-    array = np.empty(count, dtype(struct))
-    array[:] = np.frombuffer(init(struct), dtype(struct))[0]
-    return array
+    one = np.frombuffer(init(struct), np.uint8)
+    array = np.empty((count, one.size), np.uint8)
+    array[:] = one
+    return array.view(dtype(struct))[:, 0]
 
 
 def takes(struct: str, *hidden: str) -> Callable[[F], F]:

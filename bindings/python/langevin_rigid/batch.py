@@ -15,7 +15,6 @@ from .enums import ForceMode, Frame, Transform
 from .view import View
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
     from typing_extensions import Unpack
 
     from ._fields import (AerodynamicsOptions, BatchForceOptions, ContactOptions, EmitterOptions, KillVolumeOptions,

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any, Dict, Optional
 
 import numpy as np
 
-from . import _native as native
 from .errors import StaleViewError
 
 if TYPE_CHECKING:

@@ -258,5 +258,7 @@ class World(AirMixin, ContactMixin, QueryMixin):
 
 def body_ids(bodies: Any) -> Tuple[np.ndarray, Any, int]:
     """Ids as an array, its address, and their number."""
+    if isinstance(bodies, np.ndarray) and bodies.size and bodies.dtype.kind not in "iu":
+        raise TypeError(f"bodies: ids are integers, not {bodies.dtype}")
     ids = contiguous(np.atleast_1d(np.asarray(bodies, np.uint64)), ctypes.c_uint64, "bodies").ravel()
     return ids, address(ids, ctypes.c_uint64), ids.size

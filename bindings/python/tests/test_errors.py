@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Every status as an exception, most of them from a call that really gets it."""
 import ctypes
-import os
 import pickle
 import unittest
 
 import numpy as np
-from support import PREFIX, ROOT, WORK, WorldCase, lr, thin_leaf
+from support import ROOT, WORK, WorldCase, lr, thin_leaf
 
 from langevin_rigid import _native as native
 from langevin_rigid import errors
@@ -37,7 +36,7 @@ class Statuses(WorldCase):
         collider.destroy()
         other = world.create_batch(thin_leaf(), 1)
         other.destroy()
-        junk, damaged, newer = WORK / "junk.lrb", WORK / "damaged.lrb", WORK / "invalid.lrb"
+        junk, damaged = WORK / "junk.lrb", WORK / "damaged.lrb"
         asset = WORK / "errors.lrb"
         lr.bake_ellipsoid((0.04, 0.01, 0.001), asset)
         good = asset.read_bytes()
@@ -87,9 +86,11 @@ class Statuses(WorldCase):
             self.world.create_batch(thin_leaf(), 1, damping_gian=1)
         with self.assertRaisesRegex(ValueError, "gravity: 2 numbers, but it has 3"):
             lr.World(gravity=(0, 1))
+        with self.assertRaisesRegex(TypeError, "bodies: ids are integers, not float32"):
+            self.world.destroy_bodies(np.zeros(2, np.float32))
         with self.assertRaisesRegex(OverflowError, "worker_count: -1"):
             lr.World(worker_count=-1)
-        with self.assertRaises(lr.ThreadsError if os.environ.get("LR_NO_THREADS") else lr.InvalidArgumentError):
+        with self.assertRaises(lr.InvalidArgumentError):
             lr.World(worker_count=65)
 
     def test_faults_of_a_damaged_asset_have_number_and_remedy(self):
