@@ -107,17 +107,21 @@ def member(name, prefix, enum):
 def references(text):
     """Names of enumerations and their members instead of those of C constants, where a text speaks of one."""
     def name(match):
-        if match.group(0).endswith("*"):
-            prefix = match.group(0)[:-1]
-            found = [f for f in FAMILIES if f[0] == prefix and f[1]]
-            return f"`{found[0][1]}`" if found else match.group(0)
-        return match.group(0)
-    return re.sub(r"LR_[A-Z0-9_]+\*?", name, text)
+        word = match.group(0)
+        if word.endswith("*"):
+            found = [f for f in FAMILIES if f[0] == word[:-1] and f[1]]
+            return f"`{found[0][1]}`" if found else word
+        fitting = [f for f in FAMILIES if word.startswith(f[0])]
+        if not fitting:
+            return word
+        prefix, enum, _, _ = max(fitting, key=lambda f: len(f[0]))
+        return f"`{enum}.{member(word, prefix, enum)}`" if enum else f"`{word[3:]}`"
+    return re.sub(r"\bLR_[A-Z0-9_]+\*?", name, text)
 
 
 def quoted(text, indent):
     """A docstring of a text, its lines as they are."""
-    text = references(text).strip().replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
+    text = text.strip().replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
     lines = text.split("\n")
     body = "\n".join([lines[0]] + [(indent + line).rstrip() for line in lines[1:]])
     if body.endswith('"'):
@@ -168,7 +172,7 @@ def declaration(function):
 
 def field_line(field):
     words = " ".join(x for x in (field["about"], field["doc"]) if x)
-    return f"{field['name']}: {references(' '.join(words.split()))}" if words else field["name"]
+    return f"{field['name']}: {' '.join(words.split())}" if words else field["name"]
 
 
 def native(model):
@@ -320,7 +324,7 @@ def fields(model):
         s = structs[struct]
         used = [f for f in s["fields"] if not RESERVED.match(f["name"])]
         text = (s["doc"] or f"What {struct} says.") + "\n\n" + "\n".join(field_line(f) for f in used)
-        out += ["", f"class {name}(Record):", quoted(text, "    "), f"    __slots__ = {tuple(f['name'] for f in used)!r}"]
+        out += ["", f"class {name}(Record):", quoted(references(text), "    "), f"    __slots__ = {tuple(f['name'] for f in used)!r}"]
         out += [f"    {f['name']}: {READ_AS.get(f['name']) or hint(f['type'], True)}" for f in used]
         out.append("")
     return "\n".join(out)

@@ -366,7 +366,7 @@ class AssetInfo(Record):
 class WorldInfo(Record):
     """What lr_world_info says.
 
-    simd_target: what LR_SIMD_AUTO became
+    simd_target: what `SimdTarget.AUTO` became
     worker_count: as in the desc
     batch_count
     body_count
@@ -399,7 +399,7 @@ class StepReport(Record):
     coarseness: what the budget multiplied the divisors of priority 1 with, >= 1
     behind: s: how far the bodies that have waited longest are behind the world's time
     lost: s: the most that a batch has lost in this step. A batch whose budget does not even reach for its longest substeps goes in slow motion: lr_batch_rate.longest_substep
-    seconds: that the step took; 0 without LR_BUDGET_TIME
+    seconds: that the step took; 0 without `BudgetKind.TIME`
     """
     __slots__ = ('batches_stepped', 'batches_waiting', 'batches_passed_over', 'body_substeps', 'body_substeps_wanted', 'coarseness', 'behind', 'lost', 'seconds')
     batches_stepped: int
@@ -465,7 +465,7 @@ class ColliderState(Record):
     kind: `ColliderKind`
     position: m, world frame
     orientation: unit quaternion x y z w, collider to world
-    linear_velocity: m/s, that it has until told otherwise; 0 while LR_MOVE_TO is pending
+    linear_velocity: m/s, that it has until told otherwise; 0 while `MoveMode.TO` is pending
     angular_velocity: rad/s, world frame; alike
     friction
     restitution

@@ -944,7 +944,7 @@ FIELD_DOCS = {
         'seed': 'of all noise; initially 0',
         'gravity': 'm/s^2; initially 0, -9.81, 0',
         'fluid_density': 'kg/m^3, >= 0; initially 0: each batch in the fluid its asset was baked in',
-        'simd_target': '`SimdTarget`; initially LR_SIMD_AUTO',
+        'simd_target': '`SimdTarget`; initially `SimdTarget.AUTO`',
         'fluid_viscosity': "m^2/s, kinematic, >= 0; initially 0: as each batch's asset was baked",
         'allocator': "copied; initially null functions: the C library's",
         'log': 'initially null: silence',
@@ -952,7 +952,7 @@ FIELD_DOCS = {
         'jobs': "copied; initially null functions: worker_count threads of the world's own",
     },
     'lr_world_info': {
-        'simd_target': 'what LR_SIMD_AUTO became',
+        'simd_target': 'what `SimdTarget.AUTO` became',
         'worker_count': 'as in the desc',
         'batch_count': '',
         'body_count': '',
@@ -963,7 +963,7 @@ FIELD_DOCS = {
         'awake_count': 'bodies that are not at rest: lr_body_set_rest',
     },
     'lr_wind_desc': {
-        'kind': '`WindKind`; initially LR_WIND_UNIFORM',
+        'kind': '`WindKind`; initially `WindKind.UNIFORM`',
         'velocity': 'm/s, each up to 1000 in magnitude; initially 0',
     },
     'lr_wind_source_desc': {
@@ -983,7 +983,7 @@ FIELD_DOCS = {
         'reference_height': "m: where the ground's factor is 1; >= size; initially 10",
         'octaves': 'of turbulence, each half as large as the one before, 1 to 4; initially 2',
         'seed': "of gusts and turbulence, together with the world's; initially 0",
-        'outside': '`WindOutside`; initially LR_WIND_OUTSIDE_ZERO',
+        'outside': '`WindOutside`; initially `WindOutside.ZERO`',
         'counts': 'samples of a grid along x, y, z, each >= 1',
         'frames': 'of a grid, shown one after the other and again from the first; >= 1; initially 1',
         'spacing': 'm between samples, >= 1e-4; initially 1',
@@ -1025,9 +1025,9 @@ FIELD_DOCS = {
         'rate': 'm/s^2, its acceleration. Where the surface is steep it is what lets bodies slide down',
     },
     'lr_budget': {
-        'kind': '`BudgetKind`; initially LR_BUDGET_NONE',
-        'body_substeps': 'a step, 1 to 2^48; LR_BUDGET_BODY_SUBSTEPS',
-        'seconds': 'a step, 1e-6 to 1e3; LR_BUDGET_TIME',
+        'kind': '`BudgetKind`; initially `BudgetKind.NONE`',
+        'body_substeps': 'a step, 1 to 2^48; `BudgetKind.BODY_SUBSTEPS`',
+        'seconds': 'a step, 1e-6 to 1e3; `BudgetKind.TIME`',
     },
     'lr_step_report': {
         'batches_stepped': '',
@@ -1038,16 +1038,16 @@ FIELD_DOCS = {
         'coarseness': 'what the budget multiplied the divisors of priority 1 with, >= 1',
         'behind': "s: how far the bodies that have waited longest are behind the world's time",
         'lost': 's: the most that a batch has lost in this step. A batch whose budget does not even reach for its longest substeps goes in slow motion: lr_batch_rate.longest_substep',
-        'seconds': 'that the step took; 0 without LR_BUDGET_TIME',
+        'seconds': 'that the step took; 0 without `BudgetKind.TIME`',
     },
     'lr_batch_desc': {
         'capacity': 'the most bodies at a time, 1 to 2^26; memory for all is taken at once',
         'asset': 'kept by reference until the batch ends',
-        'load_model': '`Loads`; initially LR_LOADS_DEFAULT',
-        'clock': '`Clock`; initially LR_CLOCK_SPEED',
-        'table_end': '`TableEnd`; initially LR_TABLE_CLAMP',
-        'integrator': '`Integrator`; initially LR_INTEGRATOR_DEFAULT',
-        'tensor': '`Tensor`; initially LR_TENSOR_AUTO',
+        'load_model': '`Loads`; initially `Loads.DEFAULT`',
+        'clock': '`Clock`; initially `Clock.SPEED`',
+        'table_end': '`TableEnd`; initially `TableEnd.CLAMP`',
+        'integrator': '`Integrator`; initially `Integrator.DEFAULT`',
+        'tensor': '`Tensor`; initially `Tensor.AUTO`',
         'damping_gain': 'multiplies the turbulent damping, 0 to 100; initially 1',
         'noise_gain': 'multiplies the turbulent noise, 0 to 100; initially 1; 0 for repeatable single falls',
     },
@@ -1056,10 +1056,10 @@ FIELD_DOCS = {
         'chi': '1/s, turbulent frequency epsilon / k, `count` values >= 0',
         'epsilon': 'm^2/s^3, dissipation rate, `count` values >= 0',
         'dt': 's between samples, > 0',
-        'u0': 'm/s, speed the table was made at, > 0: what LR_CLOCK_SPEED scales by',
+        'u0': 'm/s, speed the table was made at, > 0: what `Clock.SPEED` scales by',
         'l': 'm, length the table was made with, > 0',
         'c0': 'Kolmogorov constant, > 0; initially 6.5, its limit at high Reynolds number',
-        'stationary': 'sample that LR_CLOCK_SPEED uses, < count; initially 0',
+        'stationary': 'sample that `Clock.SPEED` uses, < count; initially 0',
     },
     'lr_load_gains': {
         'drag': 'of translation, 0 to 100; initially 1',
@@ -1070,7 +1070,7 @@ FIELD_DOCS = {
     'lr_batch_rate': {
         'divisor': '1 to 1024; initially 1',
         'priority': '0.01 to 100: the share in a budget that does not reach for all; initially 1',
-        'longest_substep': 's, up to LR_MAX_SUBSTEP; initially 0: that up to which falls keep their statistics, 1/60 s, for bodies under 2.5 cm length_d / 1.5 m/s',
+        'longest_substep': 's, up to `MAX_SUBSTEP`; initially 0: that up to which falls keep their statistics, 1/60 s, for bodies under 2.5 cm length_d / 1.5 m/s',
     },
     'lr_batch_pace': {
         'divisor': 'as set',
@@ -1116,17 +1116,17 @@ FIELD_DOCS = {
         'resting': '`Rest`; read only',
     },
     'lr_body_force': {
-        'mode': '`ForceMode`; initially LR_FORCE_MODE_FORCE',
+        'mode': '`ForceMode`; initially `ForceMode.FORCE`',
         'body': '',
-        'frame': '`Frame`, of force, torque and point; initially LR_FRAME_WORLD',
+        'frame': '`Frame`, of force, torque and point; initially `Frame.WORLD`',
         'flags': '`ForceFlags`; initially 0',
         'force': 'initially 0',
         'torque': 'about the centre of mass; initially 0',
         'point': 'm; in the world frame a position, in the body frame from the centre of mass. Its arm is taken at the time of the call',
     },
     'lr_force_arrays': {
-        'mode': '`ForceMode`; initially LR_FORCE_MODE_FORCE',
-        'frame': '`Frame`; initially LR_FRAME_WORLD',
+        'mode': '`ForceMode`; initially `ForceMode.FORCE`',
+        'frame': '`Frame`; initially `Frame.WORLD`',
         'first': 'index in the view of the first body; initially 0',
         'count': 'bodies',
         'stride': "bytes from one body's value to the next's, a multiple of 4; initially 0: no gaps, 4",
@@ -1154,8 +1154,8 @@ FIELD_DOCS = {
         'restitution': '0 to 1; initially 0.2',
         'layers': 'bits: it meets bodies that have one of them; initially 1',
         'flags': '0',
-        'vertex_count': 'hull: 4 to LR_MAX_HULL_VERTICES; mesh: 3 to LR_MAX_COLLIDER_VERTICES',
-        'triangle_count': 'mesh: 1 to LR_MAX_COLLIDER_VERTICES',
+        'vertex_count': 'hull: 4 to `MAX_HULL_VERTICES`; mesh: 3 to `MAX_COLLIDER_VERTICES`',
+        'triangle_count': 'mesh: 1 to `MAX_COLLIDER_VERTICES`',
         'counts': 'heightfield: samples along x and z, each >= 2',
         'spacing': 'heightfield: m between samples, 1e-6 to 1e6; initially 1',
         'vertices': 'm, x y z each, up to 1e6 in magnitude; copied, as are the others',
@@ -1163,18 +1163,18 @@ FIELD_DOCS = {
         'heights': 'm, up to 1e6 in magnitude; x varies fastest',
     },
     'lr_collider_motion': {
-        'mode': '`MoveMode`; initially LR_MOVE_TO',
+        'mode': '`MoveMode`; initially `MoveMode.TO`',
         'collider': '',
-        'position': 'm, as in lr_collider_desc; LR_MOVE_TO, LR_MOVE_PLACE; initially 0',
+        'position': 'm, as in lr_collider_desc; `MoveMode.TO`, `MoveMode.PLACE`; initially 0',
         'orientation': 'alike; initially 0 0 0 1',
-        'linear_velocity': 'm/s; LR_MOVE_PLACE, LR_MOVE_VELOCITY; initially 0',
+        'linear_velocity': 'm/s; `MoveMode.PLACE`, `MoveMode.VELOCITY`; initially 0',
         'angular_velocity': 'rad/s; alike',
     },
     'lr_collider_state': {
         'kind': '`ColliderKind`',
         'position': 'm, world frame',
         'orientation': 'unit quaternion x y z w, collider to world',
-        'linear_velocity': 'm/s, that it has until told otherwise; 0 while LR_MOVE_TO is pending',
+        'linear_velocity': 'm/s, that it has until told otherwise; 0 while `MoveMode.TO` is pending',
         'angular_velocity': 'rad/s, world frame; alike',
         'friction': '',
         'restitution': '',
@@ -1199,10 +1199,10 @@ FIELD_DOCS = {
         'batch': '',
         'body': 'stale where it has been destroyed',
         'collider': '`EventKind`; else 0',
-        'position': 'm, world frame: of LR_CONTACT_BEGIN where they touch, else of the centre of mass; of a body that was killed for not being finite as it is',
-        'normal': 'LR_CONTACT_BEGIN: unit, world frame, from the collider to the body; else 0',
-        'speed': 'm/s, LR_CONTACT_BEGIN: at which they approach each other along the normal, >= 0; else 0',
-        'impulse': 'N s, LR_CONTACT_BEGIN: along the normal, of the substep in which they meet; else 0',
+        'position': 'm, world frame: of `EventKind.CONTACT_BEGIN` where they touch, else of the centre of mass; of a body that was killed for not being finite as it is',
+        'normal': '`EventKind.CONTACT_BEGIN`: unit, world frame, from the collider to the body; else 0',
+        'speed': 'm/s, `EventKind.CONTACT_BEGIN`: at which they approach each other along the normal, >= 0; else 0',
+        'impulse': 'N s, `EventKind.CONTACT_BEGIN`: along the normal, of the substep in which they meet; else 0',
     },
     'lr_contact_event_list': {
         'count': '',
@@ -1226,7 +1226,7 @@ FIELD_DOCS = {
         'normal': 'unit, world frame, out of what is hit; against the ray where that begins inside, at distance 0',
     },
     'lr_overlap_desc': {
-        'shape': '`OverlapShape`; initially LR_OVERLAP_SPHERE',
+        'shape': '`OverlapShape`; initially `OverlapShape.SPHERE`',
         'position': 'm, of its middle, up to 1e9 in magnitude; initially 0',
         'orientation': 'of a box, x y z w, normalised when taken; initially 0 0 0 1',
         'size': 'm, > 0, up to 1e6; initially 1',
@@ -1239,17 +1239,17 @@ FIELD_DOCS = {
         'size': 'm; of a plane its normal, of any length but 0',
     },
     'lr_batch_rules': {
-        'action': '`EndAction`; initially LR_END_DESTROY',
+        'action': '`EndAction`; initially `EndAction.DESTROY`',
         'max_age': 's; initially 0: no limit',
         'volume_count': 'used part of `volumes`; initially 0',
         'volumes': 'by the centre of mass',
     },
     'lr_emitter_desc': {
-        'shape': '`EmitShape`; initially LR_EMIT_POINT',
+        'shape': '`EmitShape`; initially `EmitShape.POINT`',
         'position': 'm, centre of the shape; initially 0',
         'orientation': 'of the shape, x y z w, normalised when taken; initially 0 0 0 1',
         'size': "m, half extents or semi-axes along the shape's own axes, 0 to 1e9; initially 0",
-        'pose': '`Pose`, of the bodies; initially LR_POSE_RANDOM',
+        'pose': '`Pose`, of the bodies; initially `Pose.RANDOM`',
         'body_orientation': 'body to world, normalised when taken; initially 0 0 0 1',
         'direction': 'of the velocity, world frame, of any length but 0; initially 0, -1, 0',
         'spread': 'rad, half angle of a cone about `direction`, filled evenly, 0 to pi; initially 0',
@@ -2213,7 +2213,7 @@ PROTOTYPES = {
         world: the world
         bodies: `count` ids of bodies
         count: elements of the arrays
-        rest: `Rest`.
+        rest: LR_REST_*.
 
         Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
         """,
@@ -2498,7 +2498,7 @@ PROTOTYPES = {
 
         world: the world
         capacity: elements that there is room for
-        kinds: bits `EventKinds`. capacity 0 ends it. All memory is taken here and by lr_batch_create, 225 bytes for each of a batch's capacity and 64 for each event, and a step takes none. Neither part of snapshots nor of the world's hash.
+        kinds: bits LR_EVENTS_*. capacity 0 ends it. All memory is taken here and by lr_batch_create, 225 bytes for each of a batch's capacity and 64 for each event, and a step takes none. Neither part of snapshots nor of the world's hash.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits; no bit but a capacity), LR_ERROR_OUT_OF_MEMORY.
         """,

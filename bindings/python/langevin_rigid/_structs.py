@@ -161,6 +161,13 @@ def elements(struct: Type[Any], count: int) -> np.ndarray:
     return array.view(dtype(struct))[:, 0]
 
 
+class _Initial:
+    """What stands for a keyword's default in help(): the library knows it."""
+
+    def __repr__(self) -> str:
+        return "<initial>"
+
+
 def takes(struct: str, *hidden: str) -> Callable[[F], F]:
     """Tells help() and editors which keywords a function passes on to a struct."""
     def decorate(function: F) -> F:
@@ -170,7 +177,7 @@ def takes(struct: str, *hidden: str) -> Callable[[F], F]:
         signature = inspect.signature(function)
         own = [p for p in signature.parameters.values() if p.kind is not inspect.Parameter.VAR_KEYWORD]
         names = {p.name for p in own}
-        more = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=...) for name in docs if name not in names]
+        more = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=_Initial()) for name in docs if name not in names]
         function.__signature__ = signature.replace(parameters=own + more)  # type: ignore[attr-defined]
         return function
     return decorate

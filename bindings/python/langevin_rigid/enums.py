@@ -82,8 +82,8 @@ class Status(IntEnum):
     TIMESTEP_ZERO = -20  # dt is 0
     TIMESTEP_NEGATIVE = -21  # dt is negative
     TIMESTEP_NOT_FINITE = -22  # dt is NaN or infinite
-    TIMESTEP_TOO_LARGE = -23  # dt / substeps is over LR_MAX_SUBSTEP
-    SUBSTEPS = -24  # substeps is 0 or over LR_MAX_SUBSTEPS
+    TIMESTEP_TOO_LARGE = -23  # dt / substeps is over `MAX_SUBSTEP`
+    SUBSTEPS = -24  # substeps is 0 or over `MAX_SUBSTEPS`
     INTERNAL = -25  # a defect of the library: please report
     STALE_WIND_SOURCE = -26  # the wind source was removed, or never was
     STALE_COLLIDER = -27  # the collider was destroyed, or never was
@@ -147,7 +147,7 @@ class BudgetKind(IntEnum):
 
 class Loads(IntEnum):
     """What the fluid does to the bodies of a batch."""
-    DEFAULT = 0  # LR_LOADS_AERODYNAMIC in this version
+    DEFAULT = 0  # `Loads.AERODYNAMIC` in this version
     NONE = 1  # gravity, buoyancy and added mass only: Kirchhoff's equations
     LANGEVIN = 2  # the paper's turbulent loads, dimensionally repaired; docs/physics.md section 4
     AERODYNAMIC = 3  # quasi-steady drag and lift in a turbulent fluid; docs/physics.md section 5
@@ -161,13 +161,13 @@ class Clock(IntEnum):
 
 class TableEnd(IntEnum):
     """What comes after the last sample of a turbulence table."""
-    CLAMP = 0  # LR_CLOCK_AGE: hold the last sample after the end of the table
-    LOOP = 1  # LR_CLOCK_AGE: begin again
+    CLAMP = 0  # `Clock.AGE`: hold the last sample after the end of the table
+    LOOP = 1  # `Clock.AGE`: begin again
 
 
 class Integrator(IntEnum):
     """How motion is integrated."""
-    DEFAULT = 0  # LR_INTEGRATOR_SPLITTING in this version
+    DEFAULT = 0  # `Integrator.SPLITTING` in this version
     RK4 = 1  # classical Runge-Kutta, the paper's: fourth order, but unstable at long steps
     SPLITTING = 2  # second order and stable at any step; docs/numerics.md
 
@@ -242,7 +242,7 @@ class EventKind(IntEnum):
     CONTACT_END = 2  # it no longer does, or the collider has been destroyed, whose id is then stale
     LANDED = 3  # it has come to rest by itself
     WOKE = 4  # it has left rest since the step before, whatever for
-    KILLED = 5  # its batch's rules have ended it; with LR_END_RESPAWN it goes on with the same id
+    KILLED = 5  # its batch's rules have ended it; with `EndAction.RESPAWN` it goes on with the same id
 
 
 class EventKinds(IntFlag):

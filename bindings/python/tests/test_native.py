@@ -82,6 +82,16 @@ class Layout(unittest.TestCase):
         self.assertEqual(lr.Status.STALE_BODY, native.LR_ERROR_STALE_BODY)
         self.assertEqual(lr.Transform.MATRIX_4X4_COLUMN_MAJOR, native.LR_TRANSFORM_4X4_COLUMN_MAJOR)
 
+    def test_texts_name_members_that_are_there(self):
+        texts = " ".join(text for docs in native.FIELD_DOCS.values() for text in docs.values())
+        named = re.findall(r"`([A-Z]\w+)\.(\w+)`", texts)
+        self.assertGreater(len(named), 20)
+        for enum, member in named:
+            self.assertIn(member, getattr(enums, enum).__members__)
+        for enum in re.findall(r"`([A-Z][a-z]\w+)`", texts):
+            self.assertTrue(hasattr(enums, enum), enum)
+        self.assertNotIn("LR_", texts)
+
     def test_every_init_function_fills_its_struct(self):
         for name, init in native.INITS.items():
             kind = getattr(native, name)
