@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test|bench|battery] [arm64]   build: library, baker, samples; test: that and what only tests use;
+#   scripts/setup.sh [build|test|bench|battery] [arm64] [blender]   build: library, baker, samples; test: that and what only tests use;
 #                                                   battery: build and what scripts/noise_battery.sh runs;
-#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM
+#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM;
+#                                                   blender: also Blender, for bindings/python
 set -euo pipefail
 
 packages=(
@@ -33,6 +34,9 @@ if [ "${1:-build}" = battery ]; then
 fi
 if [[ " $* " == *" arm64 "* ]]; then
     packages+=(g++-aarch64-linux-gnu qemu-user-static)
+fi
+if [[ " $* " == *" blender "* ]]; then           # bindings/python: the add-on in a real Blender, 600 MB
+    packages+=(blender)
 fi
 
 missing=()
