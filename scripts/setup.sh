@@ -23,11 +23,17 @@ if [ "${1:-build}" = bench ]; then               # test, and what docs/performan
     set -- test "${@:2}"
 fi
 if [ "${1:-build}" = test ]; then
-    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
-        python3-clang-14                         # generators of bindings
-        mono-mcs mono-runtime libmono-corlib4.5-cil   # C# binding
-        xvfb xdotool                             # the viewer in a window, without a screen
-        ccache)                                  # the second run is a third of the first (scripts/compiler_cache.sh)
+    packages+=(
+        doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
+        ccache                                       # the second run is a third of the first: scripts/compiler_cache.sh
+        python3-clang-14                             # generators of bindings
+        mono-mcs mono-runtime libmono-corlib4.5-cil libmono-system-core4.0-cil libmono-system4.0-cil   # C#, Unity, Unreal's rules
+        python3-numpy python3-pip python3-setuptools python3-wheel python3-matplotlib mypy             # Python
+        nodejs lld-14 wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 dpkg-dev   # WebAssembly
+        chromium                                     # the page of the WebAssembly package
+        xvfb xdotool                                 # the viewer in a window, without a screen
+        patchelf                                     # libraries that find each other beside them, in packages
+    )
 fi
 if [ "${1:-build}" = battery ]; then
     packages+=(dieharder)
