@@ -14,6 +14,7 @@ packages=(
     libpng-dev libboost-dev                      # baker: images and triangulation of cards
     libcli11-dev nlohmann-json3-dev              # command lines, reports
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
+    libglfw3-dev                                 # the viewer's window
 )
 if [ "${1:-build}" = bench ]; then               # test, and what docs/performance.md is made with
     packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers of lr_bench, each optional
@@ -24,6 +25,7 @@ if [ "${1:-build}" = test ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
         python3-clang-14                         # generators of bindings
         mono-mcs mono-runtime libmono-corlib4.5-cil   # C# binding
+        xvfb xdotool                             # the viewer in a window, without a screen
         ccache)                                  # the second run is a third of the first (scripts/compiler_cache.sh)
 fi
 if [ "${1:-build}" = battery ]; then
