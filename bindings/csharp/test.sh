@@ -9,6 +9,7 @@ prefix=$(cd "${1:?usage: test.sh PREFIX}" && pwd)
 build=$root/build/csharp
 library=$(dirname "$(find "$prefix" -name liblangevin_rigid.so | head -n 1)")
 python=/usr/bin/python3
+export PYTHONDONTWRITEBYTECODE=1
 passed=0
 failed=0
 skipped=0
@@ -45,6 +46,23 @@ drift() {
     rm -rf generated
     "$python" "$root/bindings/generator/csharp.py" --out "$build/generated"
     diff -ru "$here/src/Generated" generated || { echo "run bindings/generator/csharp.py and commit what it writes"; return 1; }
+}
+# What no rule covers must stop the generator, not become something that looks right.
+strict() {
+    refused '#define LR_NOVELTY_FIRST 1' 'LR_NOVELTY_FIRST: no rule says which enum'
+    refused 'LR_API lr_status lr_world_set_novelty(lr_world* world, int32_t novelty);' "'novelty'): an int32_t without an enum"
+    refused 'typedef struct lr_novelty { int32_t kind; } lr_novelty;' "'kind'): an int32_t without an enum"
+    refused 'LR_API void lr_novelty(long double x);' 'a type that no rule is for'
+}
+refused() {
+    sed "s|^#endif /\* LANGEVIN_RIGID_H \*/|$1\n&|" "$root/include/langevin_rigid.h" > novelty.h
+    ! cmp -s novelty.h "$root/include/langevin_rigid.h"
+    if "$python" "$root/bindings/generator/csharp.py" --header novelty.h --out "$build/novelty" > novelty.log 2>&1; then
+        echo "taken: $1"
+        return 1
+    fi
+    cat novelty.log
+    grep -qF "$2" novelty.log
 }
 same_layout() {
     rm -rf layout && mkdir layout
@@ -106,11 +124,25 @@ hello() {
     diff hello.c.txt hello.cs.txt
 }
 
+# The lines of the guide, as they stand there.
+guide() {
+    {
+        echo 'using System; using LangevinRigid; static class Guide { static float lowest; static void Splash(Float3 p) { lowest = Math.Min(lowest, p.Y); }'
+        echo 'static void Main() { var matrices = new float[16 * 10000];'
+        sed -n '/^```csharp$/,/^```$/{/^```/!p}' "$root/docs/integration/csharp.md"
+        echo 'Console.WriteLine(matrices[13] + " " + view.Count); world.Dispose(); } }'
+    } > Guide.cs
+    mcs -langversion:latest -warnaserror -r:LangevinRigid.dll -out:Guide.exe Guide.cs
+    LD_LIBRARY_PATH=$library mono Guide.exe | tee guide.txt
+    grep -q '^4.99[0-9]* 10000$' guide.txt
+}
+
 if "$python" -c "import clang.cindex" 2> /dev/null; then
     step "generated sources are those of the header" drift
+    step "what no rule covers stops the generator" strict
     step "sizes, offsets and values are those of the C compiler" same_layout
 else
-    skipped=$((skipped + 2))
+    skipped=$((skipped + 3))
     echo "SKIPPED: generated sources and layouts, for want of libclang: apt-get install python3-clang-14"
 fi
 step "the project has the version of the header" version
@@ -127,6 +159,7 @@ step "a newer library" wrong_library newer "unsigned lr_version(void) { return 2
 step "an older library" wrong_library older "unsigned lr_version(void) { return 0u << 12; }"
 step "a program that ends without Dispose" leave
 step "sample Hello: same bits as in C" hello
+step "the lines of docs/integration/csharp.md" guide
 
 echo "csharp: $passed passed, $failed failed$([ $skipped -eq 0 ] || echo ", $skipped skipped")"
 [ $failed -eq 0 ]

@@ -18,7 +18,6 @@ namespace LangevinRigid
         {
             var state = new BodyState { StructSize = (uint)sizeof(BodyState) };
             Status status = Native.lr_body_get_state(Enter(), body, &state);
-            _callbacks.LastError = null;
             Leave(status == Status.StaleBody ? Status.Ok : status, "lr_body_get_state");
             return status == Status.Ok;
         }

@@ -131,7 +131,6 @@ namespace LangevinRigid
         {
             var state = new ColliderState { StructSize = (uint)sizeof(ColliderState) };
             Status status = Native.lr_collider_get_state(Enter(), collider, &state);
-            _callbacks.LastError = null;
             Leave(status == Status.StaleCollider ? Status.Ok : status, "lr_collider_get_state");
             return status == Status.Ok;
         }

@@ -36,7 +36,6 @@ namespace LangevinRigid
             uint room = Counts.Of(capacity), found = 0;
             Status status = Native.lr_world_overlap(Enter(), &desc, bodies, room, &found);
             bool fits = status != Status.BufferTooSmall;
-            if (!fits) _callbacks.LastError = null;
             Leave(fits ? status : Status.Ok, "lr_world_overlap");
             count = (int)found;
             return fits;

@@ -41,7 +41,7 @@ namespace LangevinRigid
             }
             _callbacks.Free();
             _callbacks.Rethrow();
-            throw new LangevinException(status, "lr_world_create", _callbacks.TakeError());
+            throw new LangevinException(status, "lr_world_create", _callbacks.LastError);
         }
 
         /// <summary>The native world, for <see cref="Native"/>. Valid while this object is: keep it alive over the call. After a call of
@@ -181,6 +181,7 @@ namespace LangevinRigid
             int before = Interlocked.CompareExchange(ref _state, InCall, Idle);
             if (before == Disposed) throw new ObjectDisposedException("World");
             if (before == InCall) throw Busy();
+            _callbacks.LastError = null;
             return _handle.DangerousGetHandle();
         }
 
@@ -196,7 +197,7 @@ namespace LangevinRigid
         {
             Volatile.Write(ref _state, Idle);
             _callbacks.Rethrow();
-            if (status < Status.Ok) throw new LangevinException(status, function, _callbacks.TakeError());
+            if (status < Status.Ok) throw new LangevinException(status, function, _callbacks.LastError);
         }
 
         private static Exception Busy()

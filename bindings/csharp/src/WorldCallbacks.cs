@@ -16,6 +16,7 @@ namespace LangevinRigid
 
         public WindField Wind;
         public SurfaceField Surface;
+        /// <summary>The last error of the call that runs, or of the last one.</summary>
         public string LastError;
 
         public WorldCallbacks(WorldServices services)
@@ -54,13 +55,6 @@ namespace LangevinRigid
         {
             ExceptionDispatchInfo thrown = Interlocked.Exchange(ref _thrown, null);
             if (thrown != null) thrown.Throw();
-        }
-
-        public string TakeError()
-        {
-            string error = LastError;
-            LastError = null;
-            return error;
         }
 
         // The first one counts: what other threads throw in the same step has most often the same cause.

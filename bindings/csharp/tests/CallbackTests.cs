@@ -252,6 +252,33 @@ static unsafe class CallbackTests
         Check.Equal(alone, WorldTests.HashAfter(desc, new WorldServices { Jobs = inline }, 20000, 5), "hash, run within Enqueue");
     }
 
+    static readonly ManualResetEvent begun = new ManualResetEvent(false), go = new ManualResetEvent(false);
+
+    [MonoPInvokeCallback(typeof(TaskFn))]
+    static void BeginAndWait(IntPtr task, uint begin, uint end)
+    {
+        begun.Set();
+        go.WaitOne();
+    }
+
+    public static void AStepWaitsForTasksThatHaveBegun()
+    {
+        TaskFn run = BeginAndWait;
+        var job = new JobTask(System.Runtime.InteropServices.Marshal.GetFunctionPointerForDelegate(run), IntPtr.Zero, 1);
+        var runner = new Thread(() => job.Run(0, 1));
+        var closer = new Thread(() => job.Close());
+        runner.Start();
+        begun.WaitOne();
+        closer.Start();
+        Check.True(!closer.Join(50), "the task runs: its step goes on");
+        go.Set();
+        Check.True(closer.Join(5000), "the task has ended");
+        runner.Join();
+        Check.Throws<InvalidOperationException>(() => job.Run(0, 1), "too late");
+        Check.Throws<ArgumentOutOfRangeException>(() => job.Run(0, 2), "more than there are");
+        GC.KeepAlive(run);
+    }
+
     public static void AFaultyJobSystemHarmsNothing()
     {
         WorldDesc desc = WorldDesc.Create();
@@ -270,6 +297,7 @@ static unsafe class CallbackTests
                         Check.Throws<FormatException>(() => world.Step(Scene.Frame, 2), "job system");
                 }
                 Check.Equal(10ul, world.Info.SubstepCount, "all steps were made");
+                if (jobs.EnqueueThrows) Check.Equal(0, jobs.Finished, "what was not enqueued is not finished");
                 using (var calm = new World())
                 {
                     Scene.Batch(calm, 20000).CreateBodies(Scene.Bodies(20000));

@@ -201,6 +201,51 @@ static unsafe class LifetimeTests
         }
     }
 
+    public static void WhatAWorldHeldIsLetGo()
+    {
+        var references = new List<WeakReference>();
+        InAThread(() =>
+        {
+            for (int i = 0; i < 10; ++i)
+            {
+                var services = new WorldServices { Allocator = new CountingAllocator() };
+                references.Add(new WeakReference(services));
+                new World(WorldDesc.Create(), services).Dispose();
+                Check.Throws<LangevinException>(() => new World(default(WorldDesc), services), "no world");
+            }
+        });
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        GC.Collect();
+        int left = 0;
+        foreach (WeakReference reference in references)
+            if (reference.IsAlive) ++left;
+        Check.True(left <= 1, left + " of 10 are held");
+    }
+
+    public static void AssetsGiveTheirMemoryBack()
+    {
+        using (Asset one = Scene.Leaf())
+        {
+            MakeAssets(500);
+            long before = Pages();
+            MakeAssets(5000);
+            long grown = (Pages() - before) * 4;
+            Check.True(grown < 16000, "5,000 assets made and released leave " + grown + " kB");
+        }
+    }
+
+    static void MakeAssets(int count)
+    {
+        byte[] bytes = Scene.BakedBytes();
+        for (int i = 0; i < count; ++i) Asset.Load(bytes).Dispose();
+    }
+
+    static long Pages()
+    {
+        return long.Parse(System.IO.File.ReadAllText("/proc/self/statm").Split(' ')[1]);
+    }
+
     public static void ASharedAssetLivesAsLongAsItsOwners()
     {
         Asset first = Scene.Leaf();

@@ -55,6 +55,11 @@ static unsafe class SettingsTests
             batch.AddForces(ForceMode.Velocity, new[] { new Float3(2, 0, 0) });
             Check.Near(2.0, world.GetState(body).LinearVelocity.X, 1e-5, "from an array");
             Check.Status(Status.InvalidArgument, () => batch.AddForces(ForceMode.Velocity, new Float3[2]));
+            BodyId second = batch.CreateBody(BodyDesc.Create());
+            batch.AddForces(ForceMode.Velocity, new[] { new Float3(0, 0, 7) }, 1);
+            Check.Near(7.0, world.GetState(second).LinearVelocity.Z, 1e-5, "from the second body on");
+            Check.Near(0.0, world.GetState(body).LinearVelocity.Z, 1e-5, "not the first");
+            world.DestroyBody(second);
 
             BodyState state = world.GetState(body);
             state.LinearVelocity = new Float3();

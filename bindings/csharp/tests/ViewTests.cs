@@ -116,6 +116,15 @@ static unsafe class ViewTests
             x.Fill(2.0f);
             batch.AddForces(ForceMode.Velocity, ForceFrame.World, x, x, x);
             Check.Near(2.0, world.GetState(ids[0]).LinearVelocity.X, 1e-5, "forces");
+            BodyDesc turned = BodyDesc.Create();
+            turned.Orientation = new Float4(0, 0, 1, 1); // x to y
+            BodyId last = batch.CreateBody(turned);
+            Span<float> none = stackalloc float[5];
+            Span<float> forward = stackalloc float[5];
+            forward[4] = 3.0f;
+            batch.AddForces(ForceMode.Velocity, ForceFrame.Body, forward, none, none);
+            Check.Near(3.0, world.GetState(last).LinearVelocity.Y, 1e-5, "in the body frame");
+            world.DestroyBody(last);
             Span<float> matrices = stackalloc float[4 * 12];
             Check.Equal(4, batch.WriteTransforms(TransformFormat.Matrix3x4RowMajor, matrices), "transforms");
             Span<byte> memory = new byte[world.SnapshotSize];
