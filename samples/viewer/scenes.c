@@ -6,9 +6,9 @@
 /* A quarter of the planes, thrown from a box at x, z of half sides half_x, half_z, along dx, dz. */
 #define PLANES(x, z, half_x, half_z, dx, dz)                                                                           \
     {                                                                                                                  \
-        .asset = "paper_plane", .look = look_paper, .share = 0.25f, .at = {x, 1.75f, z},                               \
-        .half = {half_x, 0.25f, half_z}, .direction = {dx, 0.0f, dz}, .spread = 0.10f, .speed_min = 1.4f,              \
-        .speed_max = 2.4f, .scale_min = 1.0f, .scale_max = 1.6f, .thrown = 1                                           \
+        .asset = "paper_plane", .look = look_paper, .share = 0.25f, .at = {x, 2.0f, z},                                \
+        .half = {half_x, 0.25f, half_z}, .direction = {dx, 0.0f, dz}, .spread = 0.10f, .speed_min = 2.6f,              \
+        .speed_max = 3.4f, .scale_min = 1.0f, .scale_max = 1.6f, .thrown = 1                                           \
     }
 
 /* `initially` is in the order of enum setting. */
@@ -111,6 +111,7 @@ const scene_plan scene_plans[scene_plan_count] = {
      .ground = ground_boards,
      .life = 16.0f,
      .ready = 0.6f,
+     .lift = 2.5f, /* of plates; darts sink less: docs/paper.md */
      .ground_effect = 0.5f,
      .initially = {{0.0f, 0.0f, 0.0f, 0.0f, 320.0f, 1.0f, 4.0f, 0.0f, 0.0f}},
      .camera = {{0.0f, 0.65f, 0.0f}, 3.0f, 0.35f, 0.26f}},

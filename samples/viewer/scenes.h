@@ -44,6 +44,7 @@ typedef struct scene_plan {
     float life;         /* s from birth to rebirth */
     float ready;        /* part of a life that has passed for bodies in the air at the start: 0: an empty sky */
     float ground_effect;
+    float lift; /* gain of the loads; 0: 1 */
     settings initially;
     camera camera;
 } scene_plan;
