@@ -7,6 +7,7 @@ step() { printf '\n== %s\n' "$*"; }
 
 step "Set-up"
 scripts/setup.sh build
+source scripts/compiler_cache.sh
 
 mkdir -p build demo
 step "Build and install the library and the baker"

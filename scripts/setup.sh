@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test|bench|battery] [arm64]   build: library, baker, samples; test: that and what only tests use;
+#   scripts/setup.sh [build|test|bench|battery] [arm64] [blender]   build: library, baker, samples; test: that and what only tests use;
 #                                                   battery: build and what scripts/noise_battery.sh runs;
-#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM
+#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM;
+#                                                   blender: also Blender, for bindings/python
 set -euo pipefail
 
 packages=(
@@ -22,14 +23,26 @@ if [ "${1:-build}" = bench ]; then               # test, and what docs/performan
     set -- test "${@:2}"
 fi
 if [ "${1:-build}" = test ]; then
-    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen)
-    packages+=(xvfb xdotool)                     # the viewer in a window, without a screen
+    packages+=(
+        doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
+        ccache                                       # the second run is a third of the first: scripts/compiler_cache.sh
+        python3-clang-14                             # generators of bindings
+        mono-mcs mono-runtime libmono-corlib4.5-cil libmono-system-core4.0-cil libmono-system4.0-cil   # C#, Unity, Unreal's rules
+        python3-numpy python3-pip python3-setuptools python3-wheel python3-matplotlib mypy             # Python
+        nodejs lld-14 wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 dpkg-dev   # WebAssembly
+        chromium                                     # the page of the WebAssembly package
+        xvfb xdotool                                 # the viewer in a window, without a screen
+        patchelf                                     # libraries that find each other beside them, in packages
+    )
 fi
 if [ "${1:-build}" = battery ]; then
     packages+=(dieharder)
 fi
 if [[ " $* " == *" arm64 "* ]]; then
     packages+=(g++-aarch64-linux-gnu qemu-user-static)
+fi
+if [[ " $* " == *" blender "* ]]; then           # bindings/python: the add-on in a real Blender, 600 MB
+    packages+=(blender)
 fi
 
 missing=()

@@ -5,44 +5,15 @@ The header stays as it is read in an editor. Here comments before a declaration 
 banners become groups, a text's "name: ..." about a parameter becomes @param, and its list of statuses @returns. The baker's
 header, in C++, has line comments.
 """
+import pathlib
 import re
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "bindings" / "generator"))
+from header_comments import COMMON_PARAMETERS, STATUSES_START, parameter_start, text_of  # noqa: E402
+
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 BANNER = re.compile(r"^/\* -+ \*/\n/\* (.*?)\s*\*/\n(?:/\* -+ \*/\n)?", re.M)
-
-
-# What a parameter of this name is where the text has no more to say of it.
-COMMON = {
-    "world": "the world",
-    "batch": "handle of a batch of the world",
-    "a": "handle of a batch of the world",
-    "b": "handle of a batch of the world",
-    "asset": "the asset",
-    "body": "a body's id",
-    "bodies": "`count` ids of bodies",
-    "collider": "a collider's handle",
-    "colliders": "`count` handles of colliders",
-    "source": "handle of a wind source of the world",
-    "desc": "initialised by its `_init` function, or with struct_size set",
-    "struct_size": "sizeof the struct as the caller sees it",
-    "count": "elements of the arrays",
-    "capacity": "elements that there is room for",
-    "kinds": "bits, as said above",
-    "out_ids": "receives `count` ids; may be null",
-    "memory": "the bytes",
-    "size": "bytes",
-    "format": "one of the constants above",
-    "level": "one of LR_LOG_*",
-    "user": "as given along with the function",
-}
-
-
-def text_of(comment):
-    """The words of a comment, a line each, without what frames them."""
-    lines = comment[2:-2].strip("\n").split("\n")
-    lines[0] = lines[0].removeprefix(" ")
-    return [re.sub(r"^\s*\*(?: |$)", "", line).rstrip() for line in lines]
 
 
 def escaped(text):
@@ -59,10 +30,8 @@ def parameters(declaration):
 def sections(text, names):
     """@param for what is said of parameters, @returns for the statuses."""
     if names:
-        name = "|".join(map(re.escape, names))
-        start = rf"(?:(?<=^)|(?<=\n)|(?<=[.;] )|(?<=[.;]\n))((?:{name})(?:(?:, | and )(?:{name}))*): "
-        text = re.sub(start, lambda m: "\n@param " + re.sub(r", | and ", ",", m.group(1)) + " ", text)
-        text = re.sub(r"(?:(?<=\n)|(?<=^)|(?<=\. ))(LR_OK\b)", r"\n@returns \1", text, count=1)
+        text = re.sub(parameter_start(names), lambda m: "\n@param " + re.sub(r", | and ", ",", m.group(1)) + " ", text)
+        text = re.sub(STATUSES_START, r"\n@returns \1", text, count=1)
         text = re.sub(r"(?<=[.\)])\s+(Any thread\.)", r"\n@par Threads\n\1", text)
     return text
 
@@ -105,7 +74,7 @@ def documented(source):
         body = sections("\n".join(indented_as_code(lines)), names)
         if "@param" in body:
             said = set(re.split(r"[,\s]+", " ".join(re.findall(r"@param ([\w,]+)", body))))
-            more = "".join(f"@param {name} {COMMON[name]}\n" for name in names if name not in said and name in COMMON)
+            more = "".join(f"@param {name} {COMMON_PARAMETERS[name]}\n" for name in names if name not in said and name in COMMON_PARAMETERS)
             at_end = body.find("@returns")
             body = body[:at_end] + more + body[at_end:] if at_end >= 0 else body + "\n" + more
         newlines = comment.count("\n")

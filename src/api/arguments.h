@@ -3,6 +3,7 @@
 
 #include "kernel/float_mode.h"
 #include "langevin_rigid.h"
+#include "world/out_of_memory.h"
 
 #include <cmath>
 #include <cstddef>
@@ -93,13 +94,15 @@ template <class T> bool in_range(T value, double low, double high) {
 
 // Nothing that the library calls may throw across the ABI.
 template <class F> lr_status guarded(F&& body) noexcept {
+#if defined(__cpp_exceptions)
     try {
-        return body();
-    } catch (const std::bad_alloc&) {
-        return LR_ERROR_OUT_OF_MEMORY;
+        return unless_out_of_memory(body);
     } catch (...) {
         return LR_ERROR_INTERNAL;
     }
+#else
+    return unless_out_of_memory(body);
+#endif
 }
 
 } // namespace lr::api

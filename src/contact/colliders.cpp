@@ -34,7 +34,7 @@ bool finite_kind(ColliderKind kind) {
     return kind != ColliderKind::plane && kind != ColliderKind::heightfield;
 }
 
-template <class T> bool enlarge(Allocator& allocator, Buffer<T>& buffer, size_t size, size_t used) {
+template <class T> bool enlarge(Allocator& allocator, Buffer<T>& buffer, uint64_t size, size_t used) {
     if (size <= buffer.size()) return true;
     Buffer<T> larger;
     if (!larger.allocate(allocator, size)) return false;
@@ -43,8 +43,8 @@ template <class T> bool enlarge(Allocator& allocator, Buffer<T>& buffer, size_t 
     return true;
 }
 
-size_t grown(size_t from, uint64_t to) {
-    return to <= from ? from : static_cast<size_t>(std::max<uint64_t>(to, from + from / 2));
+uint64_t grown(uint64_t from, uint64_t to) {
+    return to <= from ? from : std::max(to, from + from / 2);
 }
 
 } // namespace
@@ -61,7 +61,7 @@ Colliders::~Colliders() {
 }
 
 bool Colliders::reserve_slots(uint32_t slots) {
-    const size_t size = std::min<size_t>(grown(slots_.size(), slots), LR_MAX_COLLIDERS);
+    const uint64_t size = std::min<uint64_t>(grown(slots_.size(), slots), LR_MAX_COLLIDERS);
     return enlarge(*allocator_, colliders_, size, used_) && enlarge(*allocator_, motions_, size, used_) &&
            enlarge(*allocator_, active_, size, active_count_) && enlarge(*allocator_, slots_, size, used_);
 }

@@ -2,6 +2,7 @@
 
 #include "contact/build_geometry.h"
 #include "contact/mesh_parts.h"
+#include "world/out_of_memory.h"
 
 #include <algorithm>
 #include <bit>
@@ -53,7 +54,7 @@ uint64_t content_hash(const lr_collider_desc& desc) {
     return hash.value();
 }
 
-template <class T> bool copy(Allocator& allocator, const T* from, size_t count, Buffer<T>& to) {
+template <class T> bool copy(Allocator& allocator, const T* from, uint64_t count, Buffer<T>& to) {
     if (!to.allocate(allocator, count)) return false;
     std::copy_n(from, count, to.data());
     return true;
@@ -133,7 +134,7 @@ void GeometryStore::free(SharedGeometry* geometry) {
 }
 
 lr_status GeometryStore::build(const lr_collider_desc& desc, SharedGeometry& to) {
-    try {
+    return unless_out_of_memory([&] {
         switch (to.kind) {
         case ColliderKind::hull:
             return make_hull(*allocator_, desc, to);
@@ -142,9 +143,7 @@ lr_status GeometryStore::build(const lr_collider_desc& desc, SharedGeometry& to)
         default:
             return make_mesh(*allocator_, desc, to);
         }
-    } catch (const std::bad_alloc&) {
-        return LR_ERROR_OUT_OF_MEMORY;
-    }
+    });
 }
 
 SharedGeometry* GeometryStore::find(ColliderKind kind, uint64_t hash) const {

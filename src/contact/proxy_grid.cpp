@@ -24,9 +24,9 @@ uint64_t ProxyGrid::words_for(uint64_t count) const {
     return spare_words + std::max(each * std::min(count, 128 * few / each), most_each * count);
 }
 
-bool ProxyGrid::reserve(Allocator& allocator, size_t proxies) {
+bool ProxyGrid::reserve(Allocator& allocator, uint64_t proxies) {
     if (proxies <= capacity()) return true;
-    const size_t size = std::max(proxies, capacity() + capacity() / 2);
+    const uint64_t size = std::max<uint64_t>(proxies, capacity() + capacity() / 2);
     Buffer<Proxy> new_proxies;
     Buffer<uint8_t> new_levels;
     Buffer<uint32_t> buckets, entries, words;

@@ -35,7 +35,7 @@ public:
     explicit ProxyGrid(bool fine = false) : fine_(fine) {}
 
     // Memory for `proxies` of them; what was built is gone when this had to take more. False: out of memory, all as before.
-    bool reserve(Allocator& allocator, size_t proxies);
+    bool reserve(Allocator& allocator, uint64_t proxies);
     size_t capacity() const { return proxies_.size(); }
     uint32_t size() const { return count_; }
 

@@ -26,7 +26,7 @@ lr_status WindField::make(const lr_wind_source_desc& desc, double time, uint64_t
             release(grid);
             return LR_ERROR_OUT_OF_MEMORY;
         }
-        for (uint64_t i = 0; i < count; ++i) {
+        for (size_t i = 0; i < count; ++i) {
             grid->values[i] = desc.samples[i];
             grid->fastest = std::max(grid->fastest, std::abs(desc.samples[i]));
         }

@@ -50,6 +50,9 @@ void WindSnapshot::save(const WindField& field, unsigned char* to) {
         saved.since = source->since;
         saved.samples = source->grid ? source->grid->hash : 0;
         std::memcpy(saved.desc, &source->desc, source_bytes);
+        // Where addresses have 32 bits the struct is smaller. Snapshots are the same everywhere.
+        const uint32_t struct_size = source_bytes + sizeof(uint64_t);
+        std::memcpy(saved.desc, &struct_size, sizeof struct_size);
         std::memcpy(to, &saved, sizeof saved);
         to += sizeof saved;
     }

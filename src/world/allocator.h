@@ -33,13 +33,16 @@ public:
     Buffer& operator=(const Buffer&) = delete;
     ~Buffer() { reset(); }
 
-    bool allocate(Allocator& from, size_t count) {
+    bool allocate(Allocator& from, uint64_t count) {
         reset();
         if (count == 0) return true;
-        data_ = static_cast<T*>(from.allocate(count * sizeof(T))); // NOLINT(bugprone-sizeof-expression): pointers too
+        if (count > SIZE_MAX / sizeof(T))
+            return false; // NOLINT(bugprone-sizeof-expression): where addresses have 32 bits
+        data_ = static_cast<T*>(
+            from.allocate(static_cast<size_t>(count) * sizeof(T))); // NOLINT(bugprone-sizeof-expression): pointers too
         if (!data_) return false;
         allocator_ = &from;
-        size_ = count;
+        size_ = static_cast<size_t>(count);
         return true;
     }
     void reset() {

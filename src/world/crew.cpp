@@ -23,7 +23,7 @@ void Crew::job(void* crew, uint32_t begin, uint32_t end) {
 // A job system may run its tasks within enqueue, on the caller's thread or while that waits: then nothing more can come.
 void Crew::stay() {
     queue_.take();
-    if (std::this_thread::get_id() == caller_) return;
+    if (this_thread() == caller_) return;
     const auto leaves = [this] {
         return !gathered_.load(std::memory_order_relaxed) || calling_.load(std::memory_order_relaxed);
     };
@@ -33,7 +33,7 @@ void Crew::stay() {
 void Crew::call(uint32_t helpers, const FloatMode& mode) {
     if (present_.load(std::memory_order_acquire) != 0) return;
     finish(mode);
-    caller_ = std::this_thread::get_id();
+    caller_ = this_thread();
     present_.store(helpers, std::memory_order_relaxed);
     calling_.store(true, std::memory_order_relaxed);
     {

@@ -4,10 +4,10 @@
 #include "kernel/float_mode.h"
 #include "langevin_rigid.h"
 #include "world/chunk_queue.h"
+#include "world/threads.h"
 #include "world/worker_pool.h"
 
 #include <atomic>
-#include <thread>
 
 namespace lr {
 
@@ -39,7 +39,7 @@ private:
     uint32_t helpers_ = 0;
 
     // Of a job system.
-    std::thread::id caller_;
+    ThreadId caller_{};
     void* token_ = nullptr;
     bool called_ = false;
     std::atomic<uint32_t> present_{0};  // indices that were enqueued and have not returned

@@ -4,7 +4,6 @@
 #include "world/step_chunks.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -187,7 +186,7 @@ void Resting::answered(uint32_t begin, uint32_t end, float max_age) {
 }
 
 void Resting::note(uint32_t index) {
-    const auto set = [](uint8_t& one) { std::atomic_ref<uint8_t>(one).store(1, std::memory_order_relaxed); };
+    const auto set = [](uint8_t& one) { __atomic_store_n(&one, uint8_t{1}, __ATOMIC_RELAXED); };
     set(noted_[index]);
     set(cut_noted_[index / cut_bodies]);
 }

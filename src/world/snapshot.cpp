@@ -181,7 +181,7 @@ public:
         b.free_last_ = h.free_last;
         if (new_table.size() != 0) b.table_.swap(new_table);
         visit(b, h.count, b.table_, [&](auto* to, uint64_t words) {
-            if (words != 0) std::memcpy(to, body, 4 * words);
+            if (words != 0) std::memcpy(to, body, static_cast<size_t>(4 * words));
             body += 4 * even(words);
         });
         b.step.table.alpha = b.table_.data();
@@ -256,8 +256,8 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
         if (h.capacity == 0) continue;
         Batch& batch = *w.batches[i].batch;
         SnapshotAccess::visit(batch, h.count, SnapshotAccess::table(batch), [&](const auto* from, uint64_t words) {
-            if (words != 0) std::memcpy(at, from, 4 * words);
-            std::memset(at + 4 * words, 0, 4 * (even(words) - words));
+            if (words != 0) std::memcpy(at, from, static_cast<size_t>(4 * words));
+            std::memset(at + 4 * words, 0, static_cast<size_t>(4 * (even(words) - words)));
             at += 4 * even(words);
         });
         save_parts(batch, at);

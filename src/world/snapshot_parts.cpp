@@ -75,8 +75,8 @@ uint64_t parts_bytes(uint32_t parts, uint32_t count) {
 void save_parts(Batch& batch, unsigned char* to) {
     const uint32_t parts = parts_of(batch), count = batch.count();
     const auto put = [&](const void* from, uint64_t words) {
-        if (words != 0) std::memcpy(to, from, 4 * words);
-        std::memset(to + 4 * words, 0, 4 * (even(words) - words));
+        if (words != 0) std::memcpy(to, from, static_cast<size_t>(4 * words));
+        std::memset(to + 4 * words, 0, static_cast<size_t>(4 * (even(words) - words)));
         to += 4 * even(words);
     };
     if (parts & part_batch_force) put(batch.external.batch(), force_components);
@@ -165,7 +165,7 @@ bool reserve_parts(Batch& batch, uint32_t parts) {
 
 void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned char* from) {
     const auto get = [&](void* to, uint64_t words) {
-        if (words != 0) std::memcpy(to, from, 4 * words);
+        if (words != 0) std::memcpy(to, from, static_cast<size_t>(4 * words));
         from += 4 * even(words);
     };
     float force[force_components] = {};

@@ -4,6 +4,7 @@
 
 namespace lr {
 
+#if LR_HAS_THREADS
 bool WorkerPool::start(uint32_t workers) {
     try {
         for (; workers_ < workers; ++workers_) threads_[workers_] = std::thread([this] { work(); });
@@ -22,6 +23,13 @@ void WorkerPool::stop() {
     for (uint32_t i = 0; i < workers_; ++i) threads_[i].join();
     workers_ = 0;
 }
+#else
+bool WorkerPool::start(uint32_t workers) {
+    return workers == 0;
+}
+
+void WorkerPool::stop() {}
+#endif
 
 void WorkerPool::wake(uint32_t helpers) {
     round_.fetch_add(1, std::memory_order_release);

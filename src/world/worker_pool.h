@@ -2,11 +2,11 @@
 #pragma once
 
 #include "world/chunk_queue.h"
+#include "world/threads.h"
 
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <thread>
 
 namespace lr {
 
@@ -31,7 +31,9 @@ private:
     void work();
 
     ChunkQueue* queue_;
+#if LR_HAS_THREADS
     std::array<std::thread, max_workers> threads_;
+#endif
     uint32_t workers_ = 0;
     std::atomic<bool> stopping_{false};
     std::atomic<uint32_t> round_{0}; // grows by one for each call of wake()

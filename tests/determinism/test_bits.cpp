@@ -1,10 +1,10 @@
 // The same bits whatever runs them: instruction set, workers, order in memory, snapshots, company, cutting of time.
 #include "support/played_scene.h"
 #include "support/random.h"
+#include "support/threads.h"
 
 #include <algorithm>
 #include <string>
-#include <thread>
 
 using namespace test;
 
@@ -194,6 +194,7 @@ TEST_CASE("changing the instruction set between steps changes nothing") {
     CHECK(hash_of(steady.world) == hash_of(changing.world));
 }
 
+#if LR_TEST_THREADS
 TEST_CASE("worlds that step at the same time on threads of their own do not disturb each other") {
     const PlayedScene scene = played_scenes()[0];
     const uint64_t expected = outcome(scene);
@@ -208,3 +209,4 @@ TEST_CASE("worlds that step at the same time on threads of their own do not dist
     }
     for (uint64_t hash : hashes) CHECK(hash == expected);
 }
+#endif

@@ -2,6 +2,7 @@
 // change. Then write them anew, and say so in the notes of the release:
 //     LR_UPDATE_GOLDEN=1 tests_determinism --test-case="held hashes"
 #include "support/played_scene.h"
+#include "support/threads.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +11,6 @@
 #include <fstream>
 #include <map>
 #include <string>
-#include <thread>
 
 using namespace test;
 
@@ -32,13 +32,17 @@ std::map<std::string, uint64_t> outcomes() {
                  scenes.end());
     std::vector<uint64_t> hashes(scenes.size());
     std::atomic<size_t> next = 0;
+    const auto play = [&] {
+        for (size_t at = next++; at < scenes.size(); at = next++) hashes[at] = outcome(scenes[at]);
+    };
+#if LR_TEST_THREADS
     {
         std::vector<std::jthread> threads;
-        for (uint32_t i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-            threads.emplace_back([&] {
-                for (size_t at = next++; at < scenes.size(); at = next++) hashes[at] = outcome(scenes[at]);
-            });
+        for (uint32_t i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(play);
     }
+#else
+    play();
+#endif
     std::map<std::string, uint64_t> out;
     for (size_t i = 0; i < scenes.size(); ++i) out[scenes[i].name] = hashes[i];
     return out;

@@ -195,7 +195,7 @@ inline void set_constant_table(const World& w, lr_batch batch, double chi, doubl
     REQUIRE(lr_batch_set_turbulence_table(w.get(), batch, &t) == LR_OK);
 }
 inline std::vector<unsigned char> snapshot_of(const World& w) {
-    std::vector<unsigned char> bytes(lr_world_snapshot_size(w.get()));
+    std::vector<unsigned char> bytes(static_cast<size_t>(lr_world_snapshot_size(w.get())));
     uint64_t written = 0;
     REQUIRE(lr_world_snapshot_save(w.get(), bytes.data(), bytes.size(), &written) == LR_OK);
     REQUIRE(written == bytes.size());

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""How comments of the public header are laid out: what each says of a function's parameters, statuses and threads."""
+import re
+
+# What a parameter of this name is where the text has no more to say of it.
+COMMON_PARAMETERS = {
+    "world": "the world",
+    "batch": "handle of a batch of the world",
+    "a": "handle of a batch of the world",
+    "b": "handle of a batch of the world",
+    "asset": "the asset",
+    "body": "a body's id",
+    "bodies": "`count` ids of bodies",
+    "collider": "a collider's handle",
+    "colliders": "`count` handles of colliders",
+    "source": "handle of a wind source of the world",
+    "desc": "initialised by its `_init` function, or with struct_size set",
+    "struct_size": "sizeof the struct as the caller sees it",
+    "count": "elements of the arrays",
+    "capacity": "elements that there is room for",
+    "kinds": "bits, as said above",
+    "out_ids": "receives `count` ids; may be null",
+    "memory": "the bytes",
+    "size": "bytes",
+    "format": "one of the constants above",
+    "level": "one of LR_LOG_*",
+    "user": "as given along with the function",
+}
+
+
+def text_of(comment):
+    """The words of a comment, a line each, without what frames them."""
+    lines = comment[2:-2].strip("\n").split("\n")
+    lines[0] = lines[0].removeprefix(" ")
+    return [re.sub(r"^\s*\*(?: |$)", "", line).rstrip() for line in lines]
+
+
+def parameter_start(names):
+    """Matches "name: " or "name, name: " where a text begins to speak of a parameter."""
+    name = "|".join(map(re.escape, names))
+    return rf"(?:(?<=^)|(?<=\n)|(?<=[.;] )|(?<=[.;]\n))((?:{name})(?:(?:, | and )(?:{name}))*): "
+
+
+STATUSES_START = r"(?:(?<=\n)|(?<=^)|(?<=\. ))(LR_OK\b)"
+
+
+def split(text, names):
+    """What a function's text says: (summary, {parameter: text}, statuses, threads), each of them possibly empty."""
+    threads = ""
+    match = re.search(r"(?<=[.)])\s+(Any thread\.)", text)
+    if match:
+        threads = match.group(1)
+        text = text[:match.start()] + text[match.end():]
+    returns = ""
+    match = re.search(STATUSES_START, text)
+    if match and not re.match(r"LR_OK, or", text):
+        returns = text[match.start():].strip()
+        text = text[:match.start()]
+    said = {}
+    if names:
+        parts = re.split(parameter_start(names), text)
+        text = parts[0]
+        for of, words in zip(parts[1::2], parts[2::2]):
+            for name in re.split(r", | and ", of):
+                said[name] = words.strip()
+    for name in names:
+        if name not in said and name in COMMON_PARAMETERS:
+            said[name] = COMMON_PARAMETERS[name]
+    return text.strip(), said, returns, threads

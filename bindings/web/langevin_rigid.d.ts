@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+export * from './langevin_rigid.mjs';

@@ -1,0 +1,33 @@
+/*
+ * Callbacks of the library as calls into JavaScript. WebAssembly can't make a function pointer of a JavaScript function without
+ * help that not all browsers have: so `user` is a number by which the host knows which of its functions is meant.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#include <langevin_rigid.h>
+
+#define LR_HOST(name) __attribute__((import_module("langevin_rigid"), import_name(#name)))
+
+LR_HOST(log) void host_log(void* user, int32_t level, const char* message);
+LR_HOST(fault) void host_fault(void* user, uint32_t number, const char* where, const char* what, const char* remedy);
+LR_HOST(wind) void host_wind(void* user, const lr_wind_query* query);
+LR_HOST(surface) void host_surface(void* user, const lr_surface_query* query);
+
+/* Function pointers for the library, as the host writes them into its structs and arguments. */
+lr_log_fn lr_web_log(void);
+lr_fault_fn lr_web_fault(void);
+lr_wind_fn lr_web_wind(void);
+lr_surface_fn lr_web_surface(void);
+
+lr_log_fn lr_web_log(void) {
+    return host_log;
+}
+lr_fault_fn lr_web_fault(void) {
+    return host_fault;
+}
+lr_wind_fn lr_web_wind(void) {
+    return host_wind;
+}
+lr_surface_fn lr_web_surface(void) {
+    return host_surface;
+}

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// All bodies of one asset in a world.
+import { LR, structs } from './generated/api.mjs';
+import { Asset } from './asset.mjs';
+
+const floats = [7, 8, 12, 12, 16, 16]; // of one body, by LR.TRANSFORM_*
+const bodyArrays = { position: 3, orientation: 4, linearVelocity: 3, angularVelocity: 3, scale: 1, age: 1, key: 1 };
+
+export class Batch {
+  #world;
+  #host;
+
+  /** @internal */
+  static create(world, { asset, ...desc }) {
+    if (!(asset instanceof Asset)) throw new TypeError('createBatch needs an asset: of loadAsset, fetchAsset, createEllipsoid or createRigid');
+    const batch = new Batch();
+    batch.#world = world;
+    batch.#host = world.host;
+    batch.handle = world.host.scratch((scratch) => {
+      const out = scratch.bytes(4);
+      world.call('lr_batch_create', scratch.struct('lr_batch_desc', { ...desc, asset: asset.address }), out);
+      return world.host.heap.view.getUint32(out, true);
+    });
+    return batch;
+  }
+
+  get world() {
+    return this.#world;
+  }
+
+  #call(name, ...values) {
+    this.#world.call(name, this.handle, ...values);
+  }
+
+  #get(struct, name) {
+    return this.#world.get(struct, name, this.handle);
+  }
+
+  #set(struct, desc, name) {
+    this.#world.set(struct, desc, name, this.handle);
+  }
+
+  destroy() {
+    this.#call('lr_batch_destroy');
+  }
+
+  // Bodies.
+
+  /** Ids of new bodies. descs: an array of objects, or one object of arrays with `count`, for many at once. */
+  createBodies(descs) {
+    return this.#host.scratch((scratch) => {
+      const count = Array.isArray(descs) ? descs.length : descs.count;
+      const at = Array.isArray(descs) ? scratch.structs('lr_body_desc', descs) : this.#manyDescs(scratch, descs);
+      const out = scratch.bytes(8 * count);
+      this.#call('lr_body_create', at, count, out);
+      return this.#host.heap.array(BigUint64Array, out, count).slice();
+    });
+  }
+
+  createBody(desc = {}) {
+    return this.createBodies([desc])[0];
+  }
+
+  #manyDescs(scratch, { count, ...arrays }) {
+    if (!Number.isInteger(count) || count < 0) throw new RangeError(`count must be a whole number, not ${count}`);
+    const { size, fields } = structs.lr_body_desc;
+    const first = scratch.struct('lr_body_desc');
+    const at = scratch.bytes(size * count);
+    const bytes = this.#host.heap.array(Uint8Array, at, size * count);
+    if (count > 0) bytes.set(this.#host.heap.array(Uint8Array, first, size));
+    for (let filled = size; filled < bytes.length; filled *= 2) bytes.copyWithin(filled, 0, Math.min(filled, bytes.length - filled));
+    for (const [name, values] of Object.entries(arrays)) {
+      const width = bodyArrays[name];
+      if (!width) throw new TypeError(`bodies have no ${name}; they have ${Object.keys(bodyArrays).join(', ')}`);
+      if (values.length !== width * count) throw new RangeError(`${name} of ${count} bodies has ${width * count} elements, not ${values.length}`);
+      const [, offset, type] = fields.find(([field]) => field === name);
+      const Type = type === 'u32' ? Uint32Array : Float32Array;
+      const to = this.#host.heap.array(Type, at, (size / 4) * count);
+      for (let i = 0, from = 0, place = offset / 4; i < count; ++i, place += size / 4)
+        for (let k = 0; k < width; ++k) to[place + k] = values[from++];
+    }
+    return at;
+  }
+
+  /** Bears bodies where the emitter says. */
+  emit(count) {
+    return this.#host.scratch((scratch) => {
+      const out = scratch.bytes(8 * count);
+      this.#call('lr_batch_emit', count, out);
+      return this.#host.heap.array(BigUint64Array, out, count).slice();
+    });
+  }
+
+  /** The bodies where they lie, without a copy: until the world changes. */
+  view() {
+    const { heap } = this.#host;
+    const { position, orientation, velocity, spin, scale, age, key, ids, ...numbers } = this.#get('lr_batch_view', 'lr_batch_get_view');
+    const { count } = numbers;
+    const one = (Type, address) => heap.array(Type, address, count);
+    const all = (addresses) => addresses.map((address) => one(Float32Array, address));
+    return {
+      ...numbers, position: all(position), orientation: all(orientation), velocity: all(velocity), spin: all(spin),
+      scale: one(Float32Array, scale), age: one(Float32Array, age), key: one(Uint32Array, key), ids: one(BigUint64Array, ids),
+    };
+  }
+
+  /** A buffer of transforms in the module's memory, for a GPU's instance buffer. */
+  createTransforms(format = LR.TRANSFORM_4X4_COLUMN_MAJOR, capacity = undefined) {
+    return new TransformBuffer(this, format, capacity);
+  }
+
+  // How they move.
+
+  setTurbulenceTable(table) {
+    if (table === null) return this.#call('lr_batch_set_turbulence_table', 0);
+    const { chi, epsilon, ...rest } = table;
+    if (chi.length !== epsilon.length) throw new RangeError(`chi has ${chi.length} samples, epsilon ${epsilon.length}`);
+    this.#host.scratch((scratch) => this.#call('lr_batch_set_turbulence_table', scratch.struct('lr_turbulence_table', {
+      count: chi.length, ...rest, chi: scratch.copy(Float32Array, chi), epsilon: scratch.copy(Float32Array, epsilon),
+    })));
+  }
+
+  setAerodynamics(aerodynamics) {
+    this.#set('lr_aerodynamics', aerodynamics, 'lr_batch_set_aerodynamics');
+  }
+
+  get aerodynamics() {
+    return this.#get('lr_aerodynamics', 'lr_batch_get_aerodynamics');
+  }
+
+  setLoadGains(gains) {
+    this.#set('lr_load_gains', gains, 'lr_batch_set_load_gains');
+  }
+
+  setRate(rate) {
+    this.#set('lr_batch_rate', rate, 'lr_batch_set_rate');
+  }
+
+  get pace() {
+    return this.#get('lr_batch_pace', 'lr_batch_get_pace');
+  }
+
+  setForce(force) {
+    this.#set('lr_batch_force', force, 'lr_batch_set_force');
+  }
+
+  /** Forces on many bodies in the order of the view: x, y, z of each are arrays. */
+  addForces({ force = null, torque = null, ...rest }) {
+    const lengths = [...(force ?? []), ...(torque ?? [])].map((values) => values.length);
+    const count = rest.count ?? lengths[0] ?? 0;
+    if (lengths.some((length) => length !== count)) throw new RangeError(`arrays of ${lengths.join(', ')} elements are not of one length`);
+    this.#host.scratch((scratch) => {
+      const arrays = (three) => (three ?? [null, null, null]).map((values) => scratch.copy(Float32Array, values));
+      this.#call('lr_batch_add_forces', scratch.struct('lr_force_arrays', { ...rest, count, force: arrays(force), torque: arrays(torque) }));
+    });
+  }
+
+  setContact(contact) {
+    this.#set('lr_batch_contact', contact, 'lr_batch_set_contact');
+  }
+
+  get contact() {
+    return this.#get('lr_batch_contact', 'lr_batch_get_contact');
+  }
+
+  // Births and ends.
+
+  setRules(rules) {
+    this.#set('lr_batch_rules', rules, 'lr_batch_set_rules');
+  }
+
+  setEmitter(emitter) {
+    this.#set('lr_emitter_desc', emitter, 'lr_batch_set_emitter');
+  }
+
+  get events() {
+    const { endedIds, bornIds, ...events } = this.#get('lr_batch_events', 'lr_batch_get_events');
+    const list = (address, length) => this.#host.heap.array(BigUint64Array, address, length).slice();
+    return { ...events, endedIds: list(endedIds, events.destroyed + events.respawned), bornIds: list(bornIds, events.born) };
+  }
+}
+
+const buffers = new FinalizationRegistry(({ host, address }) => host.release('free', address));
+
+/** Transforms of a batch in the module's memory. */
+export class TransformBuffer {
+  #batch;
+  #heap;
+  #address;
+  #array = new Float32Array(0);
+  #last = { revision: -1, awakeCount: 0 };
+
+  /** @internal */
+  constructor(batch, format, capacity) {
+    if (!floats[format]) throw new RangeError(`${format} is no LR.TRANSFORM_*`);
+    const { host } = batch.world;
+    this.#batch = batch;
+    this.#heap = host.heap;
+    this.format = format;
+    this.floatsPerBody = floats[format];
+    this.capacity = capacity ?? batch.view().capacity;
+    this.count = 0;
+    this.#address = this.#heap.allocate(4 * this.floatsPerBody * this.capacity);
+    if (this.#address === 0) throw host.error('malloc', LR.ERROR_OUT_OF_MEMORY);
+    buffers.register(this, { host, address: this.#address }, this);
+  }
+
+  get #live() {
+    if (this.#address === 0) throw new Error('this buffer has been disposed of');
+    return this.#address;
+  }
+
+  /** The whole buffer, anew after the memory has grown. */
+  get array() {
+    const address = this.#live;
+    if (this.#array.buffer !== this.#heap.buffer)
+      this.#array = this.#heap.array(Float32Array, address, this.floatsPerBody * this.capacity);
+    return this.#array;
+  }
+
+  #write(name, number) {
+    const { host } = this.#batch.world;
+    return host.scratch((scratch) => {
+      const written = scratch.bytes(4);
+      this.#batch.world.call(name, this.#batch.handle, this.format, this.#live, 0n, number, written);
+      return host.heap.view.getUint32(written, true);
+    });
+  }
+
+  /** Writes all bodies, and gives that part of the buffer. */
+  write() {
+    this.count = this.#write('lr_batch_write_transforms', this.capacity);
+    return this.array.subarray(0, this.floatsPerBody * this.count);
+  }
+
+  /** Writes those that may have moved since the last time, and gives that part, from the first body on. Others still are where they were. */
+  writeMoved() {
+    const view = this.#batch.view();
+    if (view.count > this.capacity) throw this.#batch.world.host.error('lr_batch_write_first_transforms', LR.ERROR_BUFFER_TOO_SMALL);
+    const moved = view.revision === this.#last.revision ? Math.max(view.awakeCount, this.#last.awakeCount) : view.count;
+    const written = this.#write('lr_batch_write_first_transforms', moved);
+    this.#last = { revision: view.revision, awakeCount: view.awakeCount };
+    this.count = view.count;
+    return this.array.subarray(0, this.floatsPerBody * written);
+  }
+
+  dispose() {
+    if (this.#address === 0) return;
+    buffers.unregister(this);
+    this.#batch.world.host.release('free', this.#address);
+    this.#address = 0;
+    this.#array = new Float32Array(0);
+  }
+
+  [Symbol.dispose ?? Symbol.for('Symbol.dispose')]() {
+    this.dispose();
+  }
+}

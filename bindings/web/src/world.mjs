@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: MIT
+// A world: fluid, colliders, and batches of bodies.
+import { Batch } from './batch.mjs';
+import { LR } from './generated/api.mjs';
+
+const leaked = new FinalizationRegistry(end);
+
+function end({ host, address, callbacks }) {
+  host.release('lr_world_destroy', address);
+  for (const id of callbacks) host.removeCallback(id);
+}
+
+/** Ids of bodies or colliders: one bigint, or several. */
+export const idsOf = (ids) => (typeof ids === 'bigint' ? [ids] : ids);
+
+export class World {
+  #host;
+  #address = 0;
+  #said = '';
+  #kept; // what ends with the world: its address and the numbers of its callbacks
+  #wind = 0;
+  #surface = 0;
+
+  /** @internal What the library logs of a refused call is part of what is thrown. */
+  hear(message) {
+    this.#said = message;
+  }
+
+  /** @internal */
+  static create(host, { log = null, ...desc }) {
+    const world = new World();
+    world.#host = host;
+    const id = host.addCallback(logTo(new WeakRef(world), log));
+    try {
+      host.scratch((scratch) => {
+        const out = scratch.bytes(4);
+        const at = scratch.struct('lr_world_desc', { ...desc, log: host.raw.lr_web_log(), logUser: id });
+        world.#call('lr_world_create', at, out);
+        world.#address = host.heap.view.getUint32(out, true);
+      });
+    } catch (error) {
+      host.removeCallback(id);
+      throw error;
+    }
+    world.#kept = { host, address: world.#address, callbacks: new Set([id]) };
+    leaked.register(world, world.#kept, world);
+    return world;
+  }
+
+  /** @internal */
+  get host() {
+    return this.#host;
+  }
+
+  /** @internal */
+  get address() {
+    if (this.#address === 0) throw new Error('this world has been disposed of');
+    return this.#address;
+  }
+
+  #call(name, ...values) {
+    this.#said = '';
+    this.#host.call(() => this.#said, name, ...values);
+  }
+
+  /** @internal Calls a C function whose first argument is the world. */
+  call(name, ...values) {
+    this.#call(name, this.address, ...values);
+  }
+
+  /** @internal A struct that a C function fills. */
+  get(struct, name, ...values) {
+    return this.#host.scratch((scratch) => {
+      const at = scratch.struct(struct);
+      this.call(name, ...values, at);
+      return this.#host.heap.read(struct, at);
+    });
+  }
+
+  /** @internal Calls a C function whose last argument is a struct, or null. */
+  set(struct, desc, name, ...values) {
+    this.#host.scratch((scratch) => this.call(name, ...values, desc === null ? 0 : scratch.struct(struct, desc)));
+  }
+
+  dispose() {
+    if (this.#address === 0) return;
+    leaked.unregister(this);
+    end(this.#kept);
+    this.#address = 0;
+  }
+
+  [Symbol.dispose ?? Symbol.for('Symbol.dispose')]() {
+    this.dispose();
+  }
+
+  // What it is, and time.
+
+  get info() {
+    return this.get('lr_world_info', 'lr_world_get_info');
+  }
+
+  get stepReport() {
+    return this.get('lr_step_report', 'lr_world_get_step_report');
+  }
+
+  step(dt, substeps = 2) {
+    this.call('lr_world_step', dt, substeps);
+  }
+
+  setGravity(gravity) {
+    this.#host.scratch((scratch) => this.call('lr_world_set_gravity', scratch.copy(Float32Array, three(gravity, 'gravity'))));
+  }
+
+  setSimdTarget(target) {
+    this.call('lr_world_set_simd_target', target);
+  }
+
+  setBudget(budget) {
+    this.set('lr_budget', budget, 'lr_world_set_budget');
+  }
+
+  hash() {
+    return this.#host.scratch((scratch) => {
+      const out = scratch.bytes(8);
+      this.call('lr_world_hash', out);
+      return this.#host.heap.view.getBigUint64(out, true);
+    });
+  }
+
+  saveSnapshot() {
+    const size = this.#host.invoke('lr_world_snapshot_size', this.address);
+    return this.#host.scratch((scratch) => {
+      const at = scratch.bytes(Number(size));
+      this.call('lr_world_snapshot_save', at, size, 0);
+      return this.#host.heap.array(Uint8Array, at, Number(size)).slice();
+    });
+  }
+
+  restoreSnapshot(bytes) {
+    this.#host.scratch((scratch) => this.call('lr_world_snapshot_restore', scratch.copy(Uint8Array, bytes), BigInt(bytes.length)));
+  }
+
+  // The fluid.
+
+  setWind(desc) {
+    this.set('lr_wind_desc', Array.isArray(desc) || ArrayBuffer.isView(desc) ? { velocity: desc } : desc, 'lr_world_set_wind');
+  }
+
+  #windSource(scratch, { samples = null, ...desc }) {
+    const components = (desc.counts ?? [0, 0, 0]).reduce((product, n) => product * n, 3 * (desc.frames ?? 1));
+    if (samples && desc.kind === LR.WIND_SOURCE_GRID && samples.length !== components)
+      throw new RangeError(`samples of ${desc.counts} in ${desc.frames ?? 1} frames are ${components} numbers, not ${samples.length}`);
+    return scratch.struct('lr_wind_source_desc', { ...desc, samples: scratch.copy(Float32Array, samples) });
+  }
+
+  addWind(desc) {
+    return this.#host.scratch((scratch) => {
+      const out = scratch.bytes(4);
+      this.call('lr_world_add_wind', this.#windSource(scratch, desc), out);
+      return this.#host.heap.view.getUint32(out, true);
+    });
+  }
+
+  updateWind(source, desc) {
+    this.#host.scratch((scratch) => this.call('lr_world_update_wind', source, this.#windSource(scratch, desc)));
+  }
+
+  removeWind(source) {
+    this.call('lr_world_remove_wind', source);
+  }
+
+  #setCallback(before, callback, name, pointer) {
+    const id = callback === null ? 0 : this.#host.addCallback(callback);
+    try {
+      this.call(name, callback === null ? 0 : this.#host.raw[pointer](), id);
+    } catch (error) {
+      this.#host.removeCallback(id);
+      throw error;
+    }
+    this.#host.removeCallback(before);
+    this.#kept.callbacks.delete(before);
+    this.#kept.callbacks.add(id);
+    return id;
+  }
+
+  setWindCallback(callback) {
+    this.#wind = this.#setCallback(this.#wind, callback, 'lr_world_set_wind_callback', 'lr_web_wind');
+  }
+
+  sampleWind(positions) {
+    const count = positions.length / 3;
+    if (!Number.isInteger(count)) throw new RangeError(`positions are x, y, z of each point: ${positions.length} numbers are none`);
+    return this.#host.scratch((scratch) => {
+      const at = scratch.copy(Float32Array, positions);
+      this.call('lr_world_sample_wind', at, count, at);
+      return this.#host.heap.array(Float32Array, at, 3 * count).slice();
+    });
+  }
+
+  setSurface(desc) {
+    this.set('lr_surface_desc', desc, 'lr_world_set_surface');
+  }
+
+  setSurfaceCallback(callback) {
+    this.#surface = this.#setCallback(this.#surface, callback, 'lr_world_set_surface_callback', 'lr_web_surface');
+  }
+
+  // Bodies of any batch.
+
+  createBatch(desc) {
+    return Batch.create(this, desc);
+  }
+
+  #withIds(ids, use) {
+    const list = idsOf(ids);
+    return this.#host.scratch((scratch) => use(scratch.copy(BigUint64Array, list), list.length, scratch));
+  }
+
+  destroyBodies(ids) {
+    this.#withIds(ids, (at, count) => this.call('lr_body_destroy', at, count));
+  }
+
+  bodyState(id) {
+    return this.get('lr_body_state', 'lr_body_get_state', id);
+  }
+
+  /** What `state` does not say stays as it is. */
+  setBodyState(id, state) {
+    this.#host.scratch((scratch) => {
+      const at = scratch.struct('lr_body_state');
+      this.call('lr_body_get_state', id, at);
+      this.#host.heap.write('lr_body_state', at, state);
+      this.call('lr_body_set_state', id, at);
+    });
+  }
+
+  setRest(ids, rest) {
+    this.#withIds(ids, (at, count) => this.call('lr_body_set_rest', at, count, rest ? LR.REST_RESTING : LR.REST_AWAKE));
+  }
+
+  wakeBox(low, high) {
+    return this.#host.scratch((scratch) => {
+      const woken = scratch.bytes(4);
+      this.call('lr_world_wake_box', scratch.copy(Float32Array, three(low, 'low')), scratch.copy(Float32Array, three(high, 'high')), woken);
+      return this.#host.heap.view.getUint32(woken, true);
+    });
+  }
+
+  addForces(forces) {
+    this.#host.scratch((scratch) => this.call('lr_body_add_force', scratch.structs('lr_body_force', forces), forces.length));
+  }
+
+  setPairContact(a, b, enabled) {
+    this.call('lr_batch_set_pair_contact', a.handle, b.handle, enabled ? 1 : 0);
+  }
+
+  pairContact(a, b) {
+    return this.#host.scratch((scratch) => {
+      const out = scratch.bytes(4);
+      this.call('lr_batch_get_pair_contact', a.handle, b.handle, out);
+      return this.#host.heap.view.getInt32(out, true) === 1;
+    });
+  }
+
+  // Colliders.
+
+  createColliders(descs) {
+    return this.#host.scratch((scratch) => {
+      const out = scratch.bytes(8 * descs.length);
+      const plain = descs.map(({ vertices = null, indices = null, heights = null, ...desc }) => ({
+        ...desc,
+        ...(vertices && { vertexCount: desc.vertexCount ?? vertices.length / 3, vertices: scratch.copy(Float32Array, vertices) }),
+        ...(indices && { triangleCount: desc.triangleCount ?? indices.length / 3, indices: scratch.copy(Uint32Array, indices) }),
+        ...(heights && { heights: scratch.copy(Float32Array, checkedHeights(heights, desc.counts)) }),
+      }));
+      this.call('lr_collider_create', scratch.structs('lr_collider_desc', plain), descs.length, out);
+      return this.#host.heap.array(BigUint64Array, out, descs.length).slice();
+    });
+  }
+
+  createCollider(desc) {
+    return this.createColliders([desc])[0];
+  }
+
+  destroyColliders(ids) {
+    this.#withIds(ids, (at, count) => this.call('lr_collider_destroy', at, count));
+  }
+
+  moveColliders(motions) {
+    this.#host.scratch((scratch) => this.call('lr_collider_move', scratch.structs('lr_collider_motion', motions), motions.length));
+  }
+
+  colliderState(id) {
+    return this.get('lr_collider_state', 'lr_collider_get_state', id);
+  }
+
+  setColliderSurface(ids, surface) {
+    this.#withIds(ids, (at, count, scratch) =>
+      this.call('lr_collider_set_surface', at, count, scratch.struct('lr_collider_surface', surface)));
+  }
+
+  // What happened, and what is where.
+
+  setContactEvents(capacity, kinds = LR.EVENTS_ALL) {
+    this.call('lr_world_set_contact_events', capacity, capacity === 0 ? 0 : kinds);
+  }
+
+  /** Those of the last step. */
+  contactEvents() {
+    const { count, events, lost, totalLost } = this.get('lr_contact_event_list', 'lr_world_get_contact_events');
+    const size = 64;
+    return {
+      events: Array.from({ length: count }, (_, i) => this.#host.heap.read('lr_contact_event', events + size * i)), lost, totalLost,
+    };
+  }
+
+  /** One hit a ray, null where nothing is hit. */
+  rayCast(rays) {
+    const size = 48;
+    return this.#host.scratch((scratch) => {
+      const hits = scratch.bytes(size * rays.length);
+      this.call('lr_world_ray_cast', scratch.structs('lr_ray', rays.map(withBatch)), rays.length, hits);
+      return rays.map((_, i) => {
+        const hit = this.#host.heap.read('lr_ray_hit', hits + size * i);
+        return hit.body === 0n && hit.collider === 0n ? null : hit;
+      });
+    });
+  }
+
+  overlap(desc) {
+    return this.#host.scratch((scratch) => {
+      const at = scratch.struct('lr_overlap_desc', withBatch(desc));
+      const out = scratch.bytes(4);
+      let count = 64;
+      for (;;) {
+        const bodies = scratch.bytes(8 * count);
+        const capacity = count;
+        const status = this.#host.invoke('lr_world_overlap', this.address, at, bodies, capacity, out);
+        count = this.#host.heap.view.getUint32(out, true);
+        if (status === LR.OK) return this.#host.heap.array(BigUint64Array, bodies, count).slice();
+        if (status !== LR.ERROR_BUFFER_TOO_SMALL) throw this.#host.error('lr_world_overlap', status);
+      }
+    });
+  }
+}
+
+// Where no world is in scope: the host's list of callbacks must not keep one from being collected.
+const logTo = (world, log) => (level, message) => {
+  if (level === LR.LOG_ERROR) world.deref()?.hear(message);
+  log?.(level, message);
+};
+
+const withBatch = ({ batch, ...desc }) => (batch ? { ...desc, batch: batch.handle ?? batch } : desc);
+
+function three(values, name) {
+  if (values?.length !== 3) throw new RangeError(`${name} must have 3 elements, not ${values?.length}`);
+  return values;
+}
+
+function checkedHeights(heights, counts) {
+  if (counts && heights.length !== counts[0] * counts[1])
+    throw new RangeError(`a heightfield of ${counts[0]} by ${counts[1]} samples has ${counts[0] * counts[1]} heights, not ${heights.length}`);
+  return heights;
+}

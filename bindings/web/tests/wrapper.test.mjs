@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: MIT
+// The package as it is delivered, in node. LR_PACKAGE: its folder; LR_LEAF: an asset; LR_NATIVE: what storm.c printed, LR_SNAPSHOT: and wrote.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import test from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+import { hex, storm } from './storm.mjs';
+
+const from = (name) => import(`${pathToFileURL(process.env.LR_PACKAGE)}/${name}`);
+const { load, LR, LangevinRigidError, Asset, World, Batch, TransformBuffer } = await from('langevin_rigid.mjs');
+const { functions, structs, headerVersion } = await from('src/generated/api.mjs');
+const lr = await load();
+const leafBytes = await readFile(process.env.LR_LEAF);
+const leaf = lr.loadAsset(leafBytes);
+const refused = (name, said) => (error) => {
+  assert.ok(error instanceof LangevinRigidError, String(error));
+  assert.equal(error.statusName, `LR_ERROR_${name}`);
+  assert.equal(error.status, LR[`ERROR_${name}`]);
+  if (said) assert.match(error.message, said);
+  return true;
+};
+const scene = (desc = {}, capacity = 100) => {
+  const world = lr.createWorld(desc);
+  return { world, batch: world.createBatch({ asset: leaf, capacity }) };
+};
+
+test('the module is of this header, with SIMD, and has every function', () => {
+  assert.equal(lr.raw.lr_version(), headerVersion);
+  assert.deepEqual(lr.simdTargets(), [LR.SIMD_WASM]);
+  assert.equal(lr.simdTargetName(LR.SIMD_WASM), 'WebAssembly');
+  assert.match(lr.version, /^\d+\.\d+\.\d+$/);
+  for (const name of functions) assert.equal(typeof lr.raw[name], 'function', name);
+});
+
+test('every C function is called by the wrapper', async () => {
+  const files = ['langevin_rigid.mjs', ...['asset', 'batch', 'host', 'world'].map((name) => `src/${name}.mjs`)];
+  const source = (await Promise.all(files.map((file) => readFile(`${process.env.LR_PACKAGE}/${file}`, 'utf8')))).join('\n');
+  const without = new Set(['lr_asset_load_file']); // there are no files; fetchAsset
+  const missing = functions.filter((name) => !without.has(name) && !name.endsWith('_init') && !source.includes(name));
+  assert.deepEqual(missing, []);
+});
+
+test('struct layouts are those of the module', () => {
+  for (const [name, { size, init, fields }] of Object.entries(structs)) {
+    if (!init) continue;
+    const at = lr.raw.malloc(size + 8);
+    new Uint8Array(lr.memory.buffer, at, size + 8).fill(0xab);
+    assert.equal(lr.raw[init](at, size), LR.OK, name);
+    assert.equal(new DataView(lr.memory.buffer).getUint32(at, true), size, name);
+    assert.equal(lr.raw[init](at, size - 1), LR.ERROR_STRUCT_SIZE, `${name}: a byte less`);
+    assert.deepEqual([...new Uint8Array(lr.memory.buffer, at + size, 8)], Array(8).fill(0xab), `${name} ends there`);
+    assert.ok(fields.length > 0);
+    lr.raw.free(at);
+  }
+  assert.deepEqual(lr.initial('lr_world_desc').gravity.map((g) => Math.round(100 * g)), [0, -981, 0]);
+  assert.equal(lr.initial('lr_surface_desc').density, 998);
+  assert.equal(lr.initial('lr_emitter_desc').scaleMax, 1);
+  assert.deepEqual(lr.initial('lr_collider_desc').orientation, [0, 0, 0, 1]);
+});
+
+test('assets: what they are, references, faults', async () => {
+  const { info } = leaf;
+  assert.equal(Math.round(info.density), 350);
+  assert.ok(info.mass > 0 && info.hullVertexCount > 0 && info.addedMass.length === 36 && typeof info.contentHash === 'bigint');
+  assert.equal(info.name, 'leaf');
+  assert.equal((await lr.fetchAsset(pathToFileURL(process.env.LR_LEAF))).info.contentHash, info.contentHash);
+  const copy = leaf.clone();
+  copy.dispose();
+  copy.dispose();
+  assert.throws(() => copy.info, /disposed/);
+  assert.equal(leaf.info.mass, info.mass);
+  assert.ok(Math.max(...leaf.aerodynamics.drag) > 0);
+  const damaged = new Uint8Array(leafBytes);
+  damaged[200] ^= 1;
+  assert.deepEqual(lr.checkAsset(leafBytes), []);
+  const [fault] = lr.checkAsset(damaged);
+  assert.ok(fault.number > 0 && fault.remedy.length > 0);
+  assert.throws(() => lr.loadAsset(damaged), refused('ASSET_CORRUPT', new RegExp(`fault ${fault.number}`)));
+  assert.throws(() => lr.loadAsset(new Uint8Array(3)), refused('ASSET_FORMAT'));
+  assert.throws(() => lr.loadAsset('leaf.lrb'), TypeError);
+  const paper = lr.createRigid({ mass: 0.001, volume: 1e-5, inertia: [1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6], extents: [0.1, 0.1, 0.001], aerodynamics: leaf.aerodynamics });
+  assert.equal(paper.info.mass, 0.001);
+  assert.deepEqual(paper.aerodynamics.drag, leaf.aerodynamics.drag);
+  assert.throws(() => lr.createEllipsoid({ semiAxes: [0, 1, 1], density: 1 }), refused('INVALID_ARGUMENT'));
+  await assert.rejects(lr.fetchAsset(new URL('nowhere.lrb', import.meta.url)), /nowhere/);
+});
+
+test('errors name function, status and reason, and mistakes are not written', () => {
+  const { world, batch } = scene();
+  assert.throws(() => world.step(-1), refused('TIMESTEP_NEGATIVE', /lr_world_step/));
+  assert.throws(() => world.step(0), refused('TIMESTEP_ZERO'));
+  assert.throws(() => world.step(1 / 60, 0), refused('SUBSTEPS'));
+  assert.throws(() => lr.createWorld({ workerCount: 2 }), refused('THREADS'));
+  assert.throws(() => lr.createWorld({ simdTarget: LR.SIMD_AVX2 }), refused('UNSUPPORTED'));
+  assert.throws(() => lr.createWorld({ sead: 1 }), /no field sead; it has .*seed/);
+  assert.throws(() => lr.createWorld({ seed: -1 }), RangeError);
+  assert.throws(() => lr.createWorld({ seed: 1.5 }), RangeError);
+  assert.throws(() => lr.createWorld({ gravity: [0, -9] }), /gravity must have 3 elements/);
+  assert.throws(() => lr.createWorld({ gravity: [0, NaN, 0] }), refused('NOT_FINITE'));
+  assert.throws(() => world.createBatch({ capacity: 1 }), /needs an asset/);
+  assert.throws(() => world.createBatch({ asset: leaf, capacity: '10' }), TypeError);
+  assert.throws(() => world.createBatch({ asset: leaf, capacity: 0 }), refused('INVALID_ARGUMENT'));
+  const body = batch.createBody();
+  world.destroyBodies(body);
+  assert.throws(() => world.bodyState(body), refused('STALE_BODY'));
+  assert.throws(() => world.destroyBodies([body]), refused('STALE_BODY'));
+  assert.throws(() => batch.createBodies({ count: 101 }), refused('CAPACITY'));
+  assert.throws(() => batch.createBodies({ count: 2, position: [0] }), /6 elements, not 1/);
+  assert.throws(() => batch.createBodies({ count: 1, speed: [0] }), /no speed/);
+  batch.destroy();
+  assert.throws(() => batch.view(), refused('STALE_BATCH'));
+  world.dispose();
+  world.dispose();
+  assert.throws(() => world.step(1 / 60), /disposed/);
+  assert.equal(lr.statusString(LR.ERROR_THREADS), 'the worker threads could not be started');
+});
+
+test('bodies: made singly and many at once, read, set, forced, at rest', () => {
+  const { world, batch } = scene({ gravity: [0, 0, 0] });
+  const single = batch.createBody({ position: [1, 2, 3], key: 9, scale: 2 });
+  const many = batch.createBodies({ count: 3, position: [0, 0, 0, 1, 0, 0, 2, 0, 0], scale: [1, 2, 3], key: [5, 6, 7] });
+  const objects = batch.createBodies([{ position: [5, 5, 5] }, { orientation: [1, 0, 0, 0] }]);
+  assert.equal(world.info.bodyCount, 6);
+  assert.equal(typeof single, 'bigint');
+  const state = world.bodyState(single);
+  assert.deepEqual(state.position, [1, 2, 3]);
+  assert.deepEqual([state.key, state.scale], [9, 2]);
+  assert.deepEqual(world.bodyState(many[2]).position, [2, 0, 0]);
+  assert.deepEqual([...many].map((id) => world.bodyState(id).key), [5, 6, 7]);
+  assert.deepEqual(world.bodyState(many[1]).orientation, [0, 0, 0, 1]);
+  assert.deepEqual(world.bodyState(objects[1]).orientation, [1, 0, 0, 0]);
+  world.setBodyState(single, { linearVelocity: [0, 1, 0] });
+  assert.deepEqual(world.bodyState(single).linearVelocity.map(Math.fround), [0, 1, 0]);
+  assert.deepEqual(world.bodyState(single).position, [1, 2, 3]);
+  world.addForces([{ body: many[0], mode: LR.FORCE_MODE_VELOCITY, force: [3, 0, 0] }]);
+  assert.ok(Math.abs(world.bodyState(many[0]).linearVelocity[0] - 3) < 1e-5);
+  batch.addForces({ mode: LR.FORCE_MODE_VELOCITY, first: 1, force: [[1, 1], [0, 0], [0, 0]] });
+  const { velocity } = batch.view();
+  assert.ok(Math.abs(velocity[0][2] - 1) < 1e-5 && Math.abs(velocity[0][3]) < 1e-5);
+  assert.throws(() => batch.addForces({ force: [[1], [1, 2], [1]] }), RangeError);
+  batch.setForce({ acceleration: [0, 1, 0] });
+  world.setRest(many, true);
+  assert.equal(batch.view().awakeCount, 3);
+  assert.equal(world.wakeBox([-10, -10, -10], [10, 10, 10]), 3);
+  world.step(1 / 60);
+  batch.setForce(null);
+  world.destroyBodies(many);
+  assert.equal(batch.view().count, 3);
+  world.dispose();
+});
+
+test('wind, water and their callbacks', () => {
+  const { world, batch } = scene({ gravity: [0, 0, 0] });
+  batch.createBodies({ count: 4, position: [0, 5, 0, 1, 5, 0, 2, 5, 0, 3, -5, 0] });
+  world.setWind({ velocity: [2, 0, 0] });
+  assert.deepEqual([...world.sampleWind([0, 0, 0, 1, 1, 1])], [2, 0, 0, 2, 0, 0]);
+  const source = world.addWind({ kind: LR.WIND_SOURCE_GRID, counts: [2, 1, 1], samples: [0, 1, 0, 0, 3, 0], outside: LR.WIND_OUTSIDE_CLAMP });
+  assert.deepEqual([...world.sampleWind([0.5, 0, 0])], [2, 2, 0]);
+  assert.throws(() => world.addWind({ kind: LR.WIND_SOURCE_GRID, counts: [2, 1, 1], samples: [1] }), /6 numbers, not 1/);
+  world.updateWind(source, { kind: LR.WIND_SOURCE_LAMB_OSEEN });
+  world.removeWind(source);
+  assert.throws(() => world.removeWind(source), refused('STALE_WIND_SOURCE'));
+  let asked = 0;
+  world.setWindCallback((query) => {
+    asked += query.count;
+    assert.equal(query.batch, batch.handle);
+    for (let i = 0; i < query.count; ++i) {
+      assert.ok(Math.abs(query.position[1][i]) <= 6);
+      query.velocity[2][i] = 4;
+    }
+  });
+  for (let i = 0; i < 30; ++i) world.step(1 / 60, 2);
+  assert.equal(asked, 4 * 60);
+  assert.ok(batch.view().position[2][0] > 0.3, 'bodies are carried along');
+  const before = world.hash();
+  world.setWindCallback(() => {
+    throw new Error('of the callback');
+  });
+  assert.throws(() => world.step(1 / 60), /of the callback/);
+  assert.notEqual(world.hash(), before);
+  world.setWindCallback(null);
+  world.setSurface({ density: 1000, reach: 1, waves: [{ direction: [1, 0, 0], length: 5, amplitude: 0.1 }] });
+  let wet = 0;
+  world.setSurfaceCallback((query) => {
+    wet += query.height.length + query.normal[0].length - query.count;
+  });
+  world.step(1 / 60);
+  assert.ok(wet > 0);
+  world.setSurfaceCallback(null);
+  world.setSurface(null);
+  world.setWind(null);
+  world.dispose();
+});
+
+test('colliders, events, rays and overlaps', () => {
+  const { world, batch } = scene();
+  const [ground, hull, field, mesh] = world.createColliders([
+    { kind: LR.COLLIDER_PLANE },
+    { kind: LR.COLLIDER_HULL, position: [50, 0, 0], vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1] },
+    { kind: LR.COLLIDER_HEIGHTFIELD, position: [100, 0, 0], counts: [2, 3], heights: [0, 1, 2, 3, 4, 5] },
+    { kind: LR.COLLIDER_MESH, position: [150, 0, 0], vertices: [0, 0, 0, 1, 0, 0, 0, 0, 1], indices: [0, 1, 2] },
+  ]);
+  assert.throws(() => world.createCollider({ kind: LR.COLLIDER_HEIGHTFIELD, counts: [2, 3], heights: [0] }), /6 heights, not 1/);
+  assert.equal(world.info.colliderCount, 4);
+  assert.equal(world.colliderState(field).kind, LR.COLLIDER_HEIGHTFIELD);
+  world.moveColliders([{ collider: hull, mode: LR.MOVE_PLACE, position: [60, 0, 0] }]);
+  assert.deepEqual(world.colliderState(hull).position, [60, 0, 0]);
+  world.setColliderSurface([ground, mesh], { friction: 2 });
+  assert.equal(world.colliderState(mesh).friction, 2);
+  batch.setContact({ friction: 1 });
+  assert.equal(batch.contact.friction, 1);
+  world.setPairContact(batch, batch, true);
+  assert.equal(world.pairContact(batch, batch), true);
+  world.setPairContact(batch, batch, false);
+  world.setContactEvents(100);
+  const body = batch.createBody({ position: [0, 0.3, 0] });
+  const begun = [];
+  for (let i = 0; i < 200; ++i) {
+    world.step(1 / 60);
+    begun.push(...world.contactEvents().events.filter((event) => event.kind === LR.CONTACT_BEGIN));
+  }
+  assert.ok(begun.length > 0 && begun[0].body === body && begun[0].collider === ground && begun[0].normal[1] > 0.99, String(begun.length));
+  const [down, up] = world.rayCast([{ origin: [3, 10, 0], direction: [0, -1, 0] }, { origin: [3, 10, 0], direction: [0, 1, 0], batch }]);
+  assert.equal(down.collider, ground);
+  assert.ok(Math.abs(down.distance - 10) < 1e-3);
+  assert.equal(up, null);
+  assert.deepEqual([...world.overlap({ size: [1, 0, 0], position: world.bodyState(body).position, batch })], [body]);
+  const more = batch.createBodies({ count: 99, position: new Float32Array(3 * 99).fill(30) });
+  assert.equal(world.overlap({ size: [1, 0, 0], position: [30, 30, 30] }).length, more.length);
+  world.destroyColliders(mesh);
+  assert.throws(() => world.colliderState(mesh), refused('STALE_COLLIDER'));
+  world.dispose();
+});
+
+test('rules, emitters, rates, budgets, gains, tables', () => {
+  const { world, batch } = scene();
+  batch.setEmitter({ shape: LR.EMIT_BOX, position: [0, 10, 0], size: [5, 0, 5], rate: 60 });
+  batch.setRules({ action: LR.END_RESPAWN, maxAge: 0.5, volumes: [{ shape: LR.VOLUME_PLANE, side: LR.KILL_INSIDE, center: [0, -50, 0], size: [0, 1, 0] }] });
+  assert.equal(batch.emit(3).length, 3);
+  let born = 3;
+  let ended = 0;
+  for (let i = 0; i < 60; ++i) {
+    world.step(1 / 60);
+    const { events } = batch;
+    assert.equal(events.bornIds.length, events.born);
+    assert.equal(events.endedIds.length, events.respawned);
+    born += events.born;
+    ended += events.respawned;
+  }
+  assert.equal(batch.events.totalBorn, born);
+  assert.ok(born > 55 && ended > 20, `${born} ${ended}`);
+  batch.setRules(null);
+  batch.setEmitter(null);
+  batch.setRate({ divisor: 4 });
+  assert.equal(batch.pace.divisor, 4);
+  batch.setRate(null);
+  world.setBudget({ kind: LR.BUDGET_BODY_SUBSTEPS, bodySubsteps: 10 });
+  world.step(1 / 60);
+  assert.ok(world.stepReport.bodySubstepsWanted > 10);
+  world.setBudget({ kind: LR.BUDGET_TIME, seconds: 0.01 });
+  world.step(1 / 60);
+  assert.ok(world.stepReport.seconds > 0, 'the module has a clock');
+  world.setBudget(null);
+  batch.setLoadGains({ drag: 2 });
+  const stronger = { ...batch.aerodynamics, intensity: 0 };
+  batch.setAerodynamics(stronger);
+  assert.equal(batch.aerodynamics.intensity, 0);
+  batch.setAerodynamics(null);
+  batch.setTurbulenceTable({ chi: [1, 2], epsilon: [1, 1], dt: 0.1, u0: 1, l: 0.1 });
+  assert.throws(() => batch.setTurbulenceTable({ chi: [1], epsilon: [1, 1] }), RangeError);
+  batch.setTurbulenceTable(null);
+  world.setGravity([0, -1.6, 0]);
+  world.setSimdTarget(LR.SIMD_WASM);
+  assert.throws(() => world.setSimdTarget(LR.SIMD_NEON), refused('UNSUPPORTED'));
+  world.dispose();
+});
+
+test('hash and snapshot are those of the native library', async () => {
+  const [native] = (await readFile(process.env.LR_NATIVE, 'utf8')).split('\n');
+  const [expected, , , bodies, frames] = [...native.split(' ').slice(0, 3), 2000, 60];
+  const { world } = storm(lr, LR, leaf, bodies);
+  for (let frame = 0; frame < frames; ++frame) world.step(1 / 64, 2);
+  assert.equal(hex(world.hash()), expected);
+  const theirs = new Uint8Array(await readFile(process.env.LR_SNAPSHOT));
+  assert.ok(Buffer.from(world.saveSnapshot()).equals(Buffer.from(theirs)), 'the same bytes');
+  const other = storm(lr, LR, leaf, bodies).world;
+  assert.notEqual(hex(other.hash()), expected);
+  other.restoreSnapshot(theirs);
+  assert.equal(hex(other.hash()), expected);
+  world.step(1 / 64);
+  other.step(1 / 64);
+  assert.equal(other.hash(), world.hash());
+  theirs[100] ^= 1;
+  assert.throws(() => other.restoreSnapshot(theirs), refused('SNAPSHOT_FORMAT'));
+  assert.throws(() => scene({}, 5).world.restoreSnapshot(world.saveSnapshot()), refused('SNAPSHOT_MISMATCH'));
+  world.dispose();
+  other.dispose();
+});
+
+test('100,000 bodies, views and transforms without copies', () => {
+  const count = 100000;
+  const { world, batch } = storm(lr, LR, leaf, count);
+  const transforms = batch.createTransforms();
+  for (let i = 0; i < 5; ++i) world.step(1 / 60);
+  const matrices = transforms.write();
+  const view = batch.view();
+  assert.equal(matrices.length, 16 * count);
+  assert.equal(matrices.buffer, lr.memory.buffer);
+  assert.equal(view.position[0].buffer, lr.memory.buffer);
+  for (const i of [0, 777, count - 1])
+    assert.deepEqual([...matrices.subarray(16 * i + 12, 16 * i + 15)], view.position.map((p) => p[i]));
+  const x = view.position[0][5];
+  world.step(1 / 60);
+  assert.notEqual(view.position[0][5], x, 'the view shows the present state');
+  world.setRest(view.ids.subarray(0, count - 10).slice(), true);
+  assert.equal(transforms.writeMoved().length, 16 * count, 'places have changed');
+  world.step(1 / 60);
+  assert.equal(transforms.writeMoved().length, 16 * 10);
+  transforms.dispose();
+  assert.throws(() => transforms.write(), /disposed/);
+  world.dispose();
+});
+
+test('the memory grows: buffers follow, old views are empty, nothing is lost', async () => {
+  const small = await load();
+  const { world, batch } = storm(small, LR, small.loadAsset(leafBytes), 1000);
+  const transforms = batch.createTransforms(LR.TRANSFORM_3X4_ROW_MAJOR);
+  const old = { buffer: small.memory.buffer, view: batch.view(), array: transforms.write() };
+  const first = [...old.array.subarray(0, 12)];
+  const other = world.createBatch({ asset: small.createEllipsoid({ semiAxes: [0.02, 0.02, 0.0005], density: 300 }), capacity: 2e5 });
+  assert.notEqual(small.memory.buffer, old.buffer);
+  assert.equal(old.view.position[0].length, 0);
+  assert.equal(old.array.length, 0);
+  assert.deepEqual([...transforms.array.subarray(0, 12)], first);
+  assert.deepEqual([...transforms.write().subarray(0, 12)], first);
+  other.createBodies({ count: 2e5 });
+  world.step(1 / 60);
+  assert.equal(other.view().count, 2e5);
+});
+
+test('out of memory is a status, and the world is as it was', async () => {
+  const { world, batch } = scene();
+  batch.createBody();
+  const before = world.hash();
+  assert.throws(() => world.createBatch({ asset: leaf, capacity: 2 ** 26 }), refused('OUT_OF_MEMORY'));
+  // By way of std::vector, which can't throw here: a heap that is filled up first.
+  const full = await load();
+  const asset = full.loadAsset(leafBytes);
+  const small = full.createWorld();
+  const filled = [];
+  for (let size = 1 << 28; size >= 16; size >>= 1) for (let at; (at = full.raw.malloc(size)) !== 0;) filled.push(at);
+  assert.throws(() => full.createEllipsoid({ semiAxes: [1, 1, 1], density: 1 }), refused('OUT_OF_MEMORY'));
+  assert.throws(() => small.createBatch({ asset, capacity: 1000 }), refused('OUT_OF_MEMORY'));
+  for (const at of filled) full.raw.free(at);
+  const stack = full.raw.__stack_pointer.value;
+  small.createBatch({ asset, capacity: 1000 }).createBodies({ count: 1000 });
+  small.step(1 / 60);
+  assert.equal(full.raw.__stack_pointer.value, stack);
+  assert.equal(world.hash(), before);
+  world.step(1 / 60);
+});
+
+test('a defect ends the module, and says so', async () => {
+  const broken = await load();
+  const world = broken.createWorld();
+  world.createBatch({ asset: broken.loadAsset(leafBytes), capacity: 10 }).createBody();
+  new Uint32Array(broken.memory.buffer, world.address, 512).fill(0x7ffffff0); // addresses behind the end of memory
+  assert.throws(() => world.hash(), refused('INTERNAL'));
+  assert.throws(() => broken.createWorld(), /stopped in lr_world_hash/);
+});
+
+test('what is forgotten is collected', async () => {
+  const own = await load();
+  const asset = own.loadAsset(leafBytes);
+  for (let i = 0; i < 300; ++i) { // some GB in all
+    const world = own.createWorld();
+    world.createBatch({ asset, capacity: 50000 }).createTransforms();
+    if (i % 10 === 9) {
+      globalThis.gc();
+      await new Promise((resolve) => setTimeout(resolve, 2));
+    }
+  }
+  assert.ok(own.memory.buffer.byteLength < 3e8, String(own.memory.buffer.byteLength));
+  for (const [Class, made] of [[Asset, asset], [World, own.createWorld()]]) assert.ok(made instanceof Class);
+  assert.ok(Batch && TransformBuffer);
+});
+
+test('a module is loaded from an address, bytes, or compiled', async () => {
+  const url = new URL(`${pathToFileURL(process.env.LR_PACKAGE)}/langevin_rigid.wasm`);
+  const bytes = await readFile(url);
+  for (const wasm of [url, url.href, bytes, new Uint8Array(bytes).buffer, await WebAssembly.compile(bytes)])
+    assert.equal((await load({ wasm })).version, lr.version);
+  await assert.rejects(load({ wasm: new Uint8Array([1, 2, 3, 4]) }), WebAssembly.CompileError);
+});
+
+test('its log reaches the caller', () => {
+  const said = [];
+  const world = lr.createWorld({ log: (level, message) => said.push([level, message]) });
+  assert.throws(() => world.step(NaN), refused('TIMESTEP_NOT_FINITE'));
+  assert.ok(said.some(([level]) => level === LR.LOG_ERROR), JSON.stringify(said));
+  world.dispose();
+});

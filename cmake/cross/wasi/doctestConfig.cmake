@@ -1,0 +1,6 @@
+include("${CMAKE_CURRENT_LIST_DIR}/host_headers.cmake")
+add_library(doctest::doctest INTERFACE IMPORTED)
+lr_host_headers(doctest::doctest doctest)
+target_compile_definitions(doctest::doctest INTERFACE DOCTEST_CONFIG_NO_EXCEPTIONS_BUT_WITH_ALL_ASSERTS)
+target_compile_definitions(doctest::doctest INTERFACE DOCTEST_CONFIG_NO_MULTITHREADING DOCTEST_CONFIG_NO_POSIX_SIGNALS _WASI_EMULATED_SIGNAL)
+target_link_libraries(doctest::doctest INTERFACE -lwasi-emulated-signal)

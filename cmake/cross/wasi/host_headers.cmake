@@ -1,0 +1,10 @@
+# Headers of this machine's packages that are headers alone, without those of its C library beside them in /usr/include.
+function(lr_host_headers target folder)
+    find_path(LR_HOST_${folder} "${folder}" PATHS /usr/include /usr/local/include REQUIRED NO_DEFAULT_PATH)
+    set(links "${PROJECT_BINARY_DIR}/host_headers/${folder}")
+    file(MAKE_DIRECTORY "${links}")
+    file(CREATE_LINK "${LR_HOST_${folder}}/${folder}" "${links}/${folder}" SYMBOLIC)
+    foreach(property INTERFACE_INCLUDE_DIRECTORIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES)
+        set_property(TARGET ${target} APPEND PROPERTY ${property} "${links}")
+    endforeach()
+endfunction()

@@ -1,0 +1,24 @@
+# WebAssembly with 128-bit SIMD, by clang and Debian's wasi-libc (scripts/setup.sh test). docs/integration/web.md
+#   cmake -B build/wasm -G Ninja -DCMAKE_TOOLCHAIN_FILE=cmake/wasm32-wasi.cmake -DCMAKE_BUILD_TYPE=Release
+#   cmake --build build/wasm --target langevin_rigid_wasm
+set(CMAKE_SYSTEM_NAME WASI)
+set(CMAKE_SYSTEM_PROCESSOR wasm32)
+set(CMAKE_C_COMPILER clang-14)
+set(CMAKE_CXX_COMPILER clang++-14)
+set(CMAKE_C_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
+set(CMAKE_AR llvm-ar-14 CACHE FILEPATH "")
+set(CMAKE_RANLIB llvm-ranlib-14 CACHE FILEPATH "")
+set(CMAKE_C_FLAGS_INIT "-msimd128")
+set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fno-exceptions")
+# The linker's 64 KiB of stack are too few for the kernel's blocks. At the bottom of memory, where running over it is caught.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,--stack-first -Wl,-z,stack-size=1048576")
+set(CMAKE_CROSSCOMPILING_EMULATOR "node;${CMAKE_CURRENT_LIST_DIR}/cross/run_wasi.mjs")
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+
+# Of the other libraries the runtime needs headers alone, but for libccd, which is compiled along.
+list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}/cross/wasi")
+set(FlatBuffers_DIR "${CMAKE_CURRENT_LIST_DIR}/cross" CACHE PATH "FlatBuffers' headers and its compiler for this machine")
+set(HWY_DIR "${CMAKE_CURRENT_LIST_DIR}/cross" CACHE PATH "Highway's headers")
+set(ccd_DIR "${CMAKE_CURRENT_LIST_DIR}/cross/wasi" CACHE PATH "libccd's sources")
+set(doctest_DIR "${CMAKE_CURRENT_LIST_DIR}/cross/wasi" CACHE PATH "Its header")
