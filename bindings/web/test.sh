@@ -67,12 +67,13 @@ step "sample" node "$web/sample.mjs" "$package" "$work/leaf.lrb"
 
 if tsc=$(command -v tsc); then
     mkdir -p "$work/types" && cp "$web/tests/types.mts" "$work/types" && ln -sfn "$package" "$work/types/langevin-rigid"
-    types() { (cd "$work/types" && "$tsc" --noEmit --strict --module nodenext --moduleResolution nodenext --target es2022 --lib es2022,dom --types "" types.mts); }
+    types() { (cd "$work/types" && "$tsc" --noEmit --strict --module nodenext --moduleResolution nodenext --target es2022 --lib es2022,dom types.mts); }
     step "types" types
 else
     skip "the check of types" TypeScript "apt-get install node-typescript, or npm install --global typescript"
 fi
 if chromium=$(command -v chromium || command -v google-chrome); then
+    step "site" "$web/site.sh" "$prefix"
     step "page in a browser" node "$web/tests/page.mjs" "$chromium" "$root/build/web/site" "$work"
 else
     skip "the page" chromium "scripts/setup.sh test"
