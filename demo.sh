@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a mesh to a leaf storm: set-up, build, bake, 20,000 leaves in wind and on the ground, pictures and tables. Results in demo/.
+# From a mesh to a leaf storm: set-up, build, bake, 20,000 leaves in wind and on the ground, pictures and tables; a viewer. Results in demo/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -7,6 +7,7 @@ step() { printf '\n== %s\n' "$*"; }
 
 step "Set-up"
 scripts/setup.sh build
+source scripts/compiler_cache.sh
 
 mkdir -p build demo
 step "Build and install the library and the baker"
@@ -42,4 +43,7 @@ build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --cou
     --walk 1.6 --gusts 6 --gust-speed 5 --substeps 2 --seconds 7.3 --check --threads "$(nproc)" \
     --at 1.2,2.8,4.4,5.1,6.7,7.3 --width 960 --height 540 --png demo/a_heap_of_leaves.png --json demo/a_heap_of_leaves.json
 
-printf '\nLook at demo/leaf_storm.png (the storm), demo/tracks.png (single falls), demo/leaves_on_the_ground.png, and\ndemo/a_heap_of_leaves.png.\n'
+step "A look through the viewer: samples/viewer"
+build/demo-samples/viewer --seconds 12 --count 9000 --trails --threads "$(nproc)" --png demo/viewer.png
+
+printf '\nLook at demo/leaf_storm.png (the storm), demo/tracks.png (single falls), demo/leaves_on_the_ground.png,\ndemo/a_heap_of_leaves.png, and demo/viewer.png. On a desktop: build/demo-samples/viewer\n'

@@ -14,6 +14,7 @@ configure() { # directory, arguments
 
 step "Set-up"
 scripts/setup.sh test ${CI:+arm64}
+source scripts/compiler_cache.sh
 
 step "Formatting"
 find include src samples tests \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) -print0 |
@@ -45,10 +46,20 @@ python3 tests/samples/check_assets.py .
 build/samples/import_mesh assets/leaf.obj build/samples/imported.lrb 2>/dev/null
 cmp build/samples/leaf.lrb build/samples/imported.lrb # in process and by the tool
 python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples/leaf.lrb assets/leaf.obj
+python3 tests/samples/check_viewer.py build/samples .
 python3 tests/samples/check_paper_figures.py build/samples/paper_figures "$prefix/bin/lr_bake" . build/samples
 
-step "Generator of bindings: the header as data"
+step "Bindings, each against the installed package"
 /usr/bin/python3 bindings/generator/test_api_model.py
+binding() { # its name: what it printed, as a whole
+    local log=build/binding-$1.log start=$SECONDS good=true
+    "bindings/$1/test.sh" "$2" >"$log" 2>&1 || good=false
+    echo "-- $1 ($((SECONDS - start)) s)"
+    cat "$log"
+    $good
+}
+export -f binding
+printf '%s\n' bindings/*/test.sh | cut -d/ -f2 | xargs -P "$jobs" -I{} bash -c 'binding "$@"' - {} "$prefix"
 
 step "API reference: Doxygen without a warning"
 scripts/api_reference.sh

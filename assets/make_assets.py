@@ -286,10 +286,10 @@ def petal():
 
 # --------------------------------------------------------------------------------------------------------------------
 
-def confetti():
+def rectangle(name, text, cells, size):
     """A cuboid with a grid on its large faces. The diagonals are mirrored, so that the mesh has all three planes."""
-    mesh = Mesh("confetti", "rectangle of paper, 12 mm x 6 mm, 0.1 mm")
-    nx, ny, sx, sy, sz = 20, 10, 0.012, 0.006, 0.0001
+    mesh = Mesh(name, text)
+    (nx, ny), (sx, sy, sz) = cells, size
     grid = {}
     for k in (0, 1):
         for i in range(nx + 1):
@@ -543,7 +543,10 @@ def main(arguments):
     os.makedirs(folder, exist_ok=True)
     failed = False
     for make in (leaf, leaf_maple, paper_plane, paper_plane_surface, paper_plane_layers, lambda: paper_plane_surface(1.0),
-                 lambda: paper_plane_layers(1.0), petal, confetti, lambda: ellipsoid(
+                 lambda: paper_plane_layers(1.0), petal,
+                 lambda: rectangle("confetti", "rectangle of paper, 12 mm x 6 mm, 0.1 mm", (20, 10), (0.012, 0.006, 0.0001)),
+                 lambda: rectangle("paper", "sheet of paper, 105 mm x 74 mm (A7), 0.1 mm", (14, 10), (0.105, 0.074, 0.0001)),
+                 lambda: ellipsoid(
             "ellipsoid_leaf", "the leaf of the paper: semi-axes 4 cm and 1 cm, 0.01 cm thick", (0.04, 0.01, 5e-5), 3),
             lambda: ellipsoid("ellipsoid_rubber", "the rubber ellipsoid of the paper: semi-axes 4, 2 and 1 cm",
                               (0.04, 0.02, 0.01), 3),

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test|bench|battery] [arm64]   build: library, baker, samples; test: that and what only tests use;
+#   scripts/setup.sh [build|test|bench|battery] [arm64] [blender]   build: library, baker, samples; test: that and what only tests use;
 #                                                   battery: build and what scripts/noise_battery.sh runs;
-#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM
+#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM;
+#                                                   blender: also Blender, for bindings/python
 set -euo pipefail
 
 packages=(
@@ -14,6 +15,7 @@ packages=(
     libpng-dev libboost-dev                      # baker: images and triangulation of cards
     libcli11-dev nlohmann-json3-dev              # command lines, reports
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
+    libglfw3-dev                                 # the viewer's window
 )
 if [ "${1:-build}" = bench ]; then               # test, and what docs/performance.md is made with
     packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers of lr_bench, each optional
@@ -22,13 +24,19 @@ if [ "${1:-build}" = bench ]; then               # test, and what docs/performan
 fi
 if [ "${1:-build}" = test ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
-        python3-clang-14)                        # generators of bindings
+        python3-clang-14                         # generators of bindings
+        mono-mcs mono-runtime libmono-corlib4.5-cil   # C# binding
+        xvfb xdotool                             # the viewer in a window, without a screen
+        ccache)                                  # the second run is a third of the first (scripts/compiler_cache.sh)
 fi
 if [ "${1:-build}" = battery ]; then
     packages+=(dieharder)
 fi
 if [[ " $* " == *" arm64 "* ]]; then
     packages+=(g++-aarch64-linux-gnu qemu-user-static)
+fi
+if [[ " $* " == *" blender "* ]]; then           # bindings/python: the add-on in a real Blender, 600 MB
+    packages+=(blender)
 fi
 
 missing=()

@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 EXPECTED = {  # mm^3: closed forms where there are any, else the size of the sheet
-    "confetti.obj": (7.2, 1e-6), "ellipsoid_leaf.obj": (4.0 / 3.0 * math.pi * 40 * 10 * 0.05, 0.01),
+    "confetti.obj": (7.2, 1e-6), "paper.obj": (777.0, 1e-6), "ellipsoid_leaf.obj": (4.0 / 3.0 * math.pi * 40 * 10 * 0.05, 0.01),
     # Triangles inscribed in the surface miss 0.8 %, a quarter of them 3.1 %.
     "ellipsoid_rubber.obj": (4.0 / 3.0 * math.pi * 40 * 20 * 10, 0.01),
     "ellipsoid_rubber_coarse.obj": (4.0 / 3.0 * math.pi * 40 * 20 * 10 * 0.969, 0.005),

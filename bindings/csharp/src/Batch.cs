@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+using System;
+
+namespace LangevinRigid
+{
+    /// <summary>All bodies of one asset in a world. Ends with the world, or when disposed of.</summary>
+    public sealed unsafe partial class Batch : IDisposable
+    {
+        private readonly World _world;
+        private readonly BatchId _id;
+        private bool _disposed;
+
+        internal Batch(World world, BatchId id, uint capacity)
+        {
+            _world = world;
+            _id = id;
+            Capacity = (int)capacity;
+        }
+
+        /// <summary>The world it is in.</summary>
+        public World World { get { return _world; } }
+        /// <summary>Its handle, for <see cref="Native"/> and for what names batches: rays, events, queries of fields.</summary>
+        public BatchId Id { get { return _id; } }
+        /// <summary>The most bodies at a time.</summary>
+        public int Capacity { get; private set; }
+        /// <summary>Whether it was disposed of, or its world was.</summary>
+        public bool IsDisposed { get { return _disposed || _world.IsDisposed; } }
+
+        /// <summary>Ends the batch with all its bodies.</summary>
+        public void Dispose()
+        {
+            if (IsDisposed) return;
+            _world.Leave(Native.lr_batch_destroy(_world.EnterChange(), _id), "lr_batch_destroy");
+            _disposed = true;
+        }
+
+        /// <summary>Creates a body.</summary>
+        public BodyId CreateBody(BodyDesc desc)
+        {
+            BodyId body;
+            CreateBodies(&desc, 1, &body);
+            return body;
+        }
+
+        /// <summary>Creates bodies, all or none; <paramref name="ids"/> may be null.</summary>
+        public void CreateBodies(BodyDesc* descs, int count, BodyId* ids)
+        {
+            uint number = Counts.Of(count);
+            Leave(Native.lr_body_create(EnterChange(), _id, descs, number, ids), "lr_body_create");
+        }
+
+        /// <summary>The same for an array; returns the ids.</summary>
+        public BodyId[] CreateBodies(BodyDesc[] descs)
+        {
+            if (descs == null) throw new ArgumentNullException("descs");
+            var ids = new BodyId[descs.Length];
+            fixed (BodyDesc* first = descs)
+            fixed (BodyId* to = ids) CreateBodies(first, descs.Length, to);
+            return ids;
+        }
+
+        /// <summary>Bears bodies now, as the emitter says, all or none; returns their ids.</summary>
+        public BodyId[] Emit(int count)
+        {
+            var ids = new BodyId[Counts.Of(count)];
+            fixed (BodyId* to = ids) Emit(count, to);
+            return ids;
+        }
+
+        /// <summary>The same; <paramref name="ids"/> may be null.</summary>
+        public void Emit(int count, BodyId* ids)
+        {
+            uint number = Counts.Of(count);
+            Leave(Native.lr_batch_emit(EnterChange(), _id, number, ids), "lr_batch_emit");
+        }
+
+        /// <summary>How many bodies there are.</summary>
+        public int Count { get { return (int)RawView().Count; } }
+
+        /// <summary>How many of them move.</summary>
+        public int AwakeCount { get { return (int)RawView().AwakeCount; } }
+
+        /// <summary>The state of all bodies where it lies, without a copy. It knows when it is no longer valid.</summary>
+        public BatchData View()
+        {
+            BatchView view = RawView();
+            return new BatchData(_world, view);
+        }
+
+        /// <summary>The same as the library gives it: pointers that are valid until the next call that is not a query.</summary>
+        public BatchView RawView()
+        {
+            var view = new BatchView { StructSize = (uint)sizeof(BatchView) };
+            Leave(Native.lr_batch_get_view(Enter(), _id, &view), "lr_batch_get_view");
+            return view;
+        }
+
+        /// <summary>Bytes of one transform without gaps.</summary>
+        public static int SizeOf(TransformFormat format)
+        {
+            return FloatsOf(format) * 4;
+        }
+
+        /// <summary>Writes the transforms of all bodies, in the order of the view; returns how many. <paramref name="stride"/>: bytes from
+        /// one to the next, 0 for no gaps.</summary>
+        public int WriteTransforms(TransformFormat format, void* to, ulong stride, int capacity)
+        {
+            uint room = Counts.Of(capacity), written = 0;
+            Leave(Native.lr_batch_write_transforms(Enter(), _id, format, to, stride, room, &written), "lr_batch_write_transforms");
+            return (int)written;
+        }
+
+        /// <summary>The same into an array, without gaps.</summary>
+        public int WriteTransforms(TransformFormat format, float[] to)
+        {
+            if (to == null) throw new ArgumentNullException("to");
+            fixed (float* first = to) return WriteTransforms(format, first, 0, to.Length / FloatsOf(format));
+        }
+
+        /// <summary>The same of the first <paramref name="count"/> bodies, or of all where there are fewer: for buffers that keep what was
+        /// written before, docs/rest.md.</summary>
+        public int WriteFirstTransforms(TransformFormat format, void* to, ulong stride, int count)
+        {
+            uint room = Counts.Of(count), written = 0;
+            Leave(Native.lr_batch_write_first_transforms(Enter(), _id, format, to, stride, room, &written),
+                "lr_batch_write_first_transforms");
+            return (int)written;
+        }
+
+        /// <summary>The same into an array, without gaps.</summary>
+        public int WriteFirstTransforms(TransformFormat format, float[] to, int count)
+        {
+            if (to == null) throw new ArgumentNullException("to");
+            Counts.CheckRoom(to, "to", checked(Math.Min(Math.Max(count, 0), Count) * FloatsOf(format)));
+            fixed (float* first = to) return WriteFirstTransforms(format, first, 0, count);
+        }
+
+        private static int FloatsOf(TransformFormat format)
+        {
+            switch (format)
+            {
+                case TransformFormat.PositionQuaternion: return 7;
+                case TransformFormat.PositionQuaternionScale: return 8;
+                case TransformFormat.Matrix3x4RowMajor:
+                case TransformFormat.Matrix3x4ColumnMajor: return 12;
+                case TransformFormat.Matrix4x4RowMajor:
+                case TransformFormat.Matrix4x4ColumnMajor: return 16;
+                default: throw new ArgumentOutOfRangeException("format");
+            }
+        }
+
+        internal BatchId IdIn(World world)
+        {
+            CheckAlive();
+            if (world != _world) throw new ArgumentException("The batch is in another world.");
+            return _id;
+        }
+
+        private IntPtr Enter()
+        {
+            CheckAlive();
+            return _world.Enter();
+        }
+
+        private IntPtr EnterChange()
+        {
+            CheckAlive();
+            return _world.EnterChange();
+        }
+
+        private void Leave(Status status, string function)
+        {
+            _world.Leave(status, function);
+        }
+
+        private void CheckAlive()
+        {
+            if (_disposed) throw new ObjectDisposedException("Batch");
+        }
+    }
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#if NETSTANDARD2_1 || NETSTANDARD2_1_OR_GREATER || NETCOREAPP || UNITY_2021_2_OR_NEWER
+#define LANGEVIN_SPAN
+#endif
+using System;
+
+namespace LangevinRigid
+{
+    /// <summary>A batch's state where it lies: arrays with one value a body. Bodies that move come first, then those at rest. Valid until the
+    /// next call on the world that is not a query: from then on all but <see cref="IsCurrent"/> throws. Spans and pointers taken
+    /// before are not checked: take them anew after each step.</summary>
+    public unsafe readonly ref struct BatchData
+    {
+        private readonly World _world;
+        private readonly BatchView _view;
+        private readonly ulong _change;
+
+        internal BatchData(World world, BatchView view)
+        {
+            _world = world;
+            _view = view;
+            _change = world.ChangeCount;
+        }
+
+        /// <summary>Whether nothing has been called since that could have moved or freed it.</summary>
+        public bool IsCurrent { get { return _world != null && !_world.IsDisposed && _change == _world.ChangeCount; } }
+
+        /// <summary>Bodies.</summary>
+        public int Count { get { return (int)Raw.Count; } }
+        /// <summary>Bodies [0, AwakeCount) move, the others are at rest.</summary>
+        public int AwakeCount { get { return (int)Raw.AwakeCount; } }
+        /// <summary>Differs whenever bodies at rest have woken, ended, or changed their places.</summary>
+        public ulong Revision { get { return Raw.Revision; } }
+
+        /// <summary>The pointers. Valid as long as this.</summary>
+        /// <exception cref="InvalidOperationException">The world has been called since.</exception>
+        public BatchView Raw
+        {
+            get
+            {
+                if (!IsCurrent) ThrowStale();
+                return _view;
+            }
+        }
+
+        /// <summary>Position of a body, m, world frame.</summary>
+        public Float3 Position(int index)
+        {
+            Check(index);
+            return new Float3(_view.PositionX[index], _view.PositionY[index], _view.PositionZ[index]);
+        }
+
+        /// <summary>Unit quaternion of a body, body to world.</summary>
+        public Float4 Orientation(int index)
+        {
+            Check(index);
+            return new Float4(_view.OrientationX[index], _view.OrientationY[index], _view.OrientationZ[index], _view.OrientationW[index]);
+        }
+
+        /// <summary>Velocity of a body, m/s, in the body frame.</summary>
+        public Float3 BodyVelocity(int index)
+        {
+            Check(index);
+            return new Float3(_view.VelocityX[index], _view.VelocityY[index], _view.VelocityZ[index]);
+        }
+
+        /// <summary>Angular velocity of a body, rad/s, in the body frame.</summary>
+        public Float3 BodySpin(int index)
+        {
+            Check(index);
+            return new Float3(_view.SpinX[index], _view.SpinY[index], _view.SpinZ[index]);
+        }
+
+        /// <summary>Id of a body.</summary>
+        public BodyId Id(int index)
+        {
+            Check(index);
+            return _view.Ids[index];
+        }
+
+        private void Check(int index)
+        {
+            if (!IsCurrent) ThrowStale();
+            if ((uint)index >= _view.Count) throw new ArgumentOutOfRangeException("index");
+        }
+
+        private static void ThrowStale()
+        {
+            throw new InvalidOperationException("The view is stale: its world has been called since by what is not a query. Take it anew.");
+        }
+
+#if LANGEVIN_SPAN
+        /// <summary>m, world frame.</summary>
+        public ReadOnlySpan<float> PositionX { get { return Span(Raw.PositionX); } }
+        /// <summary>m, world frame.</summary>
+        public ReadOnlySpan<float> PositionY { get { return Span(Raw.PositionY); } }
+        /// <summary>m, world frame.</summary>
+        public ReadOnlySpan<float> PositionZ { get { return Span(Raw.PositionZ); } }
+        /// <summary>Of the unit quaternion, body to world.</summary>
+        public ReadOnlySpan<float> OrientationX { get { return Span(Raw.OrientationX); } }
+        /// <summary>Of the unit quaternion, body to world.</summary>
+        public ReadOnlySpan<float> OrientationY { get { return Span(Raw.OrientationY); } }
+        /// <summary>Of the unit quaternion, body to world.</summary>
+        public ReadOnlySpan<float> OrientationZ { get { return Span(Raw.OrientationZ); } }
+        /// <summary>Of the unit quaternion, body to world.</summary>
+        public ReadOnlySpan<float> OrientationW { get { return Span(Raw.OrientationW); } }
+        /// <summary>m/s, body frame.</summary>
+        public ReadOnlySpan<float> VelocityX { get { return Span(Raw.VelocityX); } }
+        /// <summary>m/s, body frame.</summary>
+        public ReadOnlySpan<float> VelocityY { get { return Span(Raw.VelocityY); } }
+        /// <summary>m/s, body frame.</summary>
+        public ReadOnlySpan<float> VelocityZ { get { return Span(Raw.VelocityZ); } }
+        /// <summary>rad/s, body frame.</summary>
+        public ReadOnlySpan<float> SpinX { get { return Span(Raw.SpinX); } }
+        /// <summary>rad/s, body frame.</summary>
+        public ReadOnlySpan<float> SpinY { get { return Span(Raw.SpinY); } }
+        /// <summary>rad/s, body frame.</summary>
+        public ReadOnlySpan<float> SpinZ { get { return Span(Raw.SpinZ); } }
+        /// <summary>Uniform scale.</summary>
+        public ReadOnlySpan<float> Scale { get { return Span(Raw.Scale); } }
+        /// <summary>s; of a body at rest some earlier one.</summary>
+        public ReadOnlySpan<float> Age { get { return Span(Raw.Age); } }
+        /// <summary>What tells the noise of bodies apart.</summary>
+        public ReadOnlySpan<uint> Key { get { return new ReadOnlySpan<uint>(Raw.Key, Count); } }
+        /// <summary>Ids, in the order of all arrays.</summary>
+        public ReadOnlySpan<BodyId> Ids { get { return new ReadOnlySpan<BodyId>(Raw.Ids, Count); } }
+
+        private ReadOnlySpan<float> Span(float* first)
+        {
+            return new ReadOnlySpan<float>(first, Count);
+        }
+#endif
+    }
+}

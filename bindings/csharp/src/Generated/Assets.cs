@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+using System;
+using System.Runtime.InteropServices;
+
+namespace LangevinRigid
+{
+    /// <summary>What holds of an asset.</summary>
+    [Flags]
+    public enum AssetFlags : uint
+    {
+        /// <summary>No bit.</summary>
+        None = 0,
+        /// <summary>Diagonal in body axes, buoyancy at the centre of mass: the fast path applies.</summary>
+        Diagonal = 1,
+    }
+
+    /// <summary>One numbered fault of an asset file; see docs/format.md. Strings are valid during the call
+    /// only.</summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate void FaultFn(IntPtr user, uint number, byte* where, byte* what, byte* remedy);
+
+    /// <summary>A solid ellipsoid, with everything from closed forms: mass, Lamb's added mass, and the decay of k and
+    /// epsilon in a uniform stream. The quickest way to a first falling body.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct EllipsoidDesc
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary>0.</summary>
+        public uint Reserved;
+        /// <summary>m, each 1e-6 to 1e3, along body x, y, z</summary>
+        public Double3 SemiAxes;
+        /// <summary>kg/m^3 of the body, &gt; 0</summary>
+        public double Density;
+        /// <summary>kg/m^3, &gt; 0; initially 1.2, air</summary>
+        public double FluidDensity;
+        /// <summary>m^2/s, kinematic, &gt; 0; initially 1.5e-5, air</summary>
+        public double FluidViscosity;
+        /// <summary>turbulence intensity I of k0 = 3/2 (I U0)^2, 0 to 10; initially 1, as in the paper</summary>
+        public double Intensity;
+        /// <summary>m, from the centre of the ellipsoid, inside it; initially 0. A ballasted body: its centre of
+        /// buoyancy stays at the centre, its moments of inertia those of the uniform solid</summary>
+        public Double3 CenterOfMass;
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static EllipsoidDesc Create()
+        {
+            var value = default(EllipsoidDesc);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_ellipsoid_desc_init(&value, (uint)sizeof(EllipsoidDesc)), "lr_ellipsoid_desc_init");
+            return value;
+        }
+    }
+
+    /// <summary>Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC.
+    /// Everything acts at <c>Center</c> along <c>Axes</c>, which turn with the body. Arrays have a value for each axis.
+    /// v: velocity through the fluid and w: spin, both along the axes; s = |v|; (i, j, k) cyclic; d:
+    /// <see cref="AssetInfo.LengthD"/>; rho, nu: density and kinematic viscosity of the fluid.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct Aerodynamics
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary>0.</summary>
+        public uint Reserved;
+        /// <summary>rows: unit vectors in the body frame, right-handed</summary>
+        public fixed double Axes[9];
+        /// <summary>m^2, drag coefficient times area</summary>
+        public Double3 Drag;
+        /// <summary>m^2, the part that grows with the Reynolds number: of rounded bodies</summary>
+        public Double3 DragBlunt;
+        /// <summary>m^(3/2), of the boundary layer</summary>
+        public Double3 DragLayer;
+        /// <summary>m, of creeping flow</summary>
+        public Double3 DragStokes;
+        /// <summary>m^2, positive where the body is thinner along j than along i</summary>
+        public Double3 Lift;
+        /// <summary>m^3</summary>
+        public Double3 SpinLift;
+        /// <summary>m^3, moment rho lift_moment_k v_i v_j of that lift about k</summary>
+        public Double3 LiftMoment;
+        /// <summary>m^5</summary>
+        public Double3 SpinDrag;
+        /// <summary>m^4</summary>
+        public Double3 SpinDragStream;
+        /// <summary>m^3</summary>
+        public Double3 SpinDragStokes;
+        /// <summary>of the velocity of the fluid in the body's own wake: per axis <c>Intensity</c> times s. More than
+        /// 0.4, gains included, acts as 0.4: such a wake would feed itself</summary>
+        public double Intensity;
+        /// <summary>m, correlated over length/s</summary>
+        public double Length;
+        /// <summary>that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar</summary>
+        public double WakeReynolds;
+        /// <summary>0 to 1</summary>
+        public Double3 Broadside;
+        /// <summary>Lift stall.</summary>
+        public double LiftStall;
+        /// <summary>m^3</summary>
+        public Double3 LiftMomentStalled;
+        /// <summary>m^4</summary>
+        public Double3 RollDamping;
+        /// <summary>m, where all of it acts, from the centre of buoyancy, body frame; initially 0; within 2 d</summary>
+        public Double3 Center;
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static Aerodynamics Create()
+        {
+            var value = default(Aerodynamics);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_aerodynamics_init(&value, (uint)sizeof(Aerodynamics)), "lr_aerodynamics_init");
+            return value;
+        }
+    }
+
+    /// <summary>A body whose numbers are known, without mesh or file: from another solver, from measurements, or a
+    /// section of a card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body
+    /// axes.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct RigidDesc
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary>0.</summary>
+        public uint Reserved;
+        /// <summary>kg, &gt; 0</summary>
+        public double Mass;
+        /// <summary>m^3, &gt; 0</summary>
+        public double Volume;
+        /// <summary>kg m^2, positive definite</summary>
+        public fixed double Inertia[9];
+        /// <summary>order vx vy vz wx wy wz, fluid density included as in <see cref="AssetInfo"/>: kg, kg m, kg m^2;
+        /// positive semi-definite; initially 0</summary>
+        public fixed double AddedMass[36];
+        /// <summary>m, from the centre of mass; initially 0</summary>
+        public Double3 CenterOfBuoyancy;
+        /// <summary>kg/m^3, &gt; 0; initially 1.2, air</summary>
+        public double FluidDensity;
+        /// <summary>m^2/s, kinematic, &gt; 0; initially 1.5e-5, air</summary>
+        public double FluidViscosity;
+        /// <summary>m, full size along the body axes, &gt; 0</summary>
+        public Double3 Extents;
+        /// <summary>of the turbulence table, as in <see cref="EllipsoidDesc"/>; initially 1</summary>
+        public double Intensity;
+        /// <summary>copied; null, as initially: those of an ellipsoid with these extents</summary>
+        public Aerodynamics* Aerodynamics;
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static RigidDesc Create()
+        {
+            var value = default(RigidDesc);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_rigid_desc_init(&value, (uint)sizeof(RigidDesc)), "lr_rigid_desc_init");
+            return value;
+        }
+    }
+
+    /// <summary>What an asset is. Matrices are row-major and symmetric.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct AssetInfo
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary><see cref="AssetFlags"/></summary>
+        public AssetFlags Flags;
+        /// <summary>UTF-8, ends with 0</summary>
+        public fixed byte Name[64];
+        /// <summary>kg</summary>
+        public double Mass;
+        /// <summary>m^3</summary>
+        public double Volume;
+        /// <summary>kg/m^3</summary>
+        public double Density;
+        /// <summary>m, in the frame of the mesh: where the body origin lies in it</summary>
+        public Double3 CenterOfMass;
+        /// <summary>m, from the centre of mass, body axes</summary>
+        public Double3 CenterOfBuoyancy;
+        /// <summary>kg m^2, about the centre of mass, body axes</summary>
+        public fixed double Inertia[9];
+        /// <summary>about the centre of mass, order vx vy vz wx wy wz, fluid density included: kg for the 3x3 block of
+        /// v, kg m for the coupling, kg m^2 for the block of w</summary>
+        public fixed double AddedMass[36];
+        /// <summary>kg/m^3, of the fluid it was baked in</summary>
+        public double FluidDensity;
+        /// <summary>m^2/s, kinematic</summary>
+        public double FluidViscosity;
+        /// <summary>m, characteristic length: the largest extent</summary>
+        public double LengthD;
+        /// <summary>m, thickness</summary>
+        public double LengthB;
+        /// <summary>m, turbulence length; see docs/physics.md</summary>
+        public double LengthL;
+        /// <summary>m/s, fall velocity scale sqrt(|density ratio - 1| g b), paper Eq. 1</summary>
+        public double U0;
+        /// <summary>u0 d / viscosity</summary>
+        public double Reynolds;
+        /// <summary>Kolmogorov constant of the Langevin model, paper Eq. 10</summary>
+        public double C0;
+        /// <summary>s between table samples</summary>
+        public double TurbulenceDt;
+        /// <summary>number of table samples</summary>
+        public uint TurbulenceCount;
+        /// <summary>0 for an asset without a hull</summary>
+        public uint HullVertexCount;
+        /// <summary>Hull triangle count.</summary>
+        public uint HullTriangleCount;
+        /// <summary>of the file; 0 for an asset without a file</summary>
+        public uint FormatVersion;
+        /// <summary>of everything that matters for motion; equal for equal assets</summary>
+        public ulong ContentHash;
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static AssetInfo Create()
+        {
+            var value = default(AssetInfo);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_asset_info_init(&value, (uint)sizeof(AssetInfo)), "lr_asset_info_init");
+            return value;
+        }
+    }
+}

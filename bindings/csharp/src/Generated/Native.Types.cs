@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+using System;
+using System.Runtime.InteropServices;
+
+namespace LangevinRigid
+{
+    public static unsafe partial class Native
+    {
+        /// <summary>
+        /// <para>Writes the instruction sets that this build has and this processor can run, best first.</para>
+        /// <para>Any thread.</para>
+        /// </summary>
+        /// <param name="targets"><paramref name="capacity"/> values, may be null when capacity is 0.</param>
+        /// <param name="capacity">elements that there is room for</param>
+        /// <param name="count">how many there are, even if more than capacity.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.BufferTooSmall"/>
+        /// (count is set).</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_simd_targets(SimdTarget* targets, uint capacity, uint* count);
+
+        /// <summary>
+        /// <para>A name for people: "AVX-512", "AVX2", "SSE4", "SSSE3", "NEON", "WebAssembly", "emulated", "auto" or
+        /// "unknown"; never null; static storage.</para>
+        /// <para>Any thread.</para>
+        /// </summary>
+        /// <param name="target">target</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern byte* lr_simd_target_name(SimdTarget target);
+    }
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+using System;
+using System.Runtime.InteropServices;
+
+namespace LangevinRigid
+{
+    /// <summary>What a call returns: Ok, or a negative error. Values are stable.</summary>
+    public enum Status : int
+    {
+        /// <summary>The header's <c>LR_OK</c>.</summary>
+        Ok = 0,
+        /// <summary>A pointer that must be given is null.</summary>
+        NullArgument = -1,
+        /// <summary>Struct_size is smaller than any released size, or an unknown tail is not zero.</summary>
+        StructSize = -2,
+        /// <summary>A value is out of its range.</summary>
+        InvalidArgument = -3,
+        /// <summary>A number is NaN or infinite.</summary>
+        NotFinite = -4,
+        /// <summary>The allocator returned null.</summary>
+        OutOfMemory = -5,
+        /// <summary>The body was destroyed, or never was.</summary>
+        StaleBody = -6,
+        /// <summary>The batch was destroyed, or never was.</summary>
+        StaleBatch = -7,
+        /// <summary>The batch, or the world's table of batches, is full.</summary>
+        Capacity = -8,
+        /// <summary>The caller's buffer cannot hold the result.</summary>
+        BufferTooSmall = -9,
+        /// <summary>No file at that path.</summary>
+        FileNotFound = -10,
+        /// <summary>The file exists but cannot be read.</summary>
+        FileRead = -11,
+        /// <summary>Not an asset file: too short, or another kind of file.</summary>
+        AssetFormat = -12,
+        /// <summary>Made for a newer library.</summary>
+        AssetVersion = -13,
+        /// <summary>An asset file, but damaged.</summary>
+        AssetCorrupt = -14,
+        /// <summary>Undamaged, but its numbers cannot be those of a body.</summary>
+        AssetInvalid = -15,
+        /// <summary>Not a snapshot, damaged, or of another version.</summary>
+        SnapshotFormat = -16,
+        /// <summary>A snapshot of a world with other batches or assets.</summary>
+        SnapshotMismatch = -17,
+        /// <summary>Not available on this processor or in this build.</summary>
+        Unsupported = -18,
+        /// <summary>The worker threads could not be started.</summary>
+        Threads = -19,
+        /// <summary>Dt is 0.</summary>
+        TimestepZero = -20,
+        /// <summary>Dt is negative.</summary>
+        TimestepNegative = -21,
+        /// <summary>Dt is NaN or infinite.</summary>
+        TimestepNotFinite = -22,
+        /// <summary>Dt / substeps is over <see cref="Limits.MaxSubstep"/>.</summary>
+        TimestepTooLarge = -23,
+        /// <summary>Substeps is 0 or over <see cref="Limits.MaxSubsteps"/>.</summary>
+        Substeps = -24,
+        /// <summary>A defect of the library: please report.</summary>
+        Internal = -25,
+        /// <summary>The wind source was removed, or never was.</summary>
+        StaleWindSource = -26,
+        /// <summary>The collider was destroyed, or never was.</summary>
+        StaleCollider = -27,
+    }
+
+    /// <summary>The header that these sources were made from, and limits that the library states.</summary>
+    public static class Limits
+    {
+        /// <summary>Version of the header: major.</summary>
+        public const uint VersionMajor = 0;
+        /// <summary>Version of the header: minor.</summary>
+        public const uint VersionMinor = 1;
+        /// <summary>Version of the header: patch.</summary>
+        public const uint VersionPatch = 0;
+        /// <summary>s: the longest dt / substeps that is taken</summary>
+        public const float MaxSubstep = 1f;
+        /// <summary>the most substeps in one step</summary>
+        public const uint MaxSubsteps = 65536u;
+        /// <summary>MaxWindSources.</summary>
+        public const uint MaxWindSources = 64u;
+        /// <summary>of a grid, all frames together</summary>
+        public const uint MaxWindSamples = 67108864u;
+        /// <summary>MaxWaves.</summary>
+        public const uint MaxWaves = 8u;
+        /// <summary>in a world, at a time</summary>
+        public const uint MaxColliders = 67108864u;
+        /// <summary>given for one hull</summary>
+        public const uint MaxHullVertices = 256u;
+        /// <summary>of one mesh; and triangles of one, and heights of one heightfield</summary>
+        public const uint MaxColliderVertices = 67108864u;
+        /// <summary>MaxKillVolumes.</summary>
+        public const uint MaxKillVolumes = 8u;
+    }
+}

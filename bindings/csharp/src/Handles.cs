@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Runtime.InteropServices;
+
+namespace LangevinRigid
+{
+    /// <summary>One reference to a native asset. Safe to finalize: assets may be released on any thread.</summary>
+    internal sealed class AssetHandle : SafeHandle
+    {
+        public AssetHandle(IntPtr asset) : base(IntPtr.Zero, true)
+        {
+            SetHandle(asset);
+        }
+
+        public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
+
+        protected override bool ReleaseHandle()
+        {
+            Native.lr_asset_release(handle);
+            return true;
+        }
+    }
+
+    /// <summary>A native world and what it calls back. Safe to finalize: nobody uses a world that has no reference left.</summary>
+    internal sealed class WorldHandle : SafeHandle
+    {
+        private readonly WorldCallbacks _callbacks;
+
+        public WorldHandle(IntPtr world, WorldCallbacks callbacks) : base(IntPtr.Zero, true)
+        {
+            _callbacks = callbacks;
+            SetHandle(world);
+        }
+
+        public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
+
+        protected override bool ReleaseHandle()
+        {
+            Native.lr_world_destroy(handle);
+            _callbacks.Free();
+            return true;
+        }
+    }
+}

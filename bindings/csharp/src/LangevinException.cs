@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using System.Text;
+
+namespace LangevinRigid
+{
+    /// <summary>A call that the library refused. It has changed nothing, unless the function's text says otherwise.</summary>
+    public sealed class LangevinException : Exception
+    {
+        private static readonly AssetFault[] NoFaults = new AssetFault[0];
+
+        /// <summary>Why.</summary>
+        public Status Status { get; private set; }
+        /// <summary>The C function, as in <see cref="Native"/>.</summary>
+        public string Function { get; private set; }
+        /// <summary>What the world logged about it, or empty.</summary>
+        public string Detail { get; private set; }
+        /// <summary>What is wrong with the bytes, where an asset was not loaded.</summary>
+        public IReadOnlyList<AssetFault> Faults { get; private set; }
+
+        /// <summary>For a status that a function returned.</summary>
+        public LangevinException(Status status, string function, string detail = null, IReadOnlyList<AssetFault> faults = null)
+            : base(Text(status, function, detail, faults))
+        {
+            Status = status;
+            Function = function;
+            Detail = detail ?? string.Empty;
+            Faults = faults ?? NoFaults;
+        }
+
+        /// <summary>Throws unless a function of <see cref="Native"/> returned Ok.</summary>
+        public static void Check(Status status, string function)
+        {
+            if (status < Status.Ok) throw new LangevinException(status, function);
+        }
+
+        private static string Text(Status status, string function, string detail, IReadOnlyList<AssetFault> faults)
+        {
+            var text = new StringBuilder();
+            text.Append(function).Append(": ").Append(LangevinLibrary.TextOf(status));
+            text.Append(" (").Append(status).Append(", ").Append((int)status).Append(')');
+            if (!string.IsNullOrEmpty(detail)) text.Append(": ").Append(detail);
+            if (status == Status.StructSize) text.Append(". Was each struct made by its Create()?");
+            if (faults != null)
+                foreach (AssetFault fault in faults) text.Append(Environment.NewLine).Append("  ").Append(fault);
+            return text.ToString();
+        }
+    }
+
+    /// <summary>The native library is missing, or not one that this binding can use. The message says what to do.</summary>
+    public sealed class LangevinLibraryException : DllNotFoundException
+    {
+        /// <summary>Version of the library that was found; null where there was none.</summary>
+        public Version Found { get; private set; }
+
+        internal LangevinLibraryException(string message, Version found, Exception inner) : base(message, inner)
+        {
+            Found = found;
+        }
+    }
+
+    /// <summary>One numbered fault of an asset file; docs/format.md lists them.</summary>
+    public struct AssetFault
+    {
+        /// <summary>Its number, as of the baker's errors.</summary>
+        public uint Number;
+        /// <summary>The part of the file.</summary>
+        public string Where;
+        /// <summary>What is wrong there.</summary>
+        public string What;
+        /// <summary>What to do.</summary>
+        public string Remedy;
+
+        /// <inheritdoc/>
+        public override string ToString()
+        {
+            return "error " + Number + " at " + Where + ": " + What + " " + Remedy;
+        }
+    }
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+using System;
+
+namespace LangevinRigid
+{
+    /// <summary>The native library: whether it is there, which version it is, and what it can do here.</summary>
+    public static unsafe class LangevinLibrary
+    {
+        private static volatile bool _loaded;
+
+        /// <summary>Major version of a number as <see cref="Native.lr_version"/> gives it: major, minor and patch in 10, 10 and 12
+        /// bits.</summary>
+        public static Version VersionOf(uint number)
+        {
+            return new Version((int)(number >> 22), (int)(number >> 12 & 0x3ff), (int)(number & 0xfff));
+        }
+
+        /// <summary>Version of the header that these sources were made from.</summary>
+        public static Version HeaderVersion
+        {
+            get { return new Version((int)Limits.VersionMajor, (int)Limits.VersionMinor, (int)Limits.VersionPatch); }
+        }
+
+        /// <summary>Version of the library that is loaded.</summary>
+        /// <exception cref="LangevinLibraryException">There is none, or one that these sources are not for.</exception>
+        public static Version Version
+        {
+            get
+            {
+                EnsureLoaded();
+                return VersionOf(Native.lr_version());
+            }
+        }
+
+        /// <summary>Loads the library unless it is loaded, and checks that it is one that these sources are for. Everything else here does so
+        /// by itself; call it early to fail early.</summary>
+        /// <exception cref="LangevinLibraryException">What is wrong, and what to do about it.</exception>
+        public static void EnsureLoaded()
+        {
+            if (!_loaded) Load();
+        }
+
+        private static void Load()
+        {
+            uint number;
+            try
+            {
+                number = Native.lr_version();
+            }
+            catch (DllNotFoundException e)
+            {
+                throw new LangevinLibraryException(LoadHelp.Missing(), null, e);
+            }
+            catch (BadImageFormatException e)
+            {
+                throw new LangevinLibraryException(LoadHelp.WrongKind(), null, e);
+            }
+            catch (EntryPointNotFoundException e)
+            {
+                throw new LangevinLibraryException(LoadHelp.AnotherLibrary(), null, e);
+            }
+            Version found = VersionOf(number), header = HeaderVersion;
+            if (!IsCompatible(found, header)) throw new LangevinLibraryException(LoadHelp.WrongVersion(found, header), found, null);
+            _loaded = true;
+        }
+
+        /// <summary>Whether sources made from a header can use a library: of the same major version, before 1.0 also of the same minor
+        /// version, and not older than the header, whose functions it might lack.</summary>
+        public static bool IsCompatible(Version library, Version header)
+        {
+            if (library.Major != header.Major || (header.Major == 0 && library.Minor != header.Minor)) return false;
+            return library >= header;
+        }
+
+        /// <summary>The instruction sets that this build has and this processor can run, best first.</summary>
+        public static SimdTarget[] SimdTargets()
+        {
+            EnsureLoaded();
+            uint count;
+            Native.lr_simd_targets(null, 0, &count);
+            var targets = new SimdTarget[count];
+            fixed (SimdTarget* first = targets) LangevinException.Check(Native.lr_simd_targets(first, count, &count), "lr_simd_targets");
+            return targets;
+        }
+
+        /// <summary>A name for people, as "AVX-512".</summary>
+        public static string NameOf(SimdTarget target)
+        {
+            EnsureLoaded();
+            return Utf8.Read(Native.lr_simd_target_name(target));
+        }
+
+        /// <summary>A short English phrase for a status.</summary>
+        public static string TextOf(Status status)
+        {
+            EnsureLoaded();
+            return Utf8.Read(Native.lr_status_string(status));
+        }
+    }
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+using System;
+
+namespace LangevinRigid
+{
+    public sealed unsafe partial class World
+    {
+        /// <summary>What a ray hits first; all 0 where there is nothing.</summary>
+        public RayHit RayCast(Ray ray)
+        {
+            RayHit hit;
+            RayCast(&ray, 1, &hit);
+            return hit;
+        }
+
+        /// <summary>What each ray hits first.</summary>
+        public void RayCast(Ray* rays, int count, RayHit* hits)
+        {
+            uint number = Counts.Of(count);
+            Leave(Native.lr_world_ray_cast(Enter(), rays, number, hits), "lr_world_ray_cast");
+        }
+
+        /// <summary>The same for arrays of equal length.</summary>
+        public void RayCast(Ray[] rays, RayHit[] hits)
+        {
+            if (rays == null) throw new ArgumentNullException("rays");
+            Counts.CheckRoom(hits, "hits", rays.Length);
+            fixed (Ray* from = rays)
+            fixed (RayHit* to = hits) RayCast(from, rays.Length, to);
+        }
+
+        /// <summary>Bodies of which a part is in a sphere or box: returns how many there are, and writes their ids if there is room for all
+        /// of them; false where there is not.</summary>
+        public bool TryOverlap(OverlapDesc desc, BodyId* bodies, int capacity, out int count)
+        {
+            uint room = Counts.Of(capacity), found = 0;
+            Status status = Native.lr_world_overlap(Enter(), &desc, bodies, room, &found);
+            bool fits = status != Status.BufferTooSmall;
+            Leave(fits ? status : Status.Ok, "lr_world_overlap");
+            count = (int)found;
+            return fits;
+        }
+
+        /// <summary>Bodies of which a part is in a sphere or box.</summary>
+        public BodyId[] Overlap(OverlapDesc desc)
+        {
+            int count;
+            TryOverlap(desc, null, 0, out count);
+            var bodies = new BodyId[count];
+            fixed (BodyId* first = bodies) TryOverlap(desc, first, count, out count);
+            return bodies;
+        }
+
+        /// <summary>Bytes that <see cref="SaveSnapshot(void*, ulong)"/> needs at present.</summary>
+        public ulong SnapshotSize
+        {
+            get
+            {
+                ulong size = Native.lr_world_snapshot_size(Enter());
+                Leave(Status.Ok, "lr_world_snapshot_size");
+                return size;
+            }
+        }
+
+        /// <summary>The world's state: all that steps depend on, but for assets, threads and callbacks.</summary>
+        public byte[] SaveSnapshot()
+        {
+            var bytes = new byte[SnapshotSize];
+            fixed (byte* first = bytes) SaveSnapshot(first, (ulong)bytes.Length);
+            return bytes;
+        }
+
+        /// <summary>Writes it into memory of any alignment; returns the bytes used.</summary>
+        public ulong SaveSnapshot(void* memory, ulong size)
+        {
+            ulong written;
+            Leave(Native.lr_world_snapshot_save(Enter(), memory, size, &written), "lr_world_snapshot_save");
+            return written;
+        }
+
+        /// <summary>Puts a saved state back, also into another world whose batches were created alike.</summary>
+        public void RestoreSnapshot(byte[] bytes)
+        {
+            if (bytes == null) throw new ArgumentNullException("bytes");
+            byte none;
+            fixed (byte* first = bytes) RestoreSnapshot(first == null ? &none : first, (ulong)bytes.Length);
+        }
+
+        /// <summary>The same from memory.</summary>
+        public void RestoreSnapshot(void* memory, ulong size)
+        {
+            Leave(Native.lr_world_snapshot_restore(EnterChange(), memory, size), "lr_world_snapshot_restore");
+        }
+
+        /// <summary>Whether bodies of two batches, or of one among themselves, meet each other.</summary>
+        public void SetPairContact(Batch a, Batch b, bool enabled)
+        {
+            if (a == null) throw new ArgumentNullException("a");
+            if (b == null) throw new ArgumentNullException("b");
+            BatchId first = a.IdIn(this), second = b.IdIn(this);
+            Leave(Native.lr_batch_set_pair_contact(EnterChange(), first, second, enabled ? 1 : 0), "lr_batch_set_pair_contact");
+        }
+
+        /// <summary>Whether they do.</summary>
+        public bool GetPairContact(Batch a, Batch b)
+        {
+            if (a == null) throw new ArgumentNullException("a");
+            if (b == null) throw new ArgumentNullException("b");
+            BatchId first = a.IdIn(this), second = b.IdIn(this);
+            int enabled;
+            Leave(Native.lr_batch_get_pair_contact(Enter(), first, second, &enabled), "lr_batch_get_pair_contact");
+            return enabled != 0;
+        }
+    }
+}

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Threading;
+
+namespace LangevinRigid
+{
+    /// <summary>A world of falling bodies. One thread at a time may use it: a second one that comes while a call runs, or a callback of that
+    /// call, gets an <see cref="InvalidOperationException"/>. Different worlds may be used at the same time.
+    /// <para>Calls that fail throw <see cref="LangevinException"/> and have changed nothing.</para></summary>
+    public sealed unsafe partial class World : IDisposable
+    {
+        private const int Idle = 0, InCall = 1, Disposed = 2;
+
+        private readonly WorldHandle _handle;
+        private readonly WorldCallbacks _callbacks;
+        private int _state;
+
+        /// <summary>With initial values: still air, gravity along -y, everything in the calling thread.</summary>
+        public World() : this(WorldDesc.Create(), null)
+        {
+        }
+
+        /// <summary>As a desc says.</summary>
+        public World(WorldDesc desc) : this(desc, null)
+        {
+        }
+
+        /// <summary>As a desc says, with services of the program's. They take the place of function pointers in the desc; the log is
+        /// always the binding's.</summary>
+        public World(WorldDesc desc, WorldServices services)
+        {
+            LangevinLibrary.EnsureLoaded();
+            _callbacks = new WorldCallbacks(services ?? new WorldServices());
+            if (desc.StructSize == (uint)sizeof(WorldDesc)) _callbacks.Register(ref desc);
+            IntPtr world;
+            Status status = Native.lr_world_create(&desc, &world);
+            if (status == Status.Ok)
+            {
+                _handle = new WorldHandle(world, _callbacks);
+                return;
+            }
+            _callbacks.Free();
+            _callbacks.Rethrow();
+            throw new LangevinException(status, "lr_world_create", _callbacks.LastError);
+        }
+
+        /// <summary>The native world, for <see cref="Native"/>. Valid while this object is: keep it alive over the call. After a call of
+        /// <see cref="Native"/> that is not a query, call <see cref="NoteChange"/>.</summary>
+        /// <exception cref="ObjectDisposedException">It was disposed of.</exception>
+        public IntPtr Pointer
+        {
+            get
+            {
+                if (_handle.IsClosed) throw new ObjectDisposedException("World");
+                return _handle.DangerousGetHandle();
+            }
+        }
+
+        /// <summary>Whether it was disposed of.</summary>
+        public bool IsDisposed { get { return Volatile.Read(ref _state) == Disposed; } }
+
+        /// <summary>How often the world has been called by what is not a query, and so how long views are valid: <see
+        /// cref="BatchData.IsCurrent"/>.</summary>
+        public ulong ChangeCount { get; private set; }
+
+        /// <summary>Ends the validity of views, after calls of <see cref="Native"/> that this object knows nothing of.</summary>
+        public void NoteChange()
+        {
+            ++ChangeCount;
+        }
+
+        /// <summary>Frees the world with all its batches and bodies, and ends its threads.</summary>
+        /// <exception cref="InvalidOperationException">A call on it is running: it cannot be disposed of in its own callbacks.</exception>
+        public void Dispose()
+        {
+            int before = Interlocked.CompareExchange(ref _state, Disposed, Idle);
+            if (before == Disposed) return;
+            if (before == InCall) throw Busy();
+            ++ChangeCount;
+            _handle.Dispose();
+            _callbacks.Rethrow();
+        }
+
+        /// <summary>Advances all bodies by <paramref name="dt"/> seconds in <paramref name="substeps"/> equal parts. At 60 Hz, 2 suit leaves
+        /// and paper of some centimetres, 4 petals and confetti.</summary>
+        /// <exception cref="LangevinException">The step was refused, and has not been made.</exception>
+        /// <exception cref="Exception">What a callback has thrown, after the step, which has been made.</exception>
+        public void Step(float dt, int substeps = 2)
+        {
+            Leave(Native.lr_world_step(EnterChange(), dt, substeps < 0 ? 0u : (uint)substeps), "lr_world_step");
+        }
+
+        /// <summary>Counts, time and memory.</summary>
+        public WorldInfo Info
+        {
+            get
+            {
+                var info = new WorldInfo { StructSize = (uint)sizeof(WorldInfo) };
+                Leave(Native.lr_world_get_info(Enter(), &info), "lr_world_get_info");
+                return info;
+            }
+        }
+
+        /// <summary>What the last step did, and what it left out.</summary>
+        public StepReport StepReport
+        {
+            get
+            {
+                var report = new StepReport { StructSize = (uint)sizeof(StepReport) };
+                Leave(Native.lr_world_get_step_report(Enter(), &report), "lr_world_get_step_report");
+                return report;
+            }
+        }
+
+        /// <summary>A hash of all that determines motion from here on: equal on every machine after equal calls.</summary>
+        public ulong Hash
+        {
+            get
+            {
+                ulong hash;
+                Leave(Native.lr_world_hash(Enter(), &hash), "lr_world_hash");
+                return hash;
+            }
+        }
+
+        /// <summary>m/s^2, from the next step on.</summary>
+        public void SetGravity(Float3 gravity)
+        {
+            Leave(Native.lr_world_set_gravity(EnterChange(), &gravity.X), "lr_world_set_gravity");
+        }
+
+        /// <summary>Forces an instruction set from the next step on; results do not change.</summary>
+        public void SetSimdTarget(SimdTarget target)
+        {
+            Leave(Native.lr_world_set_simd_target(EnterChange(), target), "lr_world_set_simd_target");
+        }
+
+        /// <summary>A budget for the work of each step, from the next one on.</summary>
+        public void SetBudget(Budget budget)
+        {
+            Leave(Native.lr_world_set_budget(EnterChange(), &budget), "lr_world_set_budget");
+        }
+
+        /// <summary>Ends the budget.</summary>
+        public void ClearBudget()
+        {
+            Leave(Native.lr_world_set_budget(EnterChange(), null), "lr_world_set_budget");
+        }
+
+        /// <summary>A batch of bodies of one asset, with initial values for all else.</summary>
+        public Batch CreateBatch(Asset asset, int capacity)
+        {
+            BatchDesc desc = BatchDesc.Create();
+            desc.Capacity = capacity < 0 ? 0u : (uint)capacity;
+            return CreateBatch(asset, desc);
+        }
+
+        /// <summary>A batch of bodies of one asset, as a desc says.</summary>
+        public Batch CreateBatch(Asset asset, BatchDesc desc)
+        {
+            if (asset == null) throw new ArgumentNullException("asset");
+            bool held = false;
+            desc.Asset = asset.Hold(ref held);
+            try
+            {
+                BatchId id;
+                Leave(Native.lr_batch_create(EnterChange(), &desc, &id), "lr_batch_create");
+                return new Batch(this, id, desc.Capacity);
+            }
+            finally
+            {
+                asset.Release(held);
+            }
+        }
+
+        // Every call of the library goes through Enter and Leave. Nothing may throw between them.
+
+        /// <summary>The native world, for a query.</summary>
+        internal IntPtr Enter()
+        {
+            int before = Interlocked.CompareExchange(ref _state, InCall, Idle);
+            if (before == Disposed) throw new ObjectDisposedException("World");
+            if (before == InCall) throw Busy();
+            _callbacks.LastError = null;
+            return _handle.DangerousGetHandle();
+        }
+
+        /// <summary>The native world, for a call that ends the validity of views.</summary>
+        internal IntPtr EnterChange()
+        {
+            IntPtr world = Enter();
+            ++ChangeCount;
+            return world;
+        }
+
+        internal void Leave(Status status, string function)
+        {
+            Volatile.Write(ref _state, Idle);
+            _callbacks.Rethrow();
+            if (status < Status.Ok) throw new LangevinException(status, function, _callbacks.LastError);
+        }
+
+        private static Exception Busy()
+        {
+            return new InvalidOperationException("A call on this world is running: on another thread, or the one whose callback this is. " +
+                "A world is used by one thread at a time, and not by its own callbacks.");
+        }
+    }
+}

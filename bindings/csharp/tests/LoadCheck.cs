@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Threading;
+using LangevinRigid;
+
+/// <summary>What a process says whose library is missing or another one; each needs a process of its own.</summary>
+static class LoadCheck
+{
+    public static int Run(string kind)
+    {
+        foreach (Action first in new Action[] { () => LangevinLibrary.EnsureLoaded(), () => new World(), () => BodyDesc.Create(), () => Asset.Check(new byte[1]) })
+        {
+            try
+            {
+                first();
+            }
+            catch (LangevinLibraryException e)
+            {
+                string expected = kind == "newer" || kind == "older" ? kind + " than version" : kind == "other" ? "no lr_version" : "could not be loaded";
+                if (!e.Message.Contains(expected)) return Fail(kind + ": " + e.Message);
+                if (kind == "newer" && !Equals(e.Found, new Version(0, 2, 0))) return Fail("found " + e.Found);
+                if (kind == "missing" && !(e.InnerException is DllNotFoundException)) return Fail("the cause is kept");
+                continue;
+            }
+            return Fail(kind + ": nothing was thrown");
+        }
+        return 0;
+    }
+
+    /// <summary>A program that ends while worlds with callbacks and threads are there, and while one is in a step.</summary>
+    public static int Leave()
+    {
+        for (int i = 0; i < 3; ++i)
+        {
+            WorldDesc desc = WorldDesc.Create();
+            desc.WorkerCount = 2;
+            var world = new World(desc, new WorldServices { Allocator = new CountingAllocator(), Log = (level, text) => Console.WriteLine(text) });
+            Scene.Batch(world, 1000).CreateBodies(Scene.Bodies(1000));
+            world.SetWindField(query => Thread.Sleep(1));
+            var thread = new Thread(() => { for (;;) world.Step(Scene.Frame, 1); });
+            thread.IsBackground = true;
+            thread.Start();
+        }
+        Thread.Sleep(100);
+        return 0;
+    }
+
+    static int Fail(string what)
+    {
+        Console.WriteLine("FAILED " + what);
+        return 1;
+    }
+}

@@ -1,0 +1,297 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Writes the raw layer of the C# binding from the public header.
+
+    csharp.py [--out DIR]     DIR: bindings/csharp/src/Generated unless given
+"""
+import argparse
+import pathlib
+import re
+
+import api_model
+import csharp_docs
+import csharp_names
+from csharp_names import camel, pascal, type_name
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+OUT = ROOT / "bindings" / "csharp" / "src" / "Generated"
+HEAD = """// SPDX-License-Identifier: MIT
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+"""
+INIT_DOC = "Fills a struct with its initial values; <c>{}.Create()</c> does it with the right size."
+
+
+def sentence(text):
+    """For what begins with a word, not with a unit."""
+    return text[:1].upper() + text[1:] + ("" if text[-1:] in ".:" else ".") if text else text
+
+
+def file_name(section):
+    """Of a section of the header: its title up to what explains it."""
+    return pascal(re.split(r"[:.]", section)[0].replace(" ", "_"))
+
+
+class Generator:
+    def __init__(self, model):
+        self.model = model
+        self.names = csharp_names.Names(model)
+        self.docs = csharp_docs.Docs(self.names)
+
+    # Types
+
+    def type(self, type_, enum=None):
+        """Of a parameter, or of a field that is not an array."""
+        kind = type_["kind"]
+        if kind == "scalar":
+            return enum or csharp_names.SCALARS[type_["name"]]
+        if kind in ("handle", "struct"):
+            return type_name(type_["name"])
+        if kind in ("callback", "function"):
+            return "IntPtr"
+        if kind == "pointer":
+            to = type_["to"]
+            return "IntPtr" if to["kind"] == "opaque" else self.type(to, enum) + "*"
+        raise ValueError(f"a type that no rule is for: {type_}")
+
+    def parameter_type(self, function, parameter):
+        # What the library only hands back to the caller is never looked into.
+        if parameter["name"] in ("user", "task", "token"):
+            return "IntPtr"
+        return self.type(parameter["type"], self.names.parameter_enum(function, parameter))
+
+    # Documentation
+
+    def summary(self, text, indent):
+        return self.docs.element("summary", text, indent)
+
+    def field_doc(self, struct, field, enum):
+        name, text = field["name"], field["doc"] or field["about"]
+        if name == "struct_size":
+            return "Size of the struct in bytes, set by `Create`." + (f" {text[:1].upper()}{text[1:]}." if text else "")
+        if name.startswith("reserved"):
+            return "0."
+        if enum:
+            text = re.sub(r"^(bits )?LR_[A-Z_]+?_\*(?:, LR_[A-Z_]+?_\*)*", lambda m: f"`@{enum}`", text)
+        return text or name.replace("_", " ").capitalize() + "."
+
+    # Enums and limits
+
+    def enum(self, entry):
+        name, base, flags, _, about = entry
+        self.docs.local = {}
+        members = self.names.members[name]
+        text = about or next((c["about"] for _, c in members if c["about"]), "") or pascal(name)
+        lines = self.summary(text, "    ")
+        if flags:
+            lines.append("    [Flags]")
+        lines += [f"    public enum {name} : {base}", "    {"]
+        if flags and not any(c["value"] == 0 for _, c in members):
+            lines += self.summary("No bit.", "        ") + ["        None = 0,"]
+        for member, constant in members:
+            text = sentence(constant["doc"]) or f"The header's `@@{constant['name']}`."
+            lines += self.summary(text, "        ") + [f"        {member} = {constant['value']},"]
+        return lines + ["    }"]
+
+    def limits(self):
+        version = self.model["version"]
+        lines = self.summary("The header that these sources were made from, and limits that the library states.", "    ")
+        lines += ["    public static class Limits", "    {"]
+        for part, value in version.items():
+            lines += self.summary(f"Version of the header: {part}.", "        ")
+            lines.append(f"        public const uint Version{part.capitalize()} = {value};")
+        for member, constant in self.names.limits:
+            type_ = csharp_names.SCALARS[constant["scalar"]]
+            value = f"{constant['value']:g}f" if type_ == "float" else f"{constant['value']}u"
+            lines += self.summary(constant["doc"] or f"{member}.", "        ")
+            lines.append(f"        public const {type_} {member} = {value};")
+        return lines + ["    }"]
+
+    # Handles and callbacks
+
+    def handle(self, handle):
+        name, scalar = type_name(handle["name"]), csharp_names.SCALARS[handle["of"]]
+        lines = self.summary(sentence(handle["doc"]), "    ")
+        lines += ["    [StructLayout(LayoutKind.Sequential)]", f"    public readonly struct {name} : IEquatable<{name}>", "    {"]
+        body = f"""/// <summary>As the library sees it; 0 is none.</summary>
+public readonly {scalar} Value;
+/// <summary>From a number that was a handle before.</summary>
+public {name}({scalar} value) {{ Value = value; }}
+/// <summary>Whether it is no handle at all. One of something destroyed is not null: calls refuse it as stale.</summary>
+public bool IsNull {{ get {{ return Value == 0; }} }}
+/// <inheritdoc/>
+public bool Equals({name} other) {{ return Value == other.Value; }}
+/// <inheritdoc/>
+public override bool Equals(object other) {{ return other is {name} && Equals(({name})other); }}
+/// <inheritdoc/>
+public override int GetHashCode() {{ return Value.GetHashCode(); }}
+/// <inheritdoc/>
+public override string ToString() {{ return "{name}(0x" + Value.ToString("x") + ")"; }}
+/// <summary>Whether both are the same.</summary>
+public static bool operator ==({name} left, {name} right) {{ return left.Value == right.Value; }}
+/// <summary>Whether they differ.</summary>
+public static bool operator !=({name} left, {name} right) {{ return left.Value != right.Value; }}"""
+        return lines + ["        " + line for line in body.split("\n")] + ["    }"]
+
+    def delegate(self, name, function, doc, owner):
+        self.docs.local = {}
+        parameters = []
+        for parameter in function["parameters"]:
+            void = parameter["type"]["kind"] == "pointer" and parameter["type"]["to"].get("name") == "void"
+            type_ = "IntPtr" if void else self.parameter_type(owner, parameter)
+            parameters.append(f"{type_} {camel(parameter['name'])}")
+        result = self.type(function["result"])
+        result = "IntPtr" if result == "void*" else result
+        lines = self.summary(doc, "    ") + ["    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]"]
+        return lines + [f"    public unsafe delegate {result} {name}({', '.join(parameters)});"]
+
+    # Structs
+
+    def fields(self, struct):
+        """(declaration, name, doc, offset, bytes) of every field in C#."""
+        for field in struct["fields"]:
+            name, type_, at = pascal(field["name"]), field["type"], field["offset"]
+            enum = self.names.field_enum(struct, field)
+            doc = self.field_doc(struct, field, enum)
+            if name == type_name(struct["name"]):
+                raise ValueError(f"{struct['name']}.{field['name']}: named as its type, which C# forbids")
+            if field["name"] == "user" or field["name"].endswith("_user"):
+                yield f"IntPtr {name}", name, doc, at, field["size"]
+            elif type_["kind"] != "array":
+                if type_["kind"] == "callback":
+                    doc += f" A function pointer of a `{type_['name']}`."
+                elif type_["kind"] == "function":
+                    delegate = type_name(struct["name"]) + pascal(field["name"]) + "Fn"
+                    doc = f"Function pointer of a `@{delegate}`."
+                yield f"{self.type(type_, enum)} {name}", name, doc, at, field["size"]
+            else:
+                yield from self.array(name, type_, doc, at)
+
+    def array(self, name, type_, doc, at):
+        of, count = type_["of"], type_["count"]
+        if of["kind"] in ("pointer", "struct"):
+            size = self.size(of)
+            for i, suffix in enumerate(csharp_names.suffixes(count) if of["kind"] == "pointer" else map(str, range(count))):
+                yield f"{self.type(of)} {name}{suffix}", name + suffix, f"{doc.rstrip('.')}. Element {i} of {count}.", at + i * size, size
+        elif (of["name"], count) in csharp_names.VECTORS:
+            yield f"{csharp_names.VECTORS[of['name'], count]} {name}", name, doc, at, self.size(of) * count
+        else:
+            yield f"fixed {self.type(of)} {name}[{count}]", name, doc, at, self.size(of) * count
+
+    def size(self, type_):
+        if type_["kind"] == "struct":
+            return self.names.structs[type_["name"]]["size"]
+        return {"char": 1, "u32": 4, "i32": 4, "f32": 4}.get(type_.get("name"), 8)
+
+    def struct(self, struct):
+        name = type_name(struct["name"])
+        self.docs.local = {f["name"]: f"<c>{pascal(f['name'])}</c>" for f in struct["fields"]}
+        lines = self.summary(struct["doc"] or f"The header's `struct {struct['name']}`.", "    ")
+        lines += ["    [StructLayout(LayoutKind.Sequential)]", f"    public unsafe partial struct {name}", "    {"]
+        for declaration, _, doc, *_ in self.fields(struct):
+            lines += self.summary(doc, "        ") + [f"        public {declaration};"]
+        for field in struct["fields"]:
+            if field["type"]["kind"] == "array" and field["type"]["of"]["kind"] == "struct":
+                lines += [""] + self.element(field)
+        if struct["init"]:
+            lines += ["", "        /// <summary>One with its initial values and its size.</summary>",
+                      f"        public static {name} Create()", "        {", f"            var value = default({name});",
+                      "            LangevinLibrary.EnsureLoaded();",
+                      f'            LangevinException.Check(Native.{struct["init"]}(&value, (uint)sizeof({name})), "{struct["init"]}");',
+                      "            return value;", "        }"]
+        return lines + ["    }"]
+
+    def element(self, field):
+        name, type_, count = pascal(field["name"]), type_name(field["type"]["of"]["name"]), field["type"]["count"]
+        return ["        " + line for line in f"""/// <summary>Element <paramref name="index"/> of the {count}.</summary>
+public ref {type_} {name}(int index)
+{{
+    if ((uint)index >= {count}u) throw new ArgumentOutOfRangeException("index");
+    fixed ({type_}* first = &{name}0) return ref first[index];
+}}""".split("\n")]
+
+    # Functions
+
+    def function(self, function):
+        name = function["name"]
+        self.docs.local = {p["name"]: f'<paramref name="{camel(p["name"]).lstrip("@")}"/>' for p in function["parameters"]}
+        text = function["doc"] or function["returns"]
+        if name.endswith("_init") and not function["doc"]:
+            summary = ["        /// <summary>" + INIT_DOC.format(type_name(name.removesuffix("_init"))) + "</summary>"]
+        else:
+            summary = self.summary("\n\n".join(filter(None, (text, function["threads"]))), "        ")
+        lines = summary
+        for parameter in function["parameters"]:
+            doc = parameter["doc"] or parameter["name"].replace("_", " ")
+            lines += self.docs.element(f'param name="{camel(parameter["name"]).lstrip("@")}"', doc, "        ")
+        result = self.type(function["result"])
+        if function["returns"] and result == "Status":
+            lines += self.docs.element("returns", function["returns"], "        ")
+        parameters = ", ".join(f"{self.parameter_type(name, p)} {camel(p['name'])}" for p in function["parameters"])
+        lines.append("        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]")
+        return lines + [f"        public static extern {result} {name}({parameters});"]
+
+    # Files
+
+    def types_of(self, section):
+        blocks = []
+        for entry in csharp_names.ENUMS:
+            if self.names.members[entry[0]][0][1]["section"] == section:
+                blocks.append(self.enum(entry))
+        if any(constant["section"] == section for _, constant in self.names.limits) and section == self.sections()[0]:
+            blocks.append(self.limits())
+        for handle in self.model["handles"]:
+            if handle["section"] == section and csharp_names.HANDLES[handle["name"]].endswith("Id"):
+                blocks.append(self.handle(handle))
+        for callback in self.model["callbacks"]:
+            if callback["section"] == section:
+                blocks.append(self.delegate(type_name(callback["name"]), callback, callback["doc"], callback["name"]))
+        for struct in self.model["structs"]:
+            if struct["section"] != section:
+                continue
+            for field in struct["fields"]:
+                if field["type"]["kind"] == "function":
+                    owner = type_name(struct["name"])
+                    doc = f"What `{pascal(field['name'])}` of a `{struct['name']}` points to."
+                    blocks.append(self.delegate(owner + pascal(field["name"]) + "Fn", field["type"], doc, struct["name"]))
+            blocks.append(self.struct(struct))
+        return blocks
+
+    def sections(self):
+        seen = {}
+        for kind in ("constants", "structs", "functions"):
+            for thing in self.model[kind]:
+                seen.setdefault(thing["section"], None)
+        return list(seen)
+
+    def files(self):
+        """{file name: text}"""
+        out = {}
+        for section in self.sections():
+            name, using = file_name(section), "using System;\nusing System.Runtime.InteropServices;\n\n"
+            types = self.types_of(section)
+            if types:
+                body = "\n\n".join("\n".join(block) for block in types)
+                out[f"{name}.cs"] = f"{HEAD}{using}namespace LangevinRigid\n{{\n{body}\n}}\n"
+            functions = [self.function(f) for f in self.model["functions"] if f["section"] == section]
+            if functions:
+                body = "\n\n".join("\n".join(block) for block in functions)
+                out[f"Native.{name}.cs"] = (f"{HEAD}{using}namespace LangevinRigid\n{{\n    public static unsafe partial class Native\n"
+                                            f"    {{\n{body}\n    }}\n}}\n")
+        return out
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--out", type=pathlib.Path, default=OUT)
+    options = parser.parse_args()
+    files = Generator(api_model.read()).files()
+    options.out.mkdir(parents=True, exist_ok=True)
+    for old in options.out.glob("*.cs"):
+        if old.name not in files:
+            old.unlink()
+    for name, text in files.items():
+        (options.out / name).write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

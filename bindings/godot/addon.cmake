@@ -1,0 +1,43 @@
+# Puts the addon together: OUTPUT/ with the .gdextension file, icons, licence, and in bin/ the extension, the library and what
+# that needs and a fresh machine does not have. Run by the build: cmake -D... -P addon.cmake
+# SPDX-License-Identifier: MIT
+cmake_minimum_required(VERSION 3.20)
+
+if(PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  set(arch x86_64)
+elseif(PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
+  set(arch arm64)
+else()
+  set(arch "${PROCESSOR}")
+endif()
+string(TOLOWER "${SYSTEM}" system)
+
+set(bin "${OUTPUT}/bin/${system}_${arch}")
+file(MAKE_DIRECTORY "${bin}")
+get_filename_component(extension "${EXTENSION}" EXT)
+file(COPY_FILE "${EXTENSION}" "${bin}/langevin_rigid_godot${extension}" ONLY_IF_DIFFERENT)
+
+if(system STREQUAL "linux")
+  # The name that the loader looks for is the soname, which the package has as a link.
+  file(REAL_PATH "${LIBRARY}" real)
+  get_filename_component(directory "${LIBRARY}" DIRECTORY)
+  file(COPY_FILE "${real}" "${bin}/liblangevin_rigid.so.0" ONLY_IF_DIFFERENT)
+  file(GET_RUNTIME_DEPENDENCIES LIBRARIES "${real}" RESOLVED_DEPENDENCIES_VAR needed
+       UNRESOLVED_DEPENDENCIES_VAR missing DIRECTORIES "${directory}"
+       POST_INCLUDE_REGEXES "libhwy\\.so" "libccd\\.so" POST_EXCLUDE_REGEXES ".*")
+  if(missing MATCHES "hwy|ccd")
+    message(FATAL_ERROR "the library needs ${missing}, which is not installed")
+  endif()
+  foreach(file IN LISTS needed)
+    get_filename_component(name "${file}" NAME)
+    file(REAL_PATH "${file}" real)
+    file(COPY_FILE "${real}" "${bin}/${name}" ONLY_IF_DIFFERENT)
+  endforeach()
+else()
+  get_filename_component(name "${LIBRARY}" NAME)
+  file(COPY_FILE "${LIBRARY}" "${bin}/${name}" ONLY_IF_DIFFERENT)
+endif()
+
+file(COPY "${SOURCE}/addon/" DESTINATION "${OUTPUT}")
+file(COPY_FILE "${SOURCE}/../../LICENSE" "${OUTPUT}/LICENSE" ONLY_IF_DIFFERENT)
+message(STATUS "addon in ${OUTPUT}")

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""Falling leaves, paper, petals and confetti, thousands to a million at a time, with the same bits on every machine.
+
+    import langevin_rigid as lr
+
+    asset = lr.Asset.load("leaf.lrb")
+    with lr.World(seed=1) as world:
+        batch = world.create_batch(asset, capacity=1000)
+        batch.create(position=positions)
+        for frame in range(60):
+            world.step(1 / 60, substeps=2)
+            matrices = batch.transforms()
+
+SI units everywhere, right-handed frames, quaternions x, y, z, w. The whole C API is in `langevin_rigid._native`.
+"""
+from ._fields import (Aerodynamics, AssetInfo, BatchContact, BatchEvents, BatchPace, BodyState, ColliderState, StepReport,
+                      WorldInfo)
+from ._library import library, library_path, version
+from ._version import __version__
+from .air import WindSource
+from .asset import Asset, check_asset
+from .baker import bake, bake_card, bake_ellipsoid, bake_triangles, baker_path, inspect_asset
+from .batch import Batch
+from .callbacks import SurfaceQuery, WindQuery
+from .contact import Collider, ContactEvents
+from .enums import *  # noqa: F401,F403
+from .errors import *  # noqa: F401,F403
+from .errors import Error, Fault
+from .recording import Recording
+from .simd import simd_target_name, simd_targets
+from .view import Vectors, View
+from .world import World

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""Structs of the library as Python objects, read once."""
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Dict, Type, TypeVar
+
+import numpy as np
+
+from . import enums
+
+ENUMS = {"simd_target": enums.SimdTarget, "resting": enums.Rest}
+MATRICES = {9: (3, 3), 36: (6, 6)}
+R = TypeVar("R", bound="Record")
+
+
+class Record:
+    """Fields as in C; arrays are NumPy's own, matrices have two dimensions."""
+
+    __slots__: Any = ()
+
+    def __init__(self, **fields: Any) -> None:
+        for name in self.__slots__:
+            object.__setattr__(self, name, fields.pop(name))
+        if fields:
+            raise TypeError(f"{type(self).__name__} has no {', '.join(fields)}")
+
+    @classmethod
+    def read(cls: Type[R], struct: Any, **others: Any) -> R:
+        return cls(**{name: others[name] if name in others else _python(name, getattr(struct, name))
+                      for name in cls.__slots__})
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"{type(self).__name__} is what was read; make another by replace({name}=...)")
+
+    def as_dict(self) -> Dict[str, Any]:
+        return {name: getattr(self, name) for name in self.__slots__}
+
+    def replace(self: R, **fields: Any) -> R:
+        """The same with other values for some fields."""
+        return type(self)(**{**self.as_dict(), **fields})
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{k}={v!r}' for k, v in self.as_dict().items())})"
+
+    def __reduce__(self) -> Any:
+        return _again, (type(self), self.as_dict())
+
+
+def _again(cls: Type[R], fields: Dict[str, Any]) -> R:
+    return cls(**fields)
+
+
+def _python(name: str, value: Any) -> Any:
+    if isinstance(value, bytes):
+        return value.decode("utf-8", "replace")
+    if isinstance(value, ctypes.Array):
+        array = np.array(value)
+        shape = MATRICES.get(array.size)
+        return array.reshape(shape) if shape and name != "gradient" else array
+    if name in ENUMS:
+        return ENUMS[name](value)
+    return value

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: MIT
+"""Structs of the library from keywords: initialised by its own functions, filled with what Python has."""
+from __future__ import annotations
+
+import ctypes
+import difflib
+import inspect
+import operator
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Tuple, Type, TypeVar
+
+import numpy as np
+
+from . import _native as native
+from ._library import call
+from ._record import Record
+
+F = TypeVar("F", bound=Callable[..., Any])
+_DTYPES: Dict[Any, Any] = {}
+_INTEGERS = {ctypes.c_int8, ctypes.c_uint8, ctypes.c_int16, ctypes.c_uint16, ctypes.c_int32, ctypes.c_uint32, ctypes.c_int64,
+             ctypes.c_uint64}
+_FLOATS = {ctypes.c_float, ctypes.c_double}
+
+
+def dtype(struct: Any) -> Any:
+    """The NumPy type of an array of a struct, or of a scalar."""
+    if struct not in _DTYPES:
+        _DTYPES[struct] = np.dtype(struct)
+    return _DTYPES[struct]
+
+
+def init(struct: Type[Any]) -> Any:
+    """A struct with its initial values."""
+    value = struct()
+    name = native.INITS.get(struct.__name__)
+    if name:
+        call(name, ctypes.byref(value), ctypes.sizeof(struct))
+    return value
+
+
+def integer(value: Any, kind: Any, name: str) -> int:
+    """ctypes would cut off what does not fit."""
+    number = operator.index(value)
+    bits = 8 * ctypes.sizeof(kind)
+    signed = kind(-1).value < 0
+    low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if signed else (0, (1 << bits) - 1)
+    if not low <= number <= high:
+        raise OverflowError(f"{name}: {number} is not from {low} to {high}")
+    return number
+
+
+def address(array: np.ndarray, of: Any) -> Any:
+    """A pointer to an array's first element; who calls keeps the array."""
+    return ctypes.cast(array.ctypes.data, ctypes.POINTER(of))
+
+
+def contiguous(values: Any, of: Any, name: str) -> np.ndarray:
+    """Values as an array without gaps of the type that C wants; a copy only where they are not."""
+    if of in _INTEGERS:
+        array = np.asarray(values)
+        if array.size and array.dtype.kind not in "iub":
+            raise TypeError(f"{name}: integers are wanted, not {array.dtype}")
+        if array.dtype != dtype(of) and array.size:
+            info = np.iinfo(dtype(of))
+            if int(array.min()) < info.min or int(array.max()) > info.max:
+                raise OverflowError(f"{name}: values are not from {info.min} to {info.max}")
+        return np.ascontiguousarray(array, dtype(of))
+    return np.ascontiguousarray(values, dtype(of))
+
+
+def vectors(values: Any, width: int, count: int, name: str) -> np.ndarray:
+    """`count` vectors from as many, or from one for all."""
+    array = np.asarray(values, np.float32)
+    try:
+        return np.broadcast_to(array, (count, width))
+    except ValueError:
+        raise ValueError(f"{name}: shape {array.shape} is neither ({width},) nor ({count}, {width})") from None
+
+
+def rows(values: Any, width: int, name: str) -> np.ndarray:
+    """Vectors from an array of any shape that ends with their width, or None of one."""
+    array = np.ascontiguousarray(values, np.float32)
+    if array.ndim == 0 or array.shape[-1] != width:
+        raise ValueError(f"{name}: shape {array.shape} does not end with {width}")
+    return array.reshape(-1, width)
+
+
+def check_names(struct: Type[Any], fields: Iterable[str], hidden: Tuple[str, ...] = ()) -> None:
+    known = [name for name in native.FIELD_DOCS[struct.__name__] if name not in hidden]
+    for name in fields:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 1)
+            raise TypeError(f"{struct.__name__} has no {name!r}" + (f": is {near[0]!r} meant?" if near else
+                                                                  f"; it has {', '.join(known)}"))
+
+
+def assign(value: Any, fields: Mapping[str, Any], keep: List[Any]) -> Any:
+    """Fills fields of a struct; None leaves the initial value. What the struct points to is put into `keep`."""
+    struct = type(value)
+    check_names(struct, fields)
+    kinds = dict(struct._fields_)
+    for name, given in fields.items():
+        if given is None:
+            continue
+        kind = kinds[name]
+        if kind in _INTEGERS:
+            setattr(value, name, integer(given, kind, name))
+        elif kind in _FLOATS:
+            setattr(value, name, float(given))
+        elif issubclass(kind, ctypes.Array):
+            _assign_array(value, name, kind, given, keep)
+        elif issubclass(kind, ctypes._Pointer):
+            setattr(value, name, _pointer(name, kind._type_, given, keep))
+        else:
+            setattr(value, name, given)
+    return value
+
+
+def _assign_array(value: Any, name: str, kind: Any, given: Any, keep: List[Any]) -> None:
+    of, length = kind._type_, kind._length_
+    if issubclass(of, ctypes.Structure):
+        items = list(given)
+        if len(items) > length:
+            raise ValueError(f"{name}: {len(items)}, but at most {length} are taken")
+        for at, item in enumerate(items):
+            getattr(value, name)[at] = item if isinstance(item, of) else assign(init(of), item, keep)
+        counter = {"waves": "wave_count", "volumes": "volume_count"}[name]
+        setattr(value, counter, len(items))
+        return
+    array = np.asarray(given, dtype(of)).ravel()
+    if array.size != length:
+        raise ValueError(f"{name}: {array.size} numbers, but it has {length}")
+    getattr(value, name)[:] = array.tolist()
+
+
+def _pointer(name: str, of: Any, given: Any, keep: List[Any]) -> Any:
+    if hasattr(given, "_as_parameter_"):  # an asset
+        keep.append(given)
+        return given._as_parameter_
+    if issubclass(of, ctypes.Structure):
+        struct = given if isinstance(given, of) else assign(init(of), as_fields(given), keep)
+        keep.append(struct)
+        return ctypes.pointer(struct)
+    array = contiguous(given, of, name)
+    keep.append(array)
+    return address(array, of)
+
+
+def as_fields(given: Any) -> Mapping[str, Any]:
+    return given.as_dict() if isinstance(given, Record) else given
+
+
+def make(struct: Type[Any], fields: Mapping[str, Any], keep: List[Any]) -> Any:
+    return assign(init(struct), fields, keep)
+
+
+def elements(struct: Type[Any], count: int) -> np.ndarray:
+    """An array of a struct, each with its initial values."""
+    one = np.frombuffer(init(struct), np.uint8)
+    array = np.empty((count, one.size), np.uint8)
+    array[:] = one
+    return array.view(dtype(struct))[:, 0]
+
+
+class _Initial:
+    """What stands for a keyword's default in help(): the library knows it."""
+
+    def __repr__(self) -> str:
+        return "<initial>"
+
+
+def takes(struct: str, *hidden: str) -> Callable[[F], F]:
+    """Tells help() and editors which keywords a function passes on to a struct."""
+    def decorate(function: F) -> F:
+        docs = {name: text for name, text in native.FIELD_DOCS[struct].items() if name not in hidden}
+        lines = [f"    {name}: {text}" if text else f"    {name}" for name, text in docs.items()]
+        function.__doc__ = inspect.cleandoc(function.__doc__ or "") + "\n\nKeywords:\n" + "\n".join(lines)
+        signature = inspect.signature(function)
+        own = [p for p in signature.parameters.values() if p.kind is not inspect.Parameter.VAR_KEYWORD]
+        names = {p.name for p in own}
+        more = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=_Initial()) for name in docs if name not in names]
+        function.__signature__ = signature.replace(parameters=own + more)  # type: ignore[attr-defined]
+        return function
+    return decorate

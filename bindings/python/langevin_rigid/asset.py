@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""Assets: what the library knows of a body's shape."""
+from __future__ import annotations
+
+import ctypes
+import os
+from typing import TYPE_CHECKING, Any, List, Optional, Union
+
+from . import _native as native
+from ._fields import Aerodynamics, AssetInfo
+from ._library import call, error, library
+from ._structs import init, make, takes
+from .errors import ClosedError, Fault
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._fields import EllipsoidOptions, RigidOptions
+
+
+class Asset:
+    """An immutable asset. It may be shared by any number of worlds and threads, and ends with its last user.
+
+    Made by `Asset.load`, `Asset.from_bytes`, `Asset.ellipsoid` or `Asset.rigid`.
+    """
+
+    def __init__(self, pointer: Any) -> None:
+        self._pointer = pointer
+        self._release = library().lr_asset_release
+        self._info: Optional[AssetInfo] = None
+
+    @classmethod
+    def load(cls, path: Union[str, "os.PathLike[str]"]) -> "Asset":
+        """Reads a file that `lr_bake` made. A damaged one raises an `AssetError` with its numbered faults."""
+        name = os.fspath(path)
+        pointer = ctypes.POINTER(native.lr_asset)()
+        status = library().lr_asset_load_file(name.encode("utf-8"), ctypes.byref(pointer))
+        if status:
+            faults = []
+            if status <= native.LR_ERROR_ASSET_FORMAT and status >= native.LR_ERROR_ASSET_INVALID:
+                try:
+                    with open(name, "rb") as file:
+                        faults = check_asset(file.read())
+                except OSError:
+                    pass
+            raise error(status, "lr_asset_load_file", f"{name}: {library().lr_status_string(status).decode()}", faults)
+        return cls(pointer)
+
+    @classmethod
+    def from_bytes(cls, data: Any) -> "Asset":
+        """The same from bytes in memory."""
+        view = memoryview(data).cast("B")
+        buffer = (ctypes.c_char * view.nbytes).from_buffer_copy(view)
+        pointer = ctypes.POINTER(native.lr_asset)()
+        status = library().lr_asset_load_memory(buffer, view.nbytes, ctypes.byref(pointer))
+        if status:
+            raise error(status, "lr_asset_load_memory", faults=check_asset(data))
+        return cls(pointer)
+
+    @classmethod
+    @takes("lr_ellipsoid_desc")
+    def ellipsoid(cls, **options: "Unpack[EllipsoidOptions]") -> "Asset":
+        """A solid ellipsoid, with everything from closed forms: no file is needed."""
+        pointer = ctypes.POINTER(native.lr_asset)()
+        desc = make(native.lr_ellipsoid_desc, options, [])
+        call("lr_asset_create_ellipsoid", ctypes.byref(desc), ctypes.byref(pointer))
+        return cls(pointer)
+
+    @classmethod
+    @takes("lr_rigid_desc")
+    def rigid(cls, **options: "Unpack[RigidOptions]") -> "Asset":
+        """A body whose numbers are known from elsewhere. aerodynamics: a dict of lr_aerodynamics, or an `Aerodynamics`."""
+        keep: List[Any] = []
+        pointer = ctypes.POINTER(native.lr_asset)()
+        desc = make(native.lr_rigid_desc, options, keep)
+        call("lr_asset_create_rigid", ctypes.byref(desc), ctypes.byref(pointer))
+        return cls(pointer)
+
+    @property
+    def _as_parameter_(self) -> Any:
+        if self._pointer is None:
+            raise ClosedError("the asset was closed")
+        return self._pointer
+
+    @property
+    def info(self) -> AssetInfo:
+        """Mass, inertia, added mass, and what else the asset says."""
+        if self._info is None:
+            info = init(native.lr_asset_info)
+            call("lr_asset_get_info", self._as_parameter_, ctypes.byref(info))
+            self._info = AssetInfo.read(info)
+        return self._info
+
+    @property
+    def aerodynamics(self) -> Aerodynamics:
+        """Coefficients of the quasi-steady loads, as baked; `replace` makes others for `Batch.set_aerodynamics`."""
+        value = init(native.lr_aerodynamics)
+        call("lr_asset_get_aerodynamics", self._as_parameter_, ctypes.byref(value))
+        return Aerodynamics.read(value)
+
+    def close(self) -> None:
+        """Gives the reference back; batches keep their own."""
+        pointer, self._pointer = self._pointer, None
+        if pointer is not None:
+            self._release(pointer)
+
+    def __enter__(self) -> "Asset":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def __del__(self) -> None:
+        if getattr(self, "_pointer", None) is not None:
+            self.close()
+
+    def __repr__(self) -> str:
+        if self._pointer is None:
+            return "<Asset, closed>"
+        return f"<Asset {self.info.name!r}, {self.info.mass:.3g} kg, {self.info.length_d:.3g} m>"
+
+
+def check_asset(data: Any) -> List[Fault]:
+    """Everything that is wrong with asset bytes; an empty list where they are sound."""
+    view = memoryview(data).cast("B")
+    buffer = (ctypes.c_char * view.nbytes).from_buffer_copy(view)
+    faults: List[Fault] = []
+
+    def report(_: Any, number: int, where: bytes, what: bytes, remedy: bytes) -> None:
+        faults.append(Fault(number, *((text or b"").decode("utf-8", "replace") for text in (where, what, remedy))))
+
+    library().lr_asset_check_memory(buffer, view.nbytes, native.lr_fault_fn(report), None)
+    return faults

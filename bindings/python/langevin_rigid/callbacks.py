@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+"""What calls Python from the library, and how its exceptions come through: the first of a call is raised after it."""
+from __future__ import annotations
+
+import ctypes
+import logging
+from concurrent.futures import Executor, Future
+from typing import Any, Callable, Dict, List, Optional, Tuple
+
+import numpy as np
+
+from . import _native as native
+from .enums import LogLevel
+
+LOGGER = logging.getLogger("langevin_rigid")
+LEVELS = {LogLevel.ERROR: logging.ERROR, LogLevel.WARNING: logging.WARNING, LogLevel.INFO: logging.INFO}
+_FLOAT_POINTERS = {native.lr_wind_query: ("velocity", "rate", "gradient"),
+                   native.lr_surface_query: ("height", "normal", "velocity", "rate")}
+
+
+class Guard:
+    """What callbacks of one world share: the first exception of a call, and the last message of an error."""
+
+    def __init__(self) -> None:
+        self.pending: Optional[BaseException] = None
+        self.message = ""
+
+    def caught(self, exception: BaseException) -> None:
+        if self.pending is None:
+            self.pending = exception
+
+    def take(self) -> Optional[BaseException]:
+        exception, self.pending = self.pending, None
+        return exception
+
+
+def _copy_in(pointers: Any, count: int) -> np.ndarray:
+    array = np.empty((len(pointers), count), np.float32)
+    row, step = array.ctypes.data, 4 * count
+    for pointer in pointers:
+        ctypes.memmove(row, pointer, step)
+        row += step
+    return array
+
+
+def _copy_out(array: np.ndarray, pointers: Any, count: int) -> None:
+    row, step = array.ctypes.data, 4 * count
+    for pointer in pointers:
+        ctypes.memmove(pointer, row, step)
+        row += step
+
+
+class Query:
+    """What a field is asked for some bodies: arrays of its own, so that it may keep them. Vectors are of shape (3, count)."""
+
+    __slots__ = ("time", "count", "batch", "position", "_native", "_arrays")
+
+    def __init__(self, value: Any) -> None:
+        self.time: float = value.time
+        self.count: int = value.count
+        self.batch: int = value.batch
+        self.position = _copy_in(value.position, self.count)
+        self._native: Optional[Any] = value
+        self._arrays: Dict[str, np.ndarray] = {}
+
+    def _array(self, name: str) -> np.ndarray:
+        if name not in self._arrays:
+            if self._native is None:
+                raise ValueError(f"{name} was not asked for during the call, and it is over")
+            pointers = getattr(self._native, name)
+            self._arrays[name] = _copy_in(pointers if isinstance(pointers, ctypes.Array) else [pointers], self.count)
+        return self._arrays[name]
+
+    def _set(self, name: str, value: Any, shape: Tuple[int, ...] = (3,)) -> None:
+        """From values of each body, or from one for all of them."""
+        given = np.asarray(value, np.float32)
+        if given.shape == shape:
+            given = given[..., np.newaxis]
+        try:
+            self._array(name).reshape(*shape, self.count)[...] = given
+        except ValueError:
+            raise ValueError(f"{name}: shape {np.shape(value)} is neither {shape} nor {(*shape, self.count)}") from None
+
+    def _finish(self) -> None:
+        for name, array in self._arrays.items():
+            pointers = getattr(self._native, name)
+            _copy_out(array, pointers if isinstance(pointers, ctypes.Array) else [pointers], self.count)
+        self._native = None
+
+
+class WindQuery(Query):
+    """time, count, batch (0 from `World.sample_wind`), position (3, count); the field sets or adds to
+
+    velocity: (3, count), m/s, 0 at first
+    rate: (3, count), m/s^2, its partial derivative in time, 0 at first; leave it where it is not known
+    gradient: (3, 3, count), 1/s, d velocity[i] / d position[j], 0 at first; leave it where it is not known
+    """
+
+    __slots__ = ()
+    velocity = property(lambda self: self._array("velocity"), lambda self, value: self._set("velocity", value))
+    rate = property(lambda self: self._array("rate"), lambda self, value: self._set("rate", value))
+    gradient = property(lambda self: self._array("gradient").reshape(3, 3, self.count),
+                        lambda self, value: self._set("gradient", value, (3, 3)))
+
+
+class SurfaceQuery(Query):
+    """time, count, batch, position (3, count); what plane and waves give is there at first, and the water sets
+
+    height: (count,), m above the plane along its normal
+    normal: (3, count), unit
+    velocity, rate: (3, count), m/s and m/s^2, of the lower fluid
+    """
+
+    __slots__ = ()
+    height = property(lambda self: self._array("height")[0], lambda self, value: self._set("height", value, ()))
+    normal = property(lambda self: self._array("normal"), lambda self, value: self._set("normal", value))
+    velocity = property(lambda self: self._array("velocity"), lambda self, value: self._set("velocity", value))
+    rate = property(lambda self: self._array("rate"), lambda self, value: self._set("rate", value))
+
+
+def field_callback(kind: Any, query: Any, function: Callable[[Any], Any], guard: Guard) -> Any:
+    """A wind or surface callback of C. After an exception the rest of the call asks no more."""
+    def asked(_: Any, pointer: Any) -> None:
+        if guard.pending is not None:
+            return
+        try:
+            asked_for = query(pointer[0])
+            function(asked_for)
+            asked_for._finish()
+        except BaseException as exception:  # pylint: disable=broad-except
+            guard.caught(exception)
+
+    return kind(asked)
+
+
+def log_callback(function: Optional[Callable[[LogLevel, str], Any]], guard: Guard) -> Any:
+    """Messages go to `function`; without one, errors into the exception, the others to the logger "langevin_rigid"."""
+    def logged(_: Any, level: int, message: bytes) -> None:
+        try:
+            text = message.decode("utf-8", "replace")
+            if level == LogLevel.ERROR:
+                guard.message = text
+            if function is not None:
+                function(LogLevel(level), text)
+            elif level != LogLevel.ERROR:
+                LOGGER.log(LEVELS[LogLevel(level)], "%s", text)
+        except BaseException as exception:  # pylint: disable=broad-except
+            guard.caught(exception)
+
+    return native.lr_log_fn(logged)
+
+
+def job_callbacks(executor: Executor, guard: Guard) -> Any:
+    """An executor's threads as the library's job system; what its threads have not begun is done by the one that steps."""
+    enqueued: Dict[int, List[Tuple[Future, int]]] = {}
+    tasks: Dict[int, Tuple[Any, Any]] = {}
+    types: Dict[str, Any] = dict(native.lr_job_system._fields_)
+
+    def enqueue(_: Any, run: Any, task: Any, count: int) -> int:
+        token = max(enqueued, default=0) + 1
+        enqueued[token], tasks[token] = [], (run, task)
+        for index in range(count):
+            future: Future = Future()
+            try:
+                future = executor.submit(run, task, index, index + 1)
+            except BaseException as exception:  # pylint: disable=broad-except
+                guard.caught(exception)
+            enqueued[token].append((future, index))
+        return token
+
+    def finish(_: Any, token: int) -> None:
+        run, task = tasks.pop(token)
+        for future, index in enqueued.pop(token):
+            if future.cancel():
+                run(task, index, index + 1)
+            else:
+                exception = future.exception()
+                if exception is not None:
+                    guard.caught(exception)
+
+    return native.lr_job_system(None, types["enqueue"](enqueue), types["finish"](finish))

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: MIT
+"""Exceptions: one class for each status of the library, all of them `Error`, and also what Python would raise for the like."""
+from __future__ import annotations
+
+from typing import Any, Dict, List, NamedTuple, Optional, Type
+
+
+from .enums import Status
+
+
+class Fault(NamedTuple):
+    """One numbered fault of an asset or of a mesh that was to be baked; docs/format.md explains each number."""
+
+    number: int
+    where: str
+    what: str
+    remedy: str
+
+    def __str__(self) -> str:
+        place = f" at {self.where}" if self.where else ""
+        return f"fault {self.number}{place}: {self.what} {self.remedy}".rstrip()
+
+
+class Error(Exception):
+    """A call that the library refused; nothing has changed by it.
+
+    status: which of `Status`; None where the refusal is of this package.
+    function: of the C API, where one refused.
+    faults: of an asset, where there are any.
+    """
+
+    default_status: Optional[Status] = None
+
+    def __init__(self, message: str = "", *, status: Optional[int] = None, function: str = "", faults: Any = ()) -> None:
+        super().__init__(message)
+        self.message = message
+        self.status = Status(status) if status is not None else self.default_status
+        self.function = function
+        self.faults: List[Fault] = list(faults)
+
+    def __str__(self) -> str:
+        return self.message
+
+    def __reduce__(self) -> Any:
+        return _rebuild, (type(self), self.message, self.status, self.function, self.faults)
+
+
+def _rebuild(kind: Type[Error], message: str, status: Any, function: str, faults: Any) -> Error:
+    return kind(message, status=status, function=function, faults=faults)
+
+
+class NullArgumentError(Error, TypeError):
+    default_status = Status.NULL_ARGUMENT
+
+
+class StructSizeError(Error, TypeError):
+    default_status = Status.STRUCT_SIZE
+
+
+class InvalidArgumentError(Error, ValueError):
+    default_status = Status.INVALID_ARGUMENT
+
+
+class NotFiniteError(Error, ValueError):
+    default_status = Status.NOT_FINITE
+
+
+class OutOfMemoryError(Error, MemoryError):
+    default_status = Status.OUT_OF_MEMORY
+
+
+class StaleError(Error, LookupError):
+    """A handle or an id of something that is no more."""
+
+
+class StaleBodyError(StaleError):
+    default_status = Status.STALE_BODY
+
+
+class StaleBatchError(StaleError):
+    default_status = Status.STALE_BATCH
+
+
+class StaleWindSourceError(StaleError):
+    default_status = Status.STALE_WIND_SOURCE
+
+
+class StaleColliderError(StaleError):
+    default_status = Status.STALE_COLLIDER
+
+
+class StaleViewError(StaleError):
+    """A view of a batch from before the last change of its world: take another one by `Batch.view`."""
+
+
+class CapacityError(Error):
+    default_status = Status.CAPACITY
+
+
+class BufferTooSmallError(Error, ValueError):
+    default_status = Status.BUFFER_TOO_SMALL
+
+
+class AssetFileNotFoundError(Error, FileNotFoundError):
+    default_status = Status.FILE_NOT_FOUND
+
+
+class AssetReadError(Error, OSError):
+    default_status = Status.FILE_READ
+
+
+class AssetError(Error, ValueError):
+    """Bytes that are no asset; `faults` says why."""
+
+
+class AssetFormatError(AssetError):
+    default_status = Status.ASSET_FORMAT
+
+
+class AssetVersionError(AssetError):
+    default_status = Status.ASSET_VERSION
+
+
+class AssetCorruptError(AssetError):
+    default_status = Status.ASSET_CORRUPT
+
+
+class AssetInvalidError(AssetError):
+    default_status = Status.ASSET_INVALID
+
+
+class SnapshotFormatError(Error, ValueError):
+    default_status = Status.SNAPSHOT_FORMAT
+
+
+class SnapshotMismatchError(Error, ValueError):
+    default_status = Status.SNAPSHOT_MISMATCH
+
+
+class UnsupportedError(Error, NotImplementedError):
+    default_status = Status.UNSUPPORTED
+
+
+class ThreadsError(Error, RuntimeError):
+    default_status = Status.THREADS
+
+
+class TimestepError(Error, ValueError):
+    """`dt` or `substeps` is out of range: `status` says how."""
+
+
+class InternalError(Error, RuntimeError):
+    default_status = Status.INTERNAL
+
+
+class ClosedError(Error, ValueError):
+    """The world, or the asset, was closed."""
+
+
+class BusyError(Error, RuntimeError):
+    """The world is in a call already: from another thread, or a callback called it."""
+
+
+class LibraryError(Error, ImportError):
+    """The native library was not found, could not be loaded, or is of another version than this package."""
+
+
+class BakeError(Error, RuntimeError):
+    """`lr_bake` refused; `faults` has its numbered faults, `returncode` is 1 for these and 2 for wrong usage."""
+
+    returncode: int = 1
+
+
+BY_STATUS: Dict[int, Type[Error]] = {
+    kind.default_status: kind
+    for kind in list(globals().values())
+    if isinstance(kind, type) and issubclass(kind, Error) and kind.default_status is not None
+}
+for _status in (Status.TIMESTEP_ZERO, Status.TIMESTEP_NEGATIVE, Status.TIMESTEP_NOT_FINITE, Status.TIMESTEP_TOO_LARGE,
+                Status.SUBSTEPS):
+    BY_STATUS[_status] = TimestepError
+
+__all__ = ["Error", "Fault"] + sorted(name for name, kind in list(globals().items())
+                                      if isinstance(kind, type) and issubclass(kind, Error) and kind is not Error)

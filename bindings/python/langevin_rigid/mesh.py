@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""Meshes that are drawn: polygons with texture coordinates, read from OBJ and written to it."""
+from __future__ import annotations
+
+import os
+from typing import Any, List, Optional, Union
+
+import numpy as np
+
+
+class Mesh:
+    """points: (n, 3). counts: corners of each face. indices: of the corners' points, face after face. uvs: (corners, 2) or None."""
+
+    def __init__(self, points: Any, counts: Any, indices: Any, uvs: Any = None) -> None:
+        self.points = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
+        self.counts = np.ascontiguousarray(counts, np.int32)
+        self.indices = np.ascontiguousarray(indices, np.int32)
+        self.uvs: Optional[np.ndarray] = None if uvs is None else np.ascontiguousarray(uvs, np.float64).reshape(-1, 2)
+        if self.indices.size != self.counts.sum():
+            raise ValueError(f"{self.indices.size} corners, but the faces have {self.counts.sum()}")
+        if self.indices.size and not 0 <= self.indices.min() <= self.indices.max() < len(self.points):
+            raise ValueError("a corner has no point")
+
+    @classmethod
+    def from_triangles(cls, vertices: Any, triangles: Any) -> "Mesh":
+        triangles = np.asarray(triangles, np.int64).reshape(-1, 3)
+        return cls(vertices, np.full(len(triangles), 3), triangles.ravel())
+
+    @classmethod
+    def read_obj(cls, path: Union[str, "os.PathLike[str]"]) -> "Mesh":
+        """Positions, texture coordinates and faces; all objects of the file as one."""
+        points: List[List[float]] = []
+        texture: List[List[float]] = []
+        counts: List[int] = []
+        indices: List[int] = []
+        corners: List[int] = []
+        with open(path, encoding="utf-8", errors="replace") as file:
+            for line in file:
+                words = line.split()
+                if not words:
+                    continue
+                if words[0] == "v":
+                    points.append([float(word) for word in words[1:4]])
+                elif words[0] == "vt":
+                    texture.append([float(word) for word in words[1:3]])
+                elif words[0] == "f":
+                    counts.append(len(words) - 1)
+                    for word in words[1:]:
+                        parts = word.split("/")
+                        index = int(parts[0])
+                        indices.append(index - 1 if index > 0 else len(points) + index)
+                        if len(parts) > 1 and parts[1]:
+                            index = int(parts[1])
+                            corners.append(index - 1 if index > 0 else len(texture) + index)
+        if not counts:
+            raise ValueError(f"{os.fspath(path)}: no faces")
+        uvs = np.array(texture)[corners] if len(corners) == len(indices) else None
+        return cls(points, counts, indices, uvs)
+
+    def write_obj(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in self.points.tolist()]
+        at = 0
+        for count in self.counts.tolist():
+            lines.append("f " + " ".join(str(i + 1) for i in self.indices[at:at + count].tolist()))
+            at += count
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("\n".join(lines) + "\n")
+
+    def moved(self, offset: Any) -> "Mesh":
+        """The same, elsewhere: by minus `asset.info.center_of_mass` it has its origin where transforms want it."""
+        return Mesh(self.points + np.asarray(offset, np.float64), self.counts, self.indices, self.uvs)

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""The state of a batch where it lies, as NumPy arrays without a copy."""
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING, Any, Dict, Optional
+
+import numpy as np
+
+from .errors import StaleViewError
+
+if TYPE_CHECKING:
+    from .batch import Batch
+
+SCALARS = {"scale": np.float32, "age": np.float32, "key": np.uint32, "ids": np.uint64}
+
+
+class Memory:
+    """Memory of the library that an array looks at: it keeps the world's memory from being freed."""
+
+    __slots__ = ("__array_interface__", "handle", "__weakref__")
+
+    def __init__(self, address: int, count: int, dtype: Any, handle: Any) -> None:
+        self.__array_interface__ = {"data": (address, True), "shape": (count,), "typestr": np.dtype(dtype).str, "version": 3}
+        self.handle = handle
+
+
+class Vectors(tuple):
+    """Arrays of components, one value a body: `x, y, z = view.position`, or `view.position.x`."""
+
+    __slots__ = ()
+
+    x = property(lambda self: self[0])
+    y = property(lambda self: self[1])
+    z = property(lambda self: self[2])
+    w = property(lambda self: self[3])
+
+    def stack(self, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """A copy of shape (count, components)."""
+        return np.stack(self, axis=-1, out=out)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+        if copy is False:
+            raise ValueError("components lie in arrays of their own: an array of vectors is a copy")
+        stacked = self.stack()
+        return stacked if dtype is None else stacked.astype(dtype, copy=False)
+
+
+class View:
+    """Arrays of all bodies of a batch, read-only, where the library has them.
+
+    Bodies that move come first, [0, awake_count), then those at rest. A view is good until the next call that changes its world
+    (a step, births, ends, forces); then it raises `StaleViewError`: take another one. Arrays that were taken from it stay safe
+    to read, but what stands in them is the library's business. Velocities and spins are in the body frame.
+    """
+
+    def __init__(self, batch: "Batch", struct: Any) -> None:
+        self._batch = batch
+        self._changes = batch.world._changes
+        self._struct = struct
+        self._arrays: Dict[str, Any] = {}
+        self.count: int = struct.count
+        self.capacity: int = struct.capacity
+        self.awake_count: int = struct.awake_count
+        self.revision: int = struct.revision
+
+    @property
+    def is_stale(self) -> bool:
+        return self._batch.world._handle is None or self._changes != self._batch.world._changes
+
+    def _check(self) -> None:
+        if self.is_stale:
+            raise StaleViewError("the world has changed since this view was taken: take another one by Batch.view()")
+
+    def _memory(self, pointer: Any, dtype: Any) -> np.ndarray:
+        if self.count == 0:
+            return np.empty(0, dtype)
+        memory = Memory(ctypes.cast(pointer, ctypes.c_void_p).value or 0, self.count, dtype, self._batch.world._handle)
+        self._batch._exports.add(memory)
+        return np.asarray(memory)
+
+    def _vectors(self, name: str) -> Vectors:
+        self._check()
+        if name not in self._arrays:
+            self._arrays[name] = Vectors(self._memory(pointer, np.float32) for pointer in getattr(self._struct, name))
+        return self._arrays[name]
+
+    def _scalars(self, name: str) -> np.ndarray:
+        self._check()
+        if name not in self._arrays:
+            self._arrays[name] = self._memory(getattr(self._struct, name), SCALARS[name])
+        return self._arrays[name]
+
+    @property
+    def position(self) -> Vectors:
+        """m, world frame."""
+        return self._vectors("position")
+
+    @property
+    def orientation(self) -> Vectors:
+        """Unit quaternions x, y, z, w, body to world."""
+        return self._vectors("orientation")
+
+    @property
+    def velocity(self) -> Vectors:
+        """m/s, of the centre of mass, in the body frame."""
+        return self._vectors("velocity")
+
+    @property
+    def spin(self) -> Vectors:
+        """rad/s, in the body frame."""
+        return self._vectors("spin")
+
+    @property
+    def scale(self) -> np.ndarray:
+        return self._scalars("scale")
+
+    @property
+    def age(self) -> np.ndarray:
+        """s; of a body at rest some earlier one: `World.state` has it exactly."""
+        return self._scalars("age")
+
+    @property
+    def key(self) -> np.ndarray:
+        """What tells the noise of bodies apart."""
+        return self._scalars("key")
+
+    @property
+    def ids(self) -> np.ndarray:
+        return self._scalars("ids")
+
+    def world_velocity(self) -> np.ndarray:
+        """m/s, world frame, (count, 3), a copy."""
+        return turned(self.orientation.stack(), self.velocity.stack())
+
+    def world_spin(self) -> np.ndarray:
+        """rad/s, world frame, (count, 3), a copy."""
+        return turned(self.orientation.stack(), self.spin.stack())
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __repr__(self) -> str:
+        return f"<View of {self.count} bodies, {self.awake_count} awake{', stale' if self.is_stale else ''}>"
+
+
+def turned(quaternions: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+    """Vectors turned by unit quaternions x, y, z, w."""
+    axis, real = quaternions[..., :3], quaternions[..., 3:]
+    twice = 2.0 * np.cross(axis, vectors)
+    return vectors + real * twice + np.cross(axis, twice)

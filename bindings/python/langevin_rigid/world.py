@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: MIT
+"""Worlds: time, gravity, snapshots, and the batches that they hold."""
+from __future__ import annotations
+
+import ctypes
+import threading
+from concurrent.futures import Executor
+from typing import TYPE_CHECKING, Any, Callable, List, Optional, Tuple
+
+import numpy as np
+
+from . import _native as native
+from ._fields import BodyState, StepReport, WorldInfo
+from ._library import error, library
+from ._structs import address, contiguous, elements, init, integer, make, takes, vectors
+from .air import AirMixin
+from .batch import Batch
+from .callbacks import Guard, job_callbacks, log_callback
+from .contact import ContactMixin
+from .enums import ForceFlags, ForceMode, Frame, LogLevel, Rest
+from .errors import BusyError, ClosedError
+from .queries import QueryMixin
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+    from typing_extensions import Unpack
+
+    from ._fields import BatchOptions, BudgetOptions, StateOptions, WorldOptions
+    from .asset import Asset
+
+
+class Handle:
+    """A world of the library, freed with the last object that looks at it, and what it may call until then."""
+
+    def __init__(self, pointer: Any, destroy: Any, guard: Guard, keep: Any) -> None:
+        self.pointer = pointer
+        self.destroy = destroy
+        self.guard = guard
+        self.keep = keep
+        self.lock = threading.Lock()
+
+    def __del__(self) -> None:
+        self.destroy(self.pointer)
+
+
+class World(AirMixin, ContactMixin, QueryMixin):
+    """A world with its batches and bodies.
+
+        with World(seed=1) as world:
+            batch = world.create_batch(asset, capacity=1000)
+            batch.create(count=1000, position=positions)
+            world.step(1 / 60, substeps=2)
+
+    log: called with a `LogLevel` and a text. Without it warnings go to the logger "langevin_rigid", and the text of an error
+        into its exception.
+    executor: a ThreadPoolExecutor whose threads step beside the caller's, worker_count of them; without it the library has
+        worker_count threads of its own.
+
+    One thread at a time may use a world; another one, or a callback that calls its own world, gets a `BusyError`. The library
+    runs without Python's interpreter lock.
+    """
+
+    @takes("lr_world_desc", "allocator", "log_user", "jobs", "log")
+    def __init__(self, *, log: Optional[Callable[[LogLevel, str], Any]] = None, executor: Optional[Executor] = None,
+                 **options: "Unpack[WorldOptions]") -> None:
+        self._handle: Optional[Handle] = None
+        self._changes = 0
+        guard = Guard()
+        desc = make(native.lr_world_desc, options, [])
+        desc.log = log_callback(log, guard)
+        keep = {"log": desc.log}
+        if executor is not None:
+            desc.jobs = job_callbacks(executor, guard)
+            keep["jobs"] = desc.jobs
+        pointer = ctypes.POINTER(native.lr_world)()
+        status = library().lr_world_create(ctypes.byref(desc), ctypes.byref(pointer))
+        if status:
+            raise error(status, "lr_world_create", guard.message)
+        self._handle = Handle(pointer, library().lr_world_destroy, guard, keep)
+
+    # How calls are made.
+
+    def _use(self) -> Handle:
+        handle = self._handle
+        if handle is None:
+            raise ClosedError("the world was closed")
+        if not handle.lock.acquire(blocking=False):
+            raise BusyError("the world is in a call already: use one thread at a time, and do not call it from its callbacks")
+        return handle
+
+    def _ask(self, name: str, *arguments: Any) -> None:
+        """A call that leaves the world as it is."""
+        handle = self._use()
+        try:
+            handle.guard.message = ""
+            status = getattr(library(), name)(handle.pointer, *arguments)
+            pending = handle.guard.take()
+        finally:
+            handle.lock.release()
+        if pending is not None:
+            raise pending
+        if status:
+            raise error(status, name, handle.guard.message)
+
+    def _change(self, name: str, *arguments: Any) -> None:
+        """A call after which views are stale."""
+        self._changes += 1
+        self._ask(name, *arguments)
+
+    def _keep(self, name: str, function: Any) -> None:
+        """Holds a callback until the library has another one."""
+        assert self._handle is not None
+        self._handle.keep[name] = function
+
+    # The world's life.
+
+    def close(self) -> None:
+        """Ends the world. Its memory is freed as soon as no array looks at it any more."""
+        handle = self._handle
+        if handle is not None and handle.lock.locked():
+            raise BusyError("the world is in a call")
+        self._handle = None
+
+    @property
+    def closed(self) -> bool:
+        return self._handle is None
+
+    def __enter__(self) -> "World":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "<World, closed>"
+        info = self.info
+        return f"<World at {info.time:.3f} s, {info.body_count} bodies in {info.batch_count} batches, {info.simd_target.name}>"
+
+    # Time.
+
+    def step(self, dt: float, substeps: int = 1) -> None:
+        """Advances all bodies by dt seconds in equal substeps. At 60 Hz, 2 suit leaves and paper, 4 petals and confetti.
+
+        Where a callback raised, the step is done, with what it had given until then, and its exception comes out of this call.
+        """
+        self._change("lr_world_step", float(dt), integer(substeps, ctypes.c_uint32, "substeps"))
+
+    @property
+    def info(self) -> WorldInfo:
+        info = init(native.lr_world_info)
+        self._ask("lr_world_get_info", ctypes.byref(info))
+        return WorldInfo.read(info)
+
+    @property
+    def time(self) -> float:
+        """s since creation."""
+        return self.info.time
+
+    def set_gravity(self, gravity: "ArrayLike") -> None:
+        """m/s^2, three values."""
+        self._change("lr_world_set_gravity", address(vectors(gravity, 3, 1, "gravity").copy(), ctypes.c_float))
+
+    def set_simd_target(self, target: int) -> None:
+        """Results do not change."""
+        self._change("lr_world_set_simd_target", int(target))
+
+    @takes("lr_budget")
+    def set_budget(self, **budget: "Unpack[BudgetOptions]") -> None:
+        """Bounds the work of each step; without keywords nothing does."""
+        desc = ctypes.byref(make(native.lr_budget, budget, [])) if budget else None
+        self._change("lr_world_set_budget", desc)
+
+    @property
+    def step_report(self) -> StepReport:
+        report = init(native.lr_step_report)
+        self._ask("lr_world_get_step_report", ctypes.byref(report))
+        return StepReport.read(report)
+
+    def hash(self) -> int:
+        """Of the state of all bodies: equal hashes mean equal motion from here on, on any machine."""
+        value = ctypes.c_uint64()
+        self._ask("lr_world_hash", ctypes.byref(value))
+        return value.value
+
+    def save(self) -> bytes:
+        """A snapshot."""
+        handle = self._use()
+        try:
+            size = library().lr_world_snapshot_size(handle.pointer)
+        finally:
+            handle.lock.release()
+        memory, written = ctypes.create_string_buffer(size), ctypes.c_uint64()
+        self._ask("lr_world_snapshot_save", memory, size, ctypes.byref(written))
+        return memory.raw[:written.value]
+
+    def restore(self, snapshot: Any) -> None:
+        """Puts a snapshot back, also one of another world whose batches were created alike, or of another process."""
+        data = np.frombuffer(snapshot, np.uint8)
+        self._change("lr_world_snapshot_restore", data.ctypes.data, data.nbytes)
+
+    # Batches and bodies.
+
+    @takes("lr_batch_desc", "asset", "capacity")
+    def create_batch(self, asset: "Asset", capacity: int, **options: "Unpack[BatchOptions]") -> Batch:
+        """A batch: room for `capacity` bodies of one asset."""
+        keep: List[Any] = []
+        desc = make(native.lr_batch_desc, {**options, "asset": asset, "capacity": capacity}, keep)
+        out = ctypes.c_uint32()
+        self._change("lr_batch_create", ctypes.byref(desc), ctypes.byref(out))
+        return Batch(self, out.value, asset)
+
+    def destroy_bodies(self, bodies: "ArrayLike") -> None:
+        """All or none: if one of them is stale, or given twice, nothing is destroyed."""
+        ids, pointer, count = body_ids(bodies)
+        self._change("lr_body_destroy", pointer, count)
+
+    def state(self, body: int) -> BodyState:
+        """Of one body, world frame. For many, take `Batch.view`."""
+        state = init(native.lr_body_state)
+        self._ask("lr_body_get_state", int(body), ctypes.byref(state))
+        return BodyState.read(state)
+
+    @takes("lr_body_state", "key", "resting")
+    def set_state(self, body: int, **fields: "Unpack[StateOptions]") -> None:
+        """Sets what is given of one body, leaves the rest as it is, and wakes it."""
+        keep: List[Any] = []
+        state = make(native.lr_body_state, {**self.state(body).as_dict(), **fields}, keep)
+        self._change("lr_body_set_state", int(body), ctypes.byref(state))
+
+    def set_rest(self, bodies: "ArrayLike", rest: int = Rest.RESTING) -> None:
+        """Puts bodies to rest, or wakes them with Rest.AWAKE."""
+        ids, pointer, count = body_ids(bodies)
+        self._change("lr_body_set_rest", pointer, count, int(rest))
+
+    def wake_box(self, low: "ArrayLike", high: "ArrayLike") -> int:
+        """Wakes all bodies at rest that reach into a box; how many they were."""
+        corners = np.stack([vectors(low, 3, 1, "low")[0], vectors(high, 3, 1, "high")[0]])
+        woken = ctypes.c_uint32()
+        self._change("lr_world_wake_box", address(corners[0], ctypes.c_float), address(corners[1], ctypes.c_float),
+                     ctypes.byref(woken))
+        return woken.value
+
+    def add_forces(self, bodies: "ArrayLike", force: Any = 0.0, torque: Any = 0.0, point: Any = None,
+                   mode: int = ForceMode.FORCE, frame: int = Frame.WORLD) -> None:
+        """Forces on bodies of any batches, vectors of shape (3,) or (count, 3). point: where `force` acts, else at the centre of
+        mass. `Batch.add_forces` is faster where they are those of one batch."""
+        ids, _, count = body_ids(bodies)
+        forces = elements(native.lr_body_force, count)
+        forces["body"], forces["mode"], forces["frame"] = ids, int(mode), int(frame)
+        forces["force"] = vectors(np.broadcast_to(force, (3,)) if np.ndim(force) == 0 else force, 3, count, "force")
+        forces["torque"] = vectors(np.broadcast_to(torque, (3,)) if np.ndim(torque) == 0 else torque, 3, count, "torque")
+        if point is not None:
+            forces["point"] = vectors(point, 3, count, "point")
+            forces["flags"] = int(ForceFlags.AT_POINT)
+        self._change("lr_body_add_force", address(forces, native.lr_body_force), count)
+
+
+def body_ids(bodies: Any) -> Tuple[np.ndarray, Any, int]:
+    """Ids as an array, its address, and their number."""
+    if isinstance(bodies, np.ndarray) and bodies.size and bodies.dtype.kind not in "iu":
+        raise TypeError(f"bodies: ids are integers, not {bodies.dtype}")
+    ids = contiguous(np.atleast_1d(np.asarray(bodies, np.uint64)), ctypes.c_uint64, "bodies").ravel()
+    return ids, address(ids, ctypes.c_uint64), ids.size

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# A wheel that carries the native library and lr_bake:  wheel.sh PREFIX DIR
+# PREFIX: an installed package. It is for this kind of machine, and any Python 3; needs pip, setuptools and wheel, no network.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+prefix=$(cd "$1" && pwd) out=$2
+python=${PYTHON:-python3}
+mkdir -p "$out"
+out=$(cd "$out" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cp -r "$here/langevin_rigid" "$here/pyproject.toml" "$here/README.md" "$work"
+find "$work" -name __pycache__ -prune -exec rm -rf {} +
+mkdir -p "$work/langevin_rigid/lib" "$work/langevin_rigid/bin"
+# The file under the name that the loader wants, and what of its dependencies the package carries beside it.
+major=$("$python" -c "import re, sys; print(re.search(r'VERSION = \((\d+)', open(sys.argv[1]).read())[1])" "$work/langevin_rigid/_native.py")
+cp -L "$prefix/lib/liblangevin_rigid.so.$major" "$work/langevin_rigid/lib/"
+for name in libhwy libccd; do
+    for file in "$prefix/lib/$name".so.[0-9]; do
+        [ -e "$file" ] && cp -L "$file" "$work/langevin_rigid/lib/"
+    done
+done
+cp -L "$prefix/bin/lr_bake" "$work/langevin_rigid/bin/"
+cat >"$work/setup.py" <<'PY'
+from setuptools import setup
+from wheel.bdist_wheel import bdist_wheel
+
+
+class Carrying(bdist_wheel):
+    """For any Python 3, but for one kind of machine."""
+
+    def finalize_options(self):
+        super().finalize_options()
+        self.root_is_pure = False
+
+    def get_tag(self):
+        return "py3", "none", super().get_tag()[2]
+
+
+setup(cmdclass={"bdist_wheel": Carrying})
+PY
+"$python" -m pip wheel --quiet --no-index --no-build-isolation --no-deps --wheel-dir "$out" "$work"
+ls "$out"/langevin_rigid-*.whl

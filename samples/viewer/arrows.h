@@ -1,0 +1,19 @@
+/* Arrows of the wind on a lattice around what is looked at.    SPDX-License-Identifier: MIT */
+#ifndef VIEWER_ARROWS_H
+#define VIEWER_ARROWS_H
+
+#include "pass.h"
+#include "scene.h"
+
+typedef struct arrows {
+    GLuint program, array, vertices, instances;
+    GLsizei vertex_count;
+} arrows;
+
+void arrows_create(arrows* a);
+void arrows_free(arrows* a);
+
+/* The wind is what lr_world_sample_wind says at the foot of each. */
+void arrows_draw(const arrows* a, const scene* s, const pass* p, const camera* c);
+
+#endif

@@ -1,0 +1,22 @@
+/* What went wrong, and what to do about it: ends the program.    SPDX-License-Identifier: MIT */
+#ifndef VIEWER_FAILURE_H
+#define VIEWER_FAILURE_H
+
+#include <langevin_rigid.h>
+#include <stddef.h>
+
+#define EXIT_USAGE 1
+#define EXIT_FAILED 2
+
+/* Both print to stderr and exit. remedy: may be null. */
+_Noreturn void fail(const char* remedy, const char* format, ...) __attribute__((format(printf, 2, 3)));
+_Noreturn void fail_usage(const char* format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Fails when a call of the library did. */
+void check(lr_status status, const char* what, const char* remedy);
+
+/* Memory, or the program ends. */
+void* allocate(size_t count, size_t size);
+void* grow(void* memory, size_t count, size_t size);
+
+#endif

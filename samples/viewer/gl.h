@@ -1,0 +1,23 @@
+/* OpenGL 3.3 core as libOpenGL exports it: no loader is needed.    SPDX-License-Identifier: MIT */
+#ifndef VIEWER_GL_H
+#define VIEWER_GL_H
+
+#define GL_GLEXT_PROTOTYPES 1
+#include <GL/glcorearb.h>
+#include <stddef.h>
+
+/* Compiles and links, or fails with the compiler's log. Each shader is in two pieces, the first of which has #version. */
+GLuint make_program(const char* name, const char* const vertex[2], const char* const fragment[2]);
+
+GLint uniform(GLuint program, const char* name);
+
+/* GL_RENDERER, for messages. */
+const char* gl_name(void);
+
+/* Fails if OpenGL has an error pending. */
+void gl_check(const char* what);
+
+/* Buffer of vertices in an array object: attribute `place` of `size` floats at `offset` in elements of `stride` bytes. */
+void gl_attribute(GLuint place, GLint size, size_t stride, size_t offset, GLuint divisor);
+
+#endif

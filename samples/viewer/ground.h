@@ -1,0 +1,20 @@
+/* The shape of the ground, for the world's collider and for the picture.    SPDX-License-Identifier: MIT */
+#ifndef VIEWER_GROUND_H
+#define VIEWER_GROUND_H
+
+#include <langevin_rigid.h>
+
+enum { ground_side = 129 };                                  /* samples along each side */
+#define GROUND_CELL 0.1875f                                  /* m between them */
+#define GROUND_HALF (0.5f * GROUND_CELL * (ground_side - 1)) /* 12 m: bodies end before its edge */
+
+/* Height at a place, m. relief: height of its waves, m; they end before the edge. */
+float ground_height(float relief, float level, float x, float z);
+
+/* Samples as a heightfield has them: x varies fastest. */
+void ground_heights(float relief, float level, float heights[ground_side * ground_side]);
+
+/* Makes the collider: a heightfield, or a plane where there is no relief. */
+lr_collider ground_create(lr_world* world, float relief, float level);
+
+#endif

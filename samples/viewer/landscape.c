@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: MIT */
+#include "landscape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "failure.h"
+#include "ground.h"
+#include "shaders.h"
+#include "solids.h"
+
+static const float far_away = 400.0f; /* m: the ground ends in haze */
+
+/* The heightfield's samples, and a rim of four corners far away around it. */
+static void create_ground(landscape* l, const scene_plan* plan) {
+    enum { inner = ground_side * ground_side, cells = (ground_side - 1) * (ground_side - 1) };
+    float* heights = allocate(inner, sizeof(float));
+    ground_heights(plan->relief, plan->ground_level, heights);
+    float(*vertices)[6] = allocate(inner + 4, sizeof *vertices);
+    uint32_t* indices = allocate(6 * cells + 24, sizeof(uint32_t));
+    for (int k = 0; k < ground_side; ++k) {
+        for (int i = 0; i < ground_side; ++i) {
+            const float x = (float)i * GROUND_CELL - GROUND_HALF, z = (float)k * GROUND_CELL - GROUND_HALF, e = 0.02f;
+            float* v = vertices[k * ground_side + i];
+            to_array(v3(x, heights[k * ground_side + i], z), v);
+            const float slope_x =
+                ground_height(plan->relief, 0.0f, x + e, z) - ground_height(plan->relief, 0.0f, x - e, z);
+            const float slope_z =
+                ground_height(plan->relief, 0.0f, x, z + e) - ground_height(plan->relief, 0.0f, x, z - e);
+            to_array(unit(v3(-slope_x, 2.0f * e, -slope_z)), v + 3);
+        }
+    }
+    GLsizei n = 0;
+    for (uint32_t k = 0; k + 1 < ground_side; ++k) {
+        for (uint32_t i = 0; i + 1 < ground_side; ++i) { /* parted as the collider's cells are */
+            const uint32_t a = k * ground_side + i, b = a + 1, c = a + ground_side, d = c + 1;
+            const uint32_t corners[6] = {a, d, b, a, c, d};
+            memcpy(indices + n, corners, sizeof corners);
+            n += 6;
+        }
+    }
+    static const float sign[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    const uint32_t corner[4] = {0, ground_side - 1, inner - 1, inner - ground_side};
+    for (uint32_t c = 0; c < 4; ++c) {
+        to_array(v3(sign[c][0] * far_away, plan->ground_level, sign[c][1] * far_away), vertices[inner + c]);
+        vertices[inner + c][4] = 1.0f;
+        const uint32_t next = (c + 1) % 4;
+        const uint32_t side[6] = {corner[c], inner + next, inner + c, corner[c], corner[next], inner + next};
+        memcpy(indices + n, side, sizeof side);
+        n += 6;
+    }
+    l->ground_count = n;
+    glGenVertexArrays(1, &l->ground_array);
+    glBindVertexArray(l->ground_array);
+    glGenBuffers(1, &l->ground_vertices);
+    glBindBuffer(GL_ARRAY_BUFFER, l->ground_vertices);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((inner + 4) * sizeof *vertices), vertices, GL_STATIC_DRAW);
+    gl_attribute(0, 3, sizeof *vertices, 0, 0);
+    gl_attribute(1, 3, sizeof *vertices, 3 * sizeof(float), 0);
+    glGenBuffers(1, &l->ground_indices);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, l->ground_indices);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)((size_t)n * sizeof(uint32_t)), indices, GL_STATIC_DRAW);
+    glBindVertexArray(0);
+    free(heights);
+    free(vertices);
+    free(indices);
+}
+
+static void create_solids(landscape* l, const scene_plan* plan) {
+    solid_list list = {NULL, 0};
+    for (int i = 0; i < scene_solids && plan->solids[i].kind; ++i) solids_add(&list, &plan->solids[i]);
+    l->solid_count = (GLsizei)list.count;
+    glGenVertexArrays(1, &l->solid_array);
+    glBindVertexArray(l->solid_array);
+    glGenBuffers(1, &l->solid_vertices);
+    glBindBuffer(GL_ARRAY_BUFFER, l->solid_vertices);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(list.count * sizeof *list.vertices), list.vertices, GL_STATIC_DRAW);
+    gl_attribute(0, 3, sizeof *list.vertices, offsetof(solid_vertex, position), 0);
+    gl_attribute(1, 3, sizeof *list.vertices, offsetof(solid_vertex, normal), 0);
+    gl_attribute(2, 3, sizeof *list.vertices, offsetof(solid_vertex, own), 0);
+    gl_attribute(3, 1, sizeof *list.vertices, offsetof(solid_vertex, wood), 0);
+    glBindVertexArray(0);
+    free(list.vertices);
+}
+
+void landscape_create(landscape* l, const scene* s) {
+    memset(l, 0, sizeof *l);
+    l->ground_program = pass_program("ground", shader_ground_vert, shader_ground_frag);
+    l->solid_program = pass_program("solids", shader_solid_vert, shader_solid_frag);
+    l->solid_shadow_program = pass_program("solids' shadow", shader_solid_vert, shader_nothing_frag);
+    l->water_program = pass_program("water", shader_water_vert, shader_water_frag);
+    l->sky_program = pass_program("sky", shader_sky_vert, shader_sky_frag);
+    create_ground(l, s->plan);
+    create_solids(l, s->plan);
+}
+
+void landscape_free(landscape* l) {
+    const GLuint programs[5] = {l->ground_program, l->solid_program, l->solid_shadow_program, l->water_program,
+                                l->sky_program};
+    for (int i = 0; i < 5; ++i) glDeleteProgram(programs[i]);
+    const GLuint buffers[3] = {l->ground_vertices, l->ground_indices, l->solid_vertices};
+    glDeleteBuffers(3, buffers);
+    glDeleteVertexArrays(1, &l->ground_array);
+    glDeleteVertexArrays(1, &l->solid_array);
+    memset(l, 0, sizeof *l);
+}
+
+void landscape_draw_shadow(const landscape* l, const pass* p) {
+    pass_use_for_shadow(p, l->solid_shadow_program);
+    glBindVertexArray(l->solid_array);
+    glDrawArrays(GL_TRIANGLES, 0, l->solid_count);
+    glBindVertexArray(0);
+}
+
+static void draw_sky(const landscape* l, const pass* p) {
+    pass_use(p, l->sky_program);
+    const vec3 right = scaled(p->view.right, p->view.tan_half * p->view.aspect),
+               up = scaled(p->view.up, p->view.tan_half);
+    const float corners[9] = {right.x, right.y,         right.z,         up.x,           up.y,
+                              up.z,    -p->view.back.x, -p->view.back.y, -p->view.back.z};
+    glUniformMatrix3fv(uniform(l->sky_program, "corners"), 1, GL_FALSE, corners);
+    glDepthFunc(GL_LEQUAL);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void landscape_draw(const landscape* l, const scene* s, const pass* p) {
+    pass_use(p, l->ground_program);
+    glUniform1i(uniform(l->ground_program, "surface"), s->plan->ground);
+    glBindVertexArray(l->ground_array);
+    glDrawElements(GL_TRIANGLES, l->ground_count, GL_UNSIGNED_INT, NULL);
+    pass_use(p, l->solid_program);
+    glBindVertexArray(l->solid_array);
+    glDrawArrays(GL_TRIANGLES, 0, l->solid_count);
+    draw_sky(l, p);
+    glBindVertexArray(0);
+}
+
+void landscape_draw_water(const landscape* l, const scene* s, const pass* p, double time) {
+    if (!s->plan->water) return;
+    pass_use(p, l->water_program);
+    float waves[pond_wave_count][4]; /* as docs/water.md has them */
+    for (int i = 0; i < pond_wave_count; ++i) {
+        const lr_wave* w = &pond_waves[i];
+        const double number = 2.0 * 3.14159265358979 / (double)w->length, frequency = sqrt(9.81 * number);
+        const double flat = hypot((double)w->direction[0], (double)w->direction[2]);
+        waves[i][0] = (float)(number * (double)w->direction[0] / flat);
+        waves[i][1] = (float)(number * (double)w->direction[2] / flat);
+        waves[i][2] = (float)fmod((double)w->phase - frequency * time, 2.0 * 3.14159265358979);
+        waves[i][3] = w->amplitude;
+    }
+    glUniform4fv(uniform(l->water_program, "waves"), pond_wave_count, waves[0]);
+    glUniform1f(uniform(l->water_program, "time"), (float)fmod(time, 1000.0));
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBindVertexArray(l->ground_array);
+    glDrawElements(GL_TRIANGLES, l->ground_count, GL_UNSIGNED_INT, NULL);
+    glBindVertexArray(0);
+    glDisable(GL_BLEND);
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#include "pass.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "failure.h"
+#include "shaders.h"
+
+GLuint pass_program(const char* name, const char* vertex, const char* fragment) {
+    char* shading = allocate(strlen(shader_air_glsl) + strlen(fragment) + 1, 1);
+    strcat(strcpy(shading, shader_air_glsl), fragment);
+    const char* const vertex_text[2] = {shader_frame_glsl, vertex};
+    const char* const fragment_text[2] = {shader_frame_glsl, shading};
+    const GLuint program = make_program(name, vertex_text, fragment_text);
+    free(shading);
+    glUseProgram(program);
+    glUniform1i(uniform(program, "depth_map"), 0);
+    glUniform1i(uniform(program, "lit_map"), 1);
+    glUniform1i(uniform(program, "transforms"), 2);
+    return program;
+}
+
+void pass_use(const pass* p, GLuint program) {
+    glUseProgram(program);
+    glUniform3f(uniform(program, "eye"), p->view.eye.x, p->view.eye.y, p->view.eye.z);
+    glUniform3fv(uniform(program, "sun"), 1, sun_direction);
+    glUniformMatrix4fv(uniform(program, "to_clip"), 1, GL_FALSE, p->view.to_clip.m);
+    glUniformMatrix4fv(uniform(program, "to_light"), 1, GL_FALSE, p->to_light.m);
+    glUniform2f(uniform(program, "light_box"), p->light_half, p->light_depth);
+    glUniform1f(uniform(program, "texel"), p->texel);
+    for (GLuint i = 0; i < 2; ++i) {
+        glActiveTexture(GL_TEXTURE0 + i);
+        glBindTexture(GL_TEXTURE_2D, p->depth_texture);
+        glBindSampler(i, p->depth_samplers[i]);
+    }
+}
+
+void pass_use_for_shadow(const pass* p, GLuint program) {
+    glUseProgram(program);
+    glUniformMatrix4fv(uniform(program, "to_clip"), 1, GL_FALSE, p->to_light.m);
+}

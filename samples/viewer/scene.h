@@ -1,0 +1,63 @@
+/* A world with the bodies, ground and wind of a plan; the sliders act on it.    SPDX-License-Identifier: MIT */
+#ifndef VIEWER_SCENE_H
+#define VIEWER_SCENE_H
+
+#include <langevin_rigid.h>
+
+#include "mesh.h"
+#include "scenes.h"
+
+/* Where assets come from. */
+typedef struct scene_source {
+    const char* baked;                   /* folder of NAME.lrb */
+    const char* meshes;                  /* folder of NAME.obj */
+    const char* own_assets[scene_kinds]; /* from the command line, in place of the plan's; null: none */
+    const char* own_meshes[scene_kinds];
+    uint64_t seed;
+    uint32_t threads;
+} scene_source;
+
+typedef struct scene_batch {
+    const scene_kind* kind;
+    lr_asset* asset;
+    lr_asset_info info;
+    mesh mesh;
+    lr_batch batch;
+    uint32_t capacity, count; /* bodies there can be, and that are wanted */
+} scene_batch;
+
+typedef struct scene {
+    const scene_plan* plan;
+    lr_world* world;
+    scene_batch batches[scene_kinds];
+    int batch_count;
+    lr_wind_source gusts, turbulence;
+    settings now;
+    double stepping; /* s on the clock, of the last step */
+} scene;
+
+/* A float stands for each of lr_wave's numbers that the picture needs as well. */
+enum { pond_wave_count = 3 };
+extern const lr_wave pond_waves[pond_wave_count];
+
+/* Fails with a message. */
+scene* scene_create(const scene_plan* plan, const scene_source* source, const settings* initially);
+void scene_free(scene* s);
+
+/* Makes the world as `wanted` says: wind, numbers, loads. Bodies stay, as far as they may. */
+void scene_apply(scene* s, const settings* wanted);
+
+/* Steps by dt, s. */
+void scene_step(scene* s, float dt);
+
+typedef struct scene_report {
+    uint64_t bodies, awake;
+    double time; /* s */
+    uint64_t hash;
+    float lowest; /* m: of the centres of mass of all bodies, over the ground there */
+} scene_report;
+
+/* The hash and `lowest` are only found where `whole` is not 0. */
+scene_report scene_look(const scene* s, int whole);
+
+#endif

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef VIEWER_SCENE_WIND_H
+#define VIEWER_SCENE_WIND_H
+
+#include "scene.h"
+
+/* Adds the sources, with the values of the scene's sliders. */
+void scene_wind_create(scene* s);
+
+/* Sets wind and sources to what the sliders are now. */
+void scene_wind_update(scene* s);
+
+#endif

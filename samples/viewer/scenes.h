@@ -1,0 +1,59 @@
+/* What there is to see: bodies, where they are born, ground, wind, camera.    SPDX-License-Identifier: MIT */
+#ifndef VIEWER_SCENES_H
+#define VIEWER_SCENES_H
+
+#include <langevin_rigid.h>
+
+#include "camera.h"
+#include "settings.h"
+
+/* How bodies and grounds are coloured; the numbers are those of the shaders. */
+enum look { look_leaf, look_petal, look_paper, look_confetti, look_rubber };
+enum ground_look { ground_lawn, ground_paving, ground_boards, ground_sand };
+
+enum { scene_kinds = 4, scene_solids = 6 };
+
+/* Bodies of one asset from one emitter. */
+typedef struct scene_kind {
+    const char* asset; /* NAME.lrb of the baked assets, and NAME.obj of the meshes; null: no more kinds */
+    enum look look;
+    float share;   /* of the scene's bodies */
+    int32_t shape; /* LR_EMIT_* */
+    float at[3], half[3];
+    float direction[3], spread, speed_min, speed_max, spin;
+    float scale_min, scale_max;
+    int thrown;    /* flat, nose ahead; else at random */
+    float heading; /* rad about y from +x, of what is thrown */
+    float burst;   /* s between bursts; 0: a steady stream */
+} scene_kind;
+
+/* Something to land on. */
+typedef struct scene_solid {
+    int32_t kind; /* LR_COLLIDER_BOX or LR_COLLIDER_SPHERE; 0: no more */
+    int wood;
+    float at[3], size[3], turn; /* turn: rad about y */
+} scene_solid;
+
+typedef struct scene_plan {
+    const char* name;
+    const char* title;
+    scene_kind kinds[scene_kinds];
+    scene_solid solids[scene_solids];
+    enum ground_look ground;
+    float relief;       /* m: height of the ground's waves; 0: a plane */
+    float ground_level; /* m */
+    int water;          /* at y = 0 */
+    float life;         /* s from birth to rebirth */
+    float ready;        /* part of a life that has passed for bodies in the air at the start: 0: an empty sky */
+    float ground_effect;
+    settings initially;
+    camera camera;
+} scene_plan;
+
+enum { scene_plan_count = 6 };
+extern const scene_plan scene_plans[scene_plan_count];
+
+/* By name; null if there is none. */
+const scene_plan* scene_find(const char* name);
+
+#endif

@@ -1,0 +1,2 @@
+// Depth alone.    SPDX-License-Identifier: MIT
+void main() {}

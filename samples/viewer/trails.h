@@ -1,0 +1,41 @@
+/* Where some bodies have been: ribbons as wide as they are, which show how they turned.    SPDX-License-Identifier: MIT */
+#ifndef VIEWER_TRAILS_H
+#define VIEWER_TRAILS_H
+
+#include "pass.h"
+#include "scene.h"
+
+enum { trail_number = 12, trail_points = 300 };
+
+typedef struct trail_point {
+    vec3 at, across; /* of the centre of mass; half the body's width to one side */
+} trail_point;
+
+typedef struct trail {
+    lr_body body; /* 0: none yet */
+    float half_width;
+    uint32_t resting; /* samples for which it has lain still */
+    uint32_t count, first;
+    trail_point points[trail_points];
+} trail;
+
+typedef struct trails {
+    GLuint program, array, vertices;
+    trail list[trail_number]; /* the first is that of the followed body, if there is one */
+    uint32_t picked;          /* bodies chosen so far */
+    double last;              /* s of the world, of the last sample */
+} trails;
+
+void trails_create(trails* t);
+void trails_free(trails* t);
+
+/* Forgets all. */
+void trails_clear(trails* t);
+
+/* Adds where the bodies are now. followed: 0 for none. */
+void trails_sample(trails* t, const scene* s, lr_body followed);
+
+/* all: also those of bodies that nobody follows. */
+void trails_draw(const trails* t, const pass* p, int all);
+
+#endif

@@ -1,0 +1,34 @@
+/* Where OpenGL draws: a window, or nowhere.    SPDX-License-Identifier: MIT */
+#ifndef VIEWER_WINDOW_H
+#define VIEWER_WINDOW_H
+
+#include "event.h"
+#include "gl.h"
+
+/* A context of OpenGL 3.3 core without window or display, current until the program ends. Fails with a message. */
+void window_without_display(void);
+
+/* Whether this program has been built with GLFW. */
+int window_possible(void);
+
+typedef struct window window;
+
+/* One window at a time. Fails with a message. */
+window* window_open(int width, int height, const char* title);
+void window_close(window* w);
+
+/* Size of its picture, px: on some displays more than was asked for. */
+void window_size(const window* w, int* width, int* height);
+
+/* The next thing that the user has done; event_none when there is nothing more. Returns 0 when the window is to close. */
+int window_event(window* w, event* e);
+
+/* Shows a framebuffer's colours. */
+void window_show(window* w, GLuint framebuffer, int width, int height);
+
+void window_title(window* w, const char* title);
+
+/* s on the clock. */
+double window_time(void);
+
+#endif

@@ -1,0 +1,266 @@
+#!/usr/bin/env python3
+"""Runs the viewer as users do: pictures, films, keys and mouse, messages.    usage: check_viewer.py BUILD_DIR ROOT
+BUILD_DIR: of the samples; ROOT: of the project. Needs EGL; a window only where there are Xvfb and xdotool.
+SPDX-License-Identifier: MIT"""
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import viewer_window
+from check_leaf_storm import pixels
+
+WIDTH, HEIGHT = 320, 180
+SIZE = ["--size", f"{WIDTH}x{HEIGHT}"]
+SCENES = ["leaf", "paper", "petals", "confetti", "planes", "water"]
+
+
+def run(*arguments, code=0, env=None):
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120, env=env)
+    assert done.returncode == code, f"{arguments}: exit code {done.returncode}, not {code}\n{done.stdout}{done.stderr}"
+    return done
+
+
+class Report:
+    """What the viewer says at its end."""
+
+    def __init__(self, text):
+        said = re.search(r"scene (\w+): (\d+) pictures, t = ([\d.]+) s, (\d+) bodies, (\d+) at rest, lowest (\S+) m, hash (\w+)\n"
+                         r"camera (\S+),(\S+),(\S+) target (\S+),(\S+),(\S+)( following)?( paused)?\n(.*)\n", text)
+        assert said, text
+        self.scene, self.pictures, self.time = said[1], int(said[2]), float(said[3])
+        self.bodies, self.at_rest, self.lowest, self.hash = int(said[4]), int(said[5]), float(said[6]), said[7]
+        self.azimuth, self.elevation, self.distance = (float(said[i]) for i in (8, 9, 10))
+        self.target = [float(said[i]) for i in (11, 12, 13)]
+        self.following, self.paused = bool(said[14]), bool(said[15])
+        self.settings = dict(item.split(" ", 1) for item in said[16].split(", "))
+
+
+def shoot(path, *arguments):
+    """A picture and the report."""
+    report = Report(run(*SIZE, "--png", path, *arguments).stdout)
+    rows = pixels(path)
+    assert len(rows) == HEIGHT and len(rows[0]) == 3 * WIDTH
+    return rows, report
+
+
+def differing(a, b, box=(0, 0, WIDTH, HEIGHT)):
+    """How many pixels of a box are not the same."""
+    left, top, right, bottom = box
+    return sum(a[y][3 * x:3 * x + 3] != b[y][3 * x:3 * x + 3] for y in range(top, bottom) for x in range(left, right))
+
+
+def brightness(rows, x, y, reach=2):
+    values = [sum(rows[j][3 * i:3 * i + 3]) for j in range(y - reach, y + reach + 1) for i in range(x - reach, x + reach + 1)]
+    return sum(values) / len(values)
+
+
+def pixel_of(point, azimuth, elevation, distance, target):
+    """Where a point is in the picture, as camera.c has it."""
+    a, e = math.radians(azimuth), math.radians(elevation)
+    back = (math.cos(e) * math.sin(a), math.sin(e), math.cos(e) * math.cos(a))
+    right = (math.cos(a), 0.0, -math.sin(a))
+    up = (back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2], back[0] * right[1] - back[1] * right[0])
+    d = [point[i] - target[i] - distance * back[i] for i in range(3)]
+    depth, tan_half = -sum(d[i] * back[i] for i in range(3)), math.tan(0.36)
+    x = sum(d[i] * right[i] for i in range(3)) / (depth * tan_half * WIDTH / HEIGHT)
+    y = sum(d[i] * up[i] for i in range(3)) / (depth * tan_half)
+    return round(0.5 * (1 + x) * WIDTH), round(0.5 * (1 - y) * HEIGHT)
+
+
+def check_scenes(path):
+    for scene in SCENES:
+        rows, report = shoot(path("s.png"), "--scene", scene, "--count", 600, "--seconds", 2, "--no-overlay")
+        assert report.scene == scene and report.bodies > 20 and abs(report.time - 2) < 1e-4
+        assert report.lowest > -0.002, f"{scene}: a body is {report.lowest} m above the ground"
+        colours = {row[3 * x:3 * x + 3] for row in rows for x in range(WIDTH)}
+        assert len(colours) > 3000, f"{scene}: {len(colours)} colours"
+        sky, ground = (sum(sum(row) for row in part) for part in (rows[:20], rows[-20:]))
+        assert sky > 0.5 * ground, scene
+    # Leaves land, and those that lie are to be seen where there was grass before.
+    camera = ["--camera", "0,35,2.5", "--target", "0,0,0.6", "--no-overlay", "--count", 2500]
+    early, _ = shoot(path("e.png"), "--seconds", 0, *camera)
+    rows, late = shoot(path("l.png"), "--seconds", 8, *camera)
+    assert late.at_rest > 200 and late.lowest > -0.002, vars(late)
+    changed = differing(early, rows, (0, 90, WIDTH, HEIGHT))
+    assert changed > 0.06 * WIDTH * 90, changed
+
+
+def check_shadows(path):
+    # The box of scene paper from above: on either side of it, towards the sun and away, half a metre from its middle.
+    view = {"azimuth": 0, "elevation": 80, "distance": 3.5, "target": (0.85, 0, -0.7)}
+    arguments = ["--scene", "paper", "--no-overlay", "--camera", "0,80,3.5", "--target", "0.85,0,-0.7"]
+    alone, report = shoot(path("a.png"), *arguments, "--count", 1, "--seconds", 0)
+    assert report.target == [0.85, 0.0, -0.7]
+    sun = (-0.4794, -0.5793)
+    away = 0.48 / math.hypot(*sun)
+    lit, dark = (brightness(alone, *pixel_of((0.85 + s * away * sun[0], 0, -0.7 + s * away * sun[1]), **view)) for s in (1, -1))
+    assert dark < 0.65 * lit, (dark, lit)
+    # Sheets are brighter than boards: what gets much darker lies in their shadows.
+    crowd, report = shoot(path("b.png"), *arguments, "--count", 500, "--seconds", 2)
+    darker = sum(sum(crowd[y][3 * x:3 * x + 3]) < 0.65 * sum(alone[y][3 * x:3 * x + 3]) for y in range(HEIGHT) for x in range(WIDTH))
+    assert report.bodies > 50 and 60 < darker < 0.3 * WIDTH * HEIGHT, (darker, vars(report))
+
+
+def check_pictures(path):
+    scene = ["--count", 800, "--seed", 4]
+    rows, first = shoot(path("1.png"), *scene, "--seconds", 122 / 60)
+    with open(path("1.png"), "rb") as file:
+        bytes_of_first = file.read()
+    again = run(*SIZE, "--png", path("1.png"), *scene, "--seconds", 122 / 60)
+    with open(path("1.png"), "rb") as file:
+        assert file.read() == bytes_of_first, "the same arguments, another picture"
+    assert Report(again.stdout).hash == first.hash
+    other, report = shoot(path("2.png"), "--count", 800, "--seed", 5, "--seconds", 122 / 60)
+    assert report.hash != first.hash and differing(rows, other) > 300
+    assert Report(run(*SIZE, "--png", path("2.png"), *scene, "--seconds", 122 / 60, "--threads", 3).stdout).hash == first.hash
+    # A film: numbered pictures, of which the second is the picture at its time.
+    done = Report(run(*SIZE, *scene, "--seconds", 2, "--frames", 3, "--png", path("f_%02d.png")).stdout)
+    assert done.pictures == 3 and sorted(n for n in os.listdir(path("")) if n.startswith("f_")) == [f"f_{i:02d}.png" for i in range(3)]
+    film = [pixels(path(f"f_{i:02d}.png")) for i in range(3)]
+    assert film[1] == rows
+    assert min(differing(film[0], film[1]), differing(film[1], film[2])) > 200
+    # The panel covers a part of the picture and nothing else.
+    bare, _ = shoot(path("3.png"), *scene, "--seconds", 122 / 60, "--no-overlay")
+    hidden, _ = shoot(path("3.png"), *scene, "--seconds", 122 / 60, "--press", "1:h")
+    assert hidden == bare
+    assert differing(rows, bare, (12, 12, 150, 150)) > 10000 and differing(rows, bare, (262, 60, WIDTH, 130)) == 0
+    # Arrows where there is wind, none where there is none; ribbons.
+    still = [*scene, "--seconds", 1, "--no-overlay", "--wind", 0, "--gusts", 0, "--turbulence", 0]
+    assert shoot(path("4.png"), *still)[0] == shoot(path("5.png"), *still, "--arrows")[0]
+    windy = [*scene, "--seconds", 1, "--no-overlay", "--wind", 4]
+    for more in ("--arrows", "--trails"):
+        assert differing(shoot(path("4.png"), *windy)[0], shoot(path("5.png"), *windy, more)[0]) > 300, more
+
+
+def check_keys(path):
+    def after(press, *more, scene="leaf"):
+        return Report(run(*SIZE, "--png", path("k.png"), "--scene", scene, "--count", 400, "--seconds", 2, "--press", press, *more).stdout)
+
+    done = after("1:space")
+    assert done.paused and abs(done.time - 1) < 1e-4
+    done = after("1:space,1.2:n*1,1.4:n,1.5:period")
+    assert done.paused and abs(done.time - 1 - 3 / 60) < 1e-4, done.time
+    done = after("0.5:right*2,1:down,1:right,1:down*3,1:left*2,1:tab*2,1:right,1:down*2,1:right")
+    assert done.settings == {"wind": "2.00 m/s", "direction": "35 deg", "gusts": "0.4 m/s", "turbulence": "0.4 m/s", "bodies": "256",
+                             "time": "1.00 x", "substeps": "3", "loads": "aerodynamic", "meet": "yes"}, done.settings
+    assert done.bodies <= 256
+    done = after("0.5:up*2,0.5:right")
+    assert done.settings["loads"] == "langevin" and done.hash != after("0.5:up*2").hash and done.bodies > 30
+    many = after("0.2:down*4,0.5:right*8")
+    assert many.settings["bodies"] == "2383" and many.bodies > after("0.2:down").bodies
+    assert abs(after("0:down*5,0:left*3").time - 2 / 1.25 ** 3) < 0.01
+    assert after("1.5:3").scene == "petals" and after("1.5:3").time < 0.51
+    assert after("1.5:r").time < 0.51
+    turned = after("1:drag@0.85/0.5/0.95/0.6")
+    plain = after("1:h")
+    assert turned.azimuth < plain.azimuth - 10 and turned.elevation > plain.elevation + 10
+    assert after("1:scroll@5").distance < 0.6 * plain.distance
+    assert after("1:drag@0.85/0.5/0.95/0.6,1.5:c").azimuth == plain.azimuth
+    # The slider of the wind is 72 px wide from 91.6 px on, in the first row of the panel: in its middle, half of 12 m/s.
+    assert after(f"1:click@{127.6 / WIDTH}/{42 / HEIGHT}").settings["wind"] == "6.00 m/s"
+    assert after(f"1:drag@{127.6 / WIDTH}/{42 / HEIGHT}/{300 / WIDTH}/{42 / HEIGHT}").settings["wind"] == "12.00 m/s"
+    # Some of many clicks meet a body, and the camera goes along with it.
+    clicks = "0.5:h," + ",".join(f"1:click@{0.5 + 0.05 * i}/{0.2 + 0.1 * k}" for i in range(6) for k in range(6))
+    followed = after(clicks, "--count", 6000, scene="confetti")
+    assert followed.following and math.dist(followed.target, after("1:h", scene="confetti").target) > 0.05
+    assert not after(clicks + ",1.5:f", "--count", 6000, scene="confetti").following
+    assert after("1:q").time <= 1.0001 and after("1:escape").pictures == 0
+    with_p = subprocess.run([PROGRAM, *SIZE, "--png", path("k.png"), "--seconds", "0.2", "--press", "0.1:p"], cwd=path(""),
+                            capture_output=True, text=True, timeout=60)
+    assert with_p.returncode == 0 and len(pixels(path("viewer_001.png"))) == HEIGHT
+
+
+def check_own(path, baked, meshes):
+    for more in ([], ["--mesh", f"{meshes}/leaf.obj"]):
+        rows, report = shoot(path("o.png"), "--asset", f"{baked}/leaf.lrb", *more, "--count", 300, "--seconds", 1, "--no-overlay")
+        assert report.bodies > 10 and len({row[3 * x:3 * x + 3] for row in rows for x in range(WIDTH)}) > 3000
+    two = Report(run(*SIZE, "--png", path("o.png"), "--asset", f"{baked}/leaf.lrb", "--mesh", f"{meshes}/leaf.obj",
+                     "--asset", f"{baked}/petal.lrb", "--count", 300, "--seconds", 1).stdout)
+    assert two.bodies > 10
+
+
+def check_ffmpeg(path):
+    """A stand-in for ffmpeg keeps what it is sent."""
+    folder = path("bin")
+    os.mkdir(folder)
+    tool = os.path.join(folder, "ffmpeg")
+    with open(tool, "w", encoding="ascii") as file:
+        file.write('#!/bin/sh\necho "$@" >"$FFMPEG_TOLD"\nfor last; do :; done\ncat >"${last#file:}"\n')
+    os.chmod(tool, 0o755)
+    env = {**os.environ, "PATH": folder + ":" + os.environ["PATH"], "FFMPEG_TOLD": path("told")}
+    film = [*SIZE, "--count", 300, "--seconds", 1, "--frames", 2, "--fps", 20, "--png", path("film.mp4")]
+    run(*film, env=env)
+    with open(path("film.mp4"), "rb") as file:
+        sent = file.read()
+    with open(path("told"), encoding="ascii") as file:
+        told = file.read().split()
+    assert told[told.index("-s") + 1] == f"{WIDTH}x{HEIGHT}" and told[told.index("-r") + 1] == "20"
+    rows, _ = shoot(path("m.png"), "--count", 300, "--seconds", 1)
+    assert len(sent) == 2 * 3 * WIDTH * HEIGHT and sent[:3 * WIDTH * HEIGHT] == b"".join(rows)
+    with open(tool, "w", encoding="ascii") as file:
+        file.write("#!/bin/sh\ncat >/dev/null\nexit 3\n")
+    assert "ffmpeg could not make" in run(*film, env=env, code=2).stderr
+    os.remove(tool)
+    assert "install ffmpeg" in run(*film, env={**env, "PATH": folder}, code=2).stderr
+
+
+def check_messages(path, baked, meshes):
+    out = run("--help").stdout
+    assert "--scene" in out and "--press" in out
+    shot = ["--png", path("x.png"), "--seconds", 0]
+    for bad in (["--what"], ["--scene", "sea"], ["--scene"], ["--count", "0", *shot], ["--count", "1.5", *shot], ["--count"],
+                ["--wind", "nan", *shot], ["--wind", "1,2", *shot], ["--size", "10x10", *shot], ["--size", "320", *shot],
+                ["--model", "newton", *shot], ["--substeps", "0", *shot], ["--time-scale", "0", *shot], ["--threads", "99", *shot],
+                ["--camera", "1,2", *shot], ["--camera", "0,89,1", *shot], ["--target", "1,x,2", *shot], ["--frames", 3],
+                ["--frames", 3, "--png", path("x.png")], ["--frames", 3, "--png", path("%d%s.png")], ["--png", path("x%d.png")],
+                ["--fps", 7, *shot], ["--frames", 2, "--window", "--png", path("x%d.png")], ["--mesh", f"{meshes}/leaf.obj", *shot],
+                ["--press", "space", *shot], ["--press", "1:jump", *shot], ["--press", "2:a,1:a", *shot], ["--press", "1:a*0", *shot],
+                ["--seconds", "-1", *shot], ["--seed", "x", *shot]):
+        said = run(*bad, code=1).stderr
+        assert "what to do" in said and said.startswith("viewer: "), (bad, said)
+    with open(path("bad.lrb"), "wb") as file:
+        file.write(b"no asset")
+    broken = {"empty.obj": "# nothing\n", "far.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "word.obj": "v 0 zero 0\n",
+              "line.obj": "v 0 0 0\nv 1 0 0\nf 1 2\n", "point.obj": "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"}
+    for name, text in broken.items():
+        with open(path(name), "w", encoding="ascii") as file:
+            file.write(text)
+    own = ["--asset", f"{baked}/leaf.lrb", *shot]
+    for bad in (["--asset", path("none.lrb"), *shot], ["--asset", path("bad.lrb"), *shot], ["--baked", path("none"), *shot],
+                ["--meshes", path("none"), *shot], ["--png", path("none/x.png"), "--seconds", 0], ["--png", path(""), "--seconds", 0],
+                ["--png", "/dev/full", "--seconds", 0, *SIZE], *([*own, "--mesh", path(name)] for name in broken if name != "point.obj"),
+                [*own, "--mesh", path("none.obj")]):
+        said = run(*bad, code=2).stderr
+        assert "what to do" in said, (bad, said)
+    assert not [name for name in os.listdir(path("")) if ".part-" in name]
+    env = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    said = run(env=env, code=2).stderr
+    assert "--png FILE" in said, said
+
+
+def main(build, root):
+    baked, meshes = os.path.join(build, "viewer_assets"), os.path.join(root, "assets")
+    with tempfile.TemporaryDirectory() as folder:
+        def path(name):
+            return os.path.join(folder, name)
+
+        check_messages(path, baked, meshes)
+        check_scenes(path)
+        check_shadows(path)
+        check_pictures(path)
+        check_keys(path)
+        check_own(path, baked, meshes)
+        check_ffmpeg(path)
+        window = viewer_window.check(PROGRAM, path("window.png"), Report)
+    print(f"viewer is right{'' if window else ', without a window'}")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    PROGRAM = os.path.abspath(os.path.join(sys.argv[1], "viewer"))
+    main(sys.argv[1], sys.argv[2])

@@ -1,0 +1,81 @@
+"""The viewer in a window: an X server without a screen, and keys and a mouse made by xdotool.    SPDX-License-Identifier: MIT"""
+import os
+import shutil
+import subprocess
+import time
+
+from check_leaf_storm import pixels
+
+
+def missing(program):
+    """What is needed and not there, with how to get it; or None."""
+    for tool, package in (("Xvfb", "xvfb"), ("xdotool", "xdotool")):
+        if not shutil.which(tool):
+            return f"{tool}: apt-get install {package}"
+    help_text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
+    return "GLFW: apt-get install libglfw3-dev, and build again" if "built without windows" in help_text else None
+
+
+def start_server():
+    """An X server on a display that is free, which it names itself."""
+    ours, its = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(its), "-screen", "0", "640x480x24", "-nolisten", "tcp"], pass_fds=[its],
+                              stderr=subprocess.DEVNULL)
+    os.close(its)
+    with os.fdopen(ours) as pipe:
+        number = pipe.readline().strip()
+    assert number, "Xvfb has not started"
+    return server, ":" + number
+
+
+def play(program, picture, display):
+    """Keys and mouse as a user's hand would; the viewer says at its end what came of them."""
+    env = {**os.environ, "DISPLAY": display}
+
+    def tool(*arguments):
+        return subprocess.run(["xdotool", *map(str, arguments)], env=env, capture_output=True, text=True, timeout=60).stdout.strip()
+
+    viewer = subprocess.Popen([program, "--window", "--scene", "petals", "--count", "300", "--size", "320x180", "--png", picture],
+                              env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        window, until = "", time.monotonic() + 60
+        while not window and time.monotonic() < until and viewer.poll() is None:
+            time.sleep(0.2)
+            window = tool("search", "--name", "Langevin Rigid").split("\n")[0]
+        assert window, f"no window within 60 s\n{viewer.communicate()[1] if viewer.poll() is not None else ''}"
+        tool("windowfocus", "--sync", window)
+        time.sleep(1.0)  # a picture or two
+        tool("key", "Right", "Right", "Down", "Down", "Right")
+        tool("mousemove", "--window", window, 270, 90, "mousedown", 1)
+        for x in (280, 295, 310):
+            tool("mousemove", "--window", window, x, 95)
+        tool("mouseup", 1)
+        tool("click", 4)  # the wheel
+        tool("key", "a", "space", "q")
+        out, errors = viewer.communicate(timeout=60)
+    finally:
+        if viewer.poll() is None:
+            viewer.kill()
+            viewer.wait()
+    assert viewer.returncode == 0, errors
+    return out
+
+
+def check(program, picture, report_of):
+    """Returns whether there was a window to check."""
+    want = missing(program)
+    if want:
+        print(f"SKIPPED: the viewer in a window, for want of {want}")
+        return False
+    server, display = start_server()
+    try:
+        report = report_of(play(program, picture, display))
+    finally:
+        server.terminate()
+        server.wait()
+    assert report.scene == "petals" and report.pictures > 0 and report.bodies > 0 and 0 < report.time
+    assert report.settings["wind"] == "1.30 m/s" and report.settings["gusts"] == "0.3 m/s", report.settings
+    assert report.paused and report.azimuth < 14.0 and report.distance < 0.9, vars(report)
+    rows = pixels(picture)
+    assert len(rows) == 180 and len({row[3 * x:3 * x + 3] for row in rows for x in range(320)}) > 3000
+    return True
