@@ -13,7 +13,7 @@ configure() { # directory, arguments
 }
 
 step "Set-up"
-scripts/setup.sh test ${CI:+arm64}
+scripts/setup.sh test ${CI:+arm64 browser}
 source scripts/compiler_cache.sh
 
 step "Formatting"

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test|bench|battery] [arm64] [blender]   build: library, baker, samples; test: that and what only tests use;
+#   scripts/setup.sh [build|test|bench|battery] [arm64] [blender] [browser]   build: library, baker, samples; test: that and what only tests use;
 #                                                   battery: build and what scripts/noise_battery.sh runs;
 #                                                   arm64: also a cross compiler and an emulator of 64-bit ARM;
-#                                                   blender: also Blender, for bindings/python
+#                                                   blender: also Blender, for bindings/python;
+#                                                   browser: also Chromium, for the page of bindings/web
 set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(
     g++ cmake ninja-build pkg-config python3
@@ -29,13 +31,14 @@ if [ "${1:-build}" = test ]; then
         python3-clang-14                             # generators of bindings
         mono-mcs mono-runtime libmono-corlib4.5-cil libmono-system-core4.0-cil libmono-system4.0-cil   # C#, Unity, Unreal's rules
         python3-numpy python3-pip python3-setuptools python3-wheel python3-matplotlib mypy             # Python
-        nodejs lld-14 wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 dpkg-dev   # WebAssembly
-        chromium                                     # the page of the WebAssembly package
+        nodejs lld-14 wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 llvm-14   # WebAssembly
+        node-typescript dpkg-dev                     # its types; unpacks the sources of libccd
         xvfb xdotool                                 # the viewer in a window, without a screen
         patchelf                                     # libraries that find each other beside them, in packages
     )
 fi
-if [ "${1:-build}" = battery ]; then
+mode=${1:-build}
+if [ "$mode" = battery ]; then
     packages+=(dieharder)
 fi
 if [[ " $* " == *" arm64 "* ]]; then
@@ -44,12 +47,21 @@ fi
 if [[ " $* " == *" blender "* ]]; then           # bindings/python: the add-on in a real Blender, 600 MB
     packages+=(blender)
 fi
+if [[ " $* " == *" browser "* ]]; then           # bindings/web: the page in a real browser, 400 MB
+    packages+=(chromium)
+fi
 
 missing=()
 for package in "${packages[@]}"; do
     [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
 done
+# WebAssembly is built with the sources of libccd: its package is for this processor.
+fetch_sources() {
+    [ "$mode" != test ] || scripts/debian_source.sh build/sources libccd ||
+        echo "set-up: no sources of libccd; WebAssembly will be built without it" >&2
+}
 if [ ${#missing[@]} -eq 0 ]; then
+    fetch_sources
     echo "set-up: all ${#packages[@]} Debian packages are installed"
     exit 0
 fi
@@ -65,4 +77,5 @@ fi
 echo "set-up: installing ${missing[*]}"
 "${sudo[@]}" apt-get update -qq
 "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+fetch_sources
 echo "set-up: done"

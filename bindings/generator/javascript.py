@@ -125,7 +125,7 @@ def types(model):
              "export declare const LR: {"]
     for c in model["constants"]:
         lines += comment(c["doc"], "  ") + [f"  readonly {c['name'].removeprefix('LR_')}: {number(c)};"]
-    lines += ["};", "", "export declare const headerVersion: number;", ""]
+    lines += ["};", ""]
     for struct in model["structs"]:
         lines += comment(struct["doc"]) + [f"export interface {class_name(struct['name'])} {{"]
         for field in filter(is_kept, struct["fields"]):

@@ -2,8 +2,7 @@
 // Langevin Rigid for the web and node. Units are SI; quaternions are x, y, z, w; ids of bodies and colliders are bigints.
 import type * as api from './src/generated/api.mjs';
 
-export { LR } from './src/generated/api.mjs';
-export type * from './src/generated/api.mjs';
+export * from './src/generated/api.mjs';
 
 /** What functions take: any of the fields, arrays of any kind. Others have the library's initial values. */
 export type Input<T> = {

@@ -51,8 +51,10 @@ TEST_CASE("every scene ends in the same bits in any order of bodies, and through
         CHECK(outcome(scene, {.permuted = true}) == expected);
         CHECK(outcome(scene, {.through_snapshot = true}) == expected);
 #endif
-        CHECK(outcome(scene, {.simd = LR_SIMD_EMULATED, .workers = 2, .permuted = true, .through_snapshot = true}) ==
-              expected);
+        CHECK(outcome(scene, {.simd = simd_targets().back(),
+                              .workers = LR_TEST_THREADS ? 2u : 0u,
+                              .permuted = true,
+                              .through_snapshot = true}) == expected);
     }
 }
 

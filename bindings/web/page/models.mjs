@@ -3,19 +3,42 @@
 
 const smooth = (x) => Math.max(0, Math.min(1, x));
 
+/** Five points, of length and at degrees from the tip, and a stem. */
+function lobes(angle) {
+  const far = (at) => Math.abs(Math.atan2(Math.sin(angle - at), Math.cos(angle - at)));
+  const points = [[1, 0], [0.92, 0.96], [0.92, -0.96], [0.62, 1.95], [0.62, -1.95]];
+  return Math.max(0.36, ...points.map(([length, at]) => length * (1 - 1.5 * far(at)))) + (far(Math.PI) < 0.06 ? 0.6 : 0);
+}
+
 /** Half width at u from -1 to 1 along, and height of the sheet there, for v from -1 to 1 across. */
 const shapes = {
   leaf: { along: 10, across: 4, width: (u) => 0.57 * (1 - u * u) ** 0.7 * (1 - 0.28 * u), bend: (u, v) => 0.1 * (1 - u * u) + 0.12 * Math.abs(v) * (1 - u * u) },
-  maple: { along: 24, across: 4, width: (u) => (0.5 + 0.45 * Math.cos(7.5 * u)) * (1 - u ** 4) ** 0.6 * 0.95, bend: (u, v) => 0.12 * (1 - u * u) * (1 - v * v) },
+  maple: { around: 60, radius: lobes, bend: (u, v) => 0.12 * (1 - u * u) * (1 - v * v) },
   petal: { along: 8, across: 4, width: (u) => 0.75 * (1 - u * u) ** 0.6 * (1 + 0.35 * u), bend: (u, v) => 0.2 * (u * u + v * v) },
   paper: { along: 3, across: 2, width: () => 0.7, bend: (u) => 0.02 * u * u },
   confetti: { along: 2, across: 2, width: () => 0.5, bend: () => 0 },
 };
 
 /** Vertices of x, y, z, u, v, and triangles, for half a length of 1. */
-export function sheet({ along, across, width, bend }) {
+export function sheet(shape) {
   const vertices = [];
   const triangles = [];
+  if (shape.radius) fan(shape, vertices, triangles);
+  else grid(shape, vertices, triangles);
+  return { vertices: new Float32Array(vertices), triangles: new Uint16Array(triangles) };
+}
+
+function fan({ around, radius, bend }, vertices, triangles) {
+  vertices.push(0, 0, bend(0, 0), 0.5, 0.5);
+  for (let i = 0; i < around; ++i) {
+    const angle = (2 * Math.PI * i) / around;
+    const [u, v] = [radius(angle) * Math.cos(angle), radius(angle) * Math.sin(angle)];
+    vertices.push(u, v, bend(u, v), smooth((u + 1) / 2), smooth((v + 1) / 2));
+    triangles.push(0, 1 + i, 1 + ((i + 1) % around));
+  }
+}
+
+function grid({ along, across, width, bend }, vertices, triangles) {
   for (let i = 0; i <= along; ++i) {
     const u = (2 * i) / along - 1;
     const half = width(u) || 0;
@@ -27,7 +50,6 @@ export function sheet({ along, across, width, bend }) {
       triangles.push(at, at + across + 1, at + 1, at + 1, at + across + 1, at + across + 2);
     }
   }
-  return { vertices: new Float32Array(vertices), triangles: new Uint16Array(triangles) };
 }
 
 // half: of the length, m. room: half width and height of what the storm fills, m. fall: m/s, about. substeps: at 60 Hz, docs/numerics.md.

@@ -127,11 +127,17 @@ async function run() {
 }
 
 function orbit(canvas) {
-  canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId));
+  let x = 0;
+  let y = 0;
+  canvas.addEventListener('pointerdown', (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    [x, y] = [event.clientX, event.clientY];
+  });
   canvas.addEventListener('pointermove', (event) => {
     if (!canvas.hasPointerCapture(event.pointerId)) return;
-    camera.yaw -= 0.005 * event.movementX;
-    camera.pitch = Math.min(1.5, Math.max(0.02, camera.pitch + 0.005 * event.movementY));
+    camera.yaw -= 0.005 * (event.clientX - x);
+    camera.pitch = Math.min(1.5, Math.max(0.02, camera.pitch + 0.005 * (event.clientY - y)));
+    [x, y] = [event.clientX, event.clientY];
   });
   canvas.addEventListener('wheel', (event) => {
     event.preventDefault();

@@ -239,8 +239,6 @@ export declare const LR: {
   readonly POSE_FIXED: 1;
 };
 
-export declare const headerVersion: number;
-
 /**
  * Where a world takes its memory from. Both functions are given or neither; neither means the C library's.
  * `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most 128), or null.
