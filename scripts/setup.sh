@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test|bench|battery] [arm64]   build: library, baker, samples; test: that and what only tests use;
+#   scripts/setup.sh [build|test|bench|battery] [package] [arm64] [windows]   build: library, baker, samples; test: that and what only tests use;
 #                                                   battery: build and what scripts/noise_battery.sh runs;
-#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM
+#                                                   package: also what scripts/package.sh needs, with the sources of what packages carry;
+#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM;
+#                                                   windows: also MinGW and Wine
 set -euo pipefail
 
 packages=(
@@ -26,16 +28,27 @@ fi
 if [ "${1:-build}" = battery ]; then
     packages+=(dieharder)
 fi
+if [[ " $* " == *" package "* ]]; then
+    packages+=(dpkg-dev xz-utils zip unzip binutils)   # Debian's sources; archives; what is in them
+    packages+=(libutfcpp-dev doctest-dev)              # headers, for assimp and tests
+fi
 if [[ " $* " == *" arm64 "* ]]; then
     packages+=(g++-aarch64-linux-gnu qemu-user-static)
+fi
+if [[ " $* " == *" windows "* ]]; then
+    packages+=(g++-mingw-w64-x86-64-posix wine64 llvm-14)   # llvm-14: import libraries for Microsoft's linker
 fi
 
 missing=()
 for package in "${packages[@]}"; do
     [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
 done
+fetch_sources() { # later steps need no network
+    if [[ " $* " == *" package "* ]]; then "$(dirname "${BASH_SOURCE[0]}")/../packaging/fetch_sources.sh" >/dev/null; fi
+}
 if [ ${#missing[@]} -eq 0 ]; then
     echo "set-up: all ${#packages[@]} Debian packages are installed"
+    fetch_sources "$@"
     exit 0
 fi
 
@@ -50,4 +63,5 @@ fi
 echo "set-up: installing ${missing[*]}"
 "${sudo[@]}" apt-get update -qq
 "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+fetch_sources "$@"
 echo "set-up: done"
