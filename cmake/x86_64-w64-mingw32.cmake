@@ -1,3 +1,5 @@
+# SPDX-License-Identifier: MIT
+#
 # 64-bit Windows, built on another machine with Debian's MinGW and run there by Wine (scripts/setup.sh windows). What others wrote is
 # looked for in CMAKE_FIND_ROOT_PATH alone: packaging/build_dependencies.sh windows-x64 makes it.
 set(CMAKE_SYSTEM_NAME Windows)

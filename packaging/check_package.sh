@@ -66,7 +66,7 @@ licences() { # each of the table is there and says something; none is there with
 check "licences of all that it carries" licences
 no_paths() { # of the machine that built, in any file
     local bad
-    bad=$(grep -rlaF -e "$root" -e /home/ -e build/packaging . || true)
+    bad=$(grep -rlaF -e "$root" -e build/packaging . || true)
     [ -z "$bad" ] || { echo "$bad"; grep -raohE "[[:print:]]*($root|build/packaging)[[:print:]]*" $bad | head -n 5; return 1; }
 }
 check "no folders of the machine that built it" no_paths

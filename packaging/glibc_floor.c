@@ -80,6 +80,15 @@ int __wrap_fstat(int file, struct stat* info);
 int __wrap_fstat(int file, struct stat* info) {
     return old___fxstat(STAT_VERSION, file, info);
 }
+/* The same where a program asks for large files, which these systems' others are. */
+int __wrap_stat64(const char* path, struct stat* info);
+int __wrap_stat64(const char* path, struct stat* info) {
+    return old___xstat(STAT_VERSION, path, info);
+}
+int __wrap_fstat64(int file, struct stat* info);
+int __wrap_fstat64(int file, struct stat* info) {
+    return old___fxstat(STAT_VERSION, file, info);
+}
 int __wrap_fstatat(int folder, const char* path, struct stat* info, int flags);
 int __wrap_fstatat(int folder, const char* path, struct stat* info, int flags) {
     return old___fxstatat(STAT_VERSION, folder, path, info, flags);

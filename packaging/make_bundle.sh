@@ -75,4 +75,4 @@ linux-*)
 esac
 python3 packaging/package_readme.py --platform "$platform" --version "$version" --stage "$stage" "${floor[@]}" \
     --docs docs/packages.md
-packaging/write_archive.sh "$folder/stage" "$name" "$out/$name.$archive"
+packaging/write_archive.sh "$folder/stage" "$name" "$out/$name.$suffix"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is wrong with files, in words: the same on every system.
 #pragma once
 
@@ -48,8 +49,7 @@ inline bool too_large(Faults& faults, const std::string& path, std::size_t max_b
 }
 
 inline bool not_a_folder(Faults& faults, const std::string& path) {
-    return file_fault(faults, FaultId::file_write, path, "This is a file, not a folder.",
-                      "Give the name of a folder.");
+    return file_fault(faults, FaultId::file_write, path, "This is a file, not a folder.", "Give the name of a folder.");
 }
 
 } // namespace lr::baker

@@ -164,8 +164,7 @@ bool read_file(const std::string& path, std::size_t max_bytes, std::vector<uint8
         return cannot_read(faults, path, errno, "Check that you may read it.");
     }
     struct stat info {};
-    if (::fstat(in.get(), &info) != 0 || !S_ISREG(info.st_mode))
-        return not_a_file(faults, path);
+    if (::fstat(in.get(), &info) != 0 || !S_ISREG(info.st_mode)) return not_a_file(faults, path);
     // The size may be a lie (/proc) or change: it is a hint.
     std::size_t size = 0;
     out.resize(std::clamp<std::size_t>(static_cast<std::size_t>(info.st_size), 4096, max_bytes) + 1);

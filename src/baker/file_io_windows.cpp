@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "baker/file_faults.h"
 #include "baker/file_io.h"
 #include "baker/signals_held.h"

@@ -3,8 +3,8 @@
 #pragma once
 
 #if defined(_WIN32)
-#include <atomic>
 #include "baker/windows_text.h"
+#include <atomic>
 #else
 #include <signal.h>
 #endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Windows' own text is UTF-16. Included by sources for Windows alone.
 #pragma once
 

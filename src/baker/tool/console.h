@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What of the command line and the terminal differs between systems.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "baker/tool/console.h"
 #include "baker/windows_text.h"
 

@@ -155,7 +155,8 @@ int main(int argc, char** argv) {
         std::vector<char*> pointers;
         for (std::string& argument : arguments) pointers.push_back(argument.data());
         int exit_code = 0;
-        const std::optional<CommandLine> line = parse_command_line(static_cast<int>(pointers.size()), pointers.data(), exit_code);
+        const std::optional<CommandLine> line =
+            parse_command_line(static_cast<int>(pointers.size()), pointers.data(), exit_code);
         if (!line) return exit_code;
         if (line->command != CommandLine::Command::bake) return run_on_asset(*line);
         return line->folders ? run_batch(*line) : run_bake(*line);
