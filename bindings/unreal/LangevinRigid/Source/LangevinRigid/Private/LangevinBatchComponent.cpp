@@ -109,7 +109,7 @@ bool ULangevinBatchComponent::ApplyEmitter() {
           LangevinConversion::PositionToLangevin(From(EmitterPlace.GetLocation()), From(Subsystem->GetOrigin())));
     Store(Desc.orientation, LangevinConversion::MirrorRotation(From(EmitterPlace.GetRotation())));
     const FVector Extent = EmitterExtent.GetAbs() / LangevinConversion::CentimetresPerMetre;
-    Store(Desc.size, {Extent.X, Extent.Y, Extent.Z});
+    Store(Desc.size, From(Extent));
     const float Speed = static_cast<float>(LangevinConversion::LengthToMetres(InitialVelocity.Size()));
     if (Speed > 0.0f) Store(Desc.direction, LangevinConversion::VectorToLangevin(From(InitialVelocity)));
     Desc.speed_min = Desc.speed_max = Speed;

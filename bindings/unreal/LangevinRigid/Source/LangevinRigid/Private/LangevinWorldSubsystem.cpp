@@ -22,6 +22,7 @@ DECLARE_CYCLE_STAT(TEXT("Write instances"), STAT_LangevinWrite, STATGROUP_Langev
 using LangevinHost::Check;
 
 ULangevinWorldSubsystem::ULangevinWorldSubsystem() = default;
+ULangevinWorldSubsystem::ULangevinWorldSubsystem(FVTableHelper& Helper) : Super(Helper) {}
 ULangevinWorldSubsystem::~ULangevinWorldSubsystem() = default;
 
 bool ULangevinWorldSubsystem::DoesSupportWorldType(const EWorldType::Type WorldType) const {

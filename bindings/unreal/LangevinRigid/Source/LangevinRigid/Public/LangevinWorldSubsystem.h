@@ -24,6 +24,7 @@ class LANGEVINRIGID_API ULangevinWorldSubsystem : public UTickableWorldSubsystem
 
 public:
     ULangevinWorldSubsystem();
+    ULangevinWorldSubsystem(FVTableHelper& Helper); // the generated one would need what the pointers below point to
     virtual ~ULangevinWorldSubsystem() override;
 
     virtual void Initialize(FSubsystemCollectionBase& Collection) override;

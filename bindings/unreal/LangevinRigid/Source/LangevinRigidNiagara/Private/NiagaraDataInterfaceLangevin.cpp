@@ -68,7 +68,7 @@ int32 UNiagaraDataInterfaceLangevin::PerInstanceDataSize() const { return sizeof
 
 bool UNiagaraDataInterfaceLangevin::InitPerInstanceData(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance) {
     FInstanceData* Data = new (PerInstanceData) FInstanceData;
-    Data->Converter = SystemInstance->GetLWCConverter();
+    Data->Converter = SystemInstance->GetLWCConverter(false);
     Data->Batch = FindBatch(*SystemInstance);
     return true; // a batch may still come
 }
@@ -81,13 +81,13 @@ void UNiagaraDataInterfaceLangevin::DestroyPerInstanceData(void* PerInstanceData
 bool UNiagaraDataInterfaceLangevin::PerInstanceTick(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance, float) {
     FInstanceData& Data = *static_cast<FInstanceData*>(PerInstanceData);
     if (!Data.Batch.IsValid()) Data.Batch = FindBatch(*SystemInstance);
-    Data.Converter = SystemInstance->GetLWCConverter();
+    Data.Converter = SystemInstance->GetLWCConverter(false);
     Data.Snapshot.Reset();
     if (const ULangevinBatchComponent* Batch = Data.Batch.Get()) Data.Snapshot = Batch->GetSnapshot();
     return false;
 }
 
-ULangevinBatchComponent* UNiagaraDataInterfaceLangevin::FindBatch(const FNiagaraSystemInstance& SystemInstance) const {
+ULangevinBatchComponent* UNiagaraDataInterfaceLangevin::FindBatch(FNiagaraSystemInstance& SystemInstance) const {
     if (const AActor* Actor = Source.Get()) return Actor->FindComponentByClass<ULangevinBatchComponent>();
     for (USceneComponent* Component = SystemInstance.GetAttachComponent(); Component != nullptr;
          Component = Component->GetAttachParent()) {

@@ -38,7 +38,7 @@ protected:
     virtual bool CopyToInternal(UNiagaraDataInterface* Destination) const override;
 
 private:
-    ULangevinBatchComponent* FindBatch(const FNiagaraSystemInstance& SystemInstance) const;
+    ULangevinBatchComponent* FindBatch(FNiagaraSystemInstance& SystemInstance) const;
 
     static void GetNumBodies(FVectorVMExternalFunctionContext& Context);
     static void GetBody(FVectorVMExternalFunctionContext& Context);
