@@ -57,6 +57,10 @@ def package_native(plugin: Path, native: str, also: list) -> str:
         fail(f"{header} differs from that of another --native: all must be of one version")
     put(header, shipped)
 
+    for licence in sorted((prefix / "share/doc/langevin_rigid").glob("*")):
+        if licence.is_file():
+            put(licence, plugin / "Licenses" / licence.name)
+
     folder = plugin / THIRD_PARTY / "lib" / platform
     if platform == "Win64":
         put(library, folder / library.name)

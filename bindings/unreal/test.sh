@@ -35,7 +35,7 @@ have() { command -v "$1" >/dev/null; }
 plugin="$here/LangevinRigid"
 mapfile -t headers < <(find "$plugin/Source" "$here/samples" -name '*.h' -not -path '*/ThirdParty/*' | sort)
 mapfile -t sources < <(find "$plugin/Source" "$here/samples" -name '*.cpp' | sort)
-flags=(-std=c++20 -Wall -Wextra -Werror -I"$gen" -I"$here/shim" -I"$here/samples"
+flags=(-std=c++20 -Wall -Wextra -Wshadow -Werror -I"$gen" -I"$here/shim" -I"$here/samples"
     -I"$plugin/Source/LangevinRigid/Public" -I"$plugin/Source/LangevinRigid/Private"
     -I"$plugin/Source/LangevinRigidNiagara/Public" -I"$plugin/Source/LangevinRigidEditor/Public"
     -isystem "$prefix/include" -DLANGEVINRIGID_API= -DLANGEVINRIGIDNIAGARA_API= -DLANGEVINRIGIDEDITOR_API=
@@ -54,11 +54,22 @@ alone() { # COMPILER FILE...: each file by itself; headers by way of a source th
         'printf "#include \"%s\"\n" "${@: -1}" | "$compiler" "${@:1:$#-1}" -x c++ -fsyntax-only -' _ "${flags[@]}"
 }
 if have clang++-14; then
-    step "clang++-14: ${#sources[@]} sources and ${#headers[@]} headers, each alone" alone clang++-14 "${sources[@]}" "${headers[@]}"
+    step "clang++-14: ${#sources[@]} sources" alone clang++-14 "${sources[@]}"
 else
     skip "the check by clang++-14, for want of it: apt-get install clang-14"
 fi
 step "g++: ${#headers[@]} headers, each alone (sources: below)" alone g++ "${headers[@]}"
+
+# The engine builds a module as one or a few sources that include the others: names of files must not meet.
+unity() {
+    local module
+    for module in LangevinRigid LangevinRigidNiagara LangevinRigidEditor; do
+        find "$plugin/Source/$module" -name '*.cpp' | sort | sed 's/.*/#include "&"/' >"$build/unity_$module.cpp"
+        g++ "${flags[@]}" -fsyntax-only "$build/unity_$module.cpp" || return 1
+    done
+}
+step "unity builds of all modules" unity
+step "no test-only name of the shim in the plugin" bash -c "! grep -rnE '\\bb?Shim[A-Z]' '$plugin/Source' '$here/samples'"
 
 # ---------------------------------------------------------------------------------------------------------------------
 # Packages and build rules

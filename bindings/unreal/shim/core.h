@@ -21,11 +21,11 @@
 using int8 = std::int8_t;
 using int16 = std::int16_t;
 using int32 = std::int32_t;
-using int64 = std::int64_t;
+using int64 = long long; // as in the engine, also where std::int64_t is long
 using uint8 = std::uint8_t;
 using uint16 = std::uint16_t;
 using uint32 = std::uint32_t;
-using uint64 = std::uint64_t;
+using uint64 = unsigned long long;
 using SIZE_T = std::size_t;
 using TCHAR = char16_t; // as on Unreal's Linux
 #define TEXT_PASTE(X) u##X
@@ -42,7 +42,9 @@ namespace ESearchCase {
 enum Type { CaseSensitive, IgnoreCase };
 }
 
-template <typename T> std::remove_reference_t<T>&& MoveTemp(T&& Value) { return std::move(Value); }
+template <typename T> std::remove_reference_t<T>&& MoveTemp(T&& Value) {
+    return std::move(Value);
+}
 
 template <typename T> struct TNumericLimits {
     static constexpr T Lowest() { return std::numeric_limits<T>::lowest(); }
@@ -146,7 +148,7 @@ template <typename T> class TArray {
 public:
     using ElementType = T;
     TArray() = default;
-    TArray(std::initializer_list<T> Items) : Items(Items.begin(), Items.end()) {}
+    TArray(std::initializer_list<T> From) : Items(From.begin(), From.end()) {}
 
     int32 Num() const { return static_cast<int32>(Items.size()); }
     TStored* GetData() { return Items.data(); }
@@ -215,8 +217,7 @@ template <typename T> class TFunctionRef;
 template <typename R, typename... A> class TFunctionRef<R(A...)> {
 public:
     template <typename F>
-        requires(!std::is_same_v<std::decay_t<F>, TFunctionRef>)
-    TFunctionRef(F&& Function)
+    requires(!std::is_same_v<std::decay_t<F>, TFunctionRef>) TFunctionRef(F&& Function)
         : Object(&Function), Call([](const void* From, A... Arguments) -> R {
               return (*static_cast<std::remove_reference_t<F>*>(const_cast<void*>(From)))(Arguments...);
           }) {}
@@ -254,7 +255,8 @@ private:
     template <typename U, ESPMode M> friend class TSharedPtr;
     std::shared_ptr<T> Data;
 };
-template <typename T, ESPMode Mode = ESPMode::ThreadSafe, typename... A> TSharedRef<T, Mode> MakeShared(A&&... Arguments) {
+template <typename T, ESPMode Mode = ESPMode::ThreadSafe, typename... A>
+TSharedRef<T, Mode> MakeShared(A&&... Arguments) {
     return TSharedRef<T, Mode>(std::make_shared<T>(std::forward<A>(Arguments)...));
 }
 
@@ -281,7 +283,7 @@ enum Type : uint8 { NoLogging, Fatal, Error, Warning, Display, Log, Verbose, Ver
 }
 void ShimLog(const char* Category, ELogVerbosity::Type Verbosity, const FString& Line);
 
-#define DECLARE_LOG_CATEGORY_EXTERN(CategoryName, DefaultVerbosity, CompileTimeVerbosity)                               \
+#define DECLARE_LOG_CATEGORY_EXTERN(CategoryName, DefaultVerbosity, CompileTimeVerbosity)                              \
     extern struct FLogCategory##CategoryName {                                                                         \
         static constexpr ELogVerbosity::Type Verbosity = ELogVerbosity::DefaultVerbosity;                              \
     } CategoryName
@@ -352,7 +354,10 @@ private:
     class Name : public TShimDynamicDelegate<Type> {}
 
 struct TStatId {};
-#define DECLARE_STATS_GROUP(Description, Group, Category) struct Group##_Shim {}
-#define DECLARE_CYCLE_STAT(Description, Stat, Group) struct Stat##_Shim : Group##_Shim {}
-#define SCOPE_CYCLE_COUNTER(Stat) [[maybe_unused]] const Stat##_Shim ShimScope##Stat {}
+#define DECLARE_STATS_GROUP(Description, Group, Category)                                                              \
+    struct Group##_Shim {}
+#define DECLARE_CYCLE_STAT(Description, Stat, Group)                                                                   \
+    struct Stat##_Shim : Group##_Shim {}
+#define SCOPE_CYCLE_COUNTER(Stat)                                                                                      \
+    [[maybe_unused]] const Stat##_Shim ShimScope##Stat {}
 #define RETURN_QUICK_DECLARE_CYCLE_STAT(Name, Group) return TStatId()

@@ -56,9 +56,7 @@ struct FKAggregateGeom {
     TArray<FKBoxElem> BoxElems;
     TArray<FKSphylElem> SphylElems;
     TArray<FKConvexElem> ConvexElems;
-    int32 GetElementCount() const {
-        return SphereElems.Num() + BoxElems.Num() + SphylElems.Num() + ConvexElems.Num();
-    }
+    int32 GetElementCount() const { return SphereElems.Num() + BoxElems.Num() + SphylElems.Num() + ConvexElems.Num(); }
 };
 
 class UBodySetup : public UObject {
@@ -190,16 +188,18 @@ public:
     virtual void ClearInstances() { Instances.Empty(); }
     int32 GetInstanceCount() const { return Instances.Num(); }
     bool GetInstanceTransform(int32 InstanceIndex, FTransform& OutInstanceTransform, bool bWorldSpace = false) const;
-    virtual bool BatchUpdateInstancesTransforms(int32 StartInstanceIndex, const TArray<FTransform>& NewInstancesTransforms,
+    virtual bool BatchUpdateInstancesTransforms(int32 StartInstanceIndex,
+                                                const TArray<FTransform>& NewInstancesTransforms,
                                                 bool bWorldSpace = false, bool bMarkRenderStateDirty = false,
                                                 bool bTeleport = false);
-    virtual bool BatchUpdateInstancesTransforms(int32 StartInstanceIndex, TArrayView<const FTransform> NewInstancesTransforms,
+    virtual bool BatchUpdateInstancesTransforms(int32 StartInstanceIndex,
+                                                TArrayView<const FTransform> NewInstancesTransforms,
                                                 bool bWorldSpace = false, bool bMarkRenderStateDirty = false,
                                                 bool bTeleport = false);
     virtual FBoxSphereBounds CalcBounds(const FTransform& BoundTransform) const override;
 
-    int32 ShimUpdates = 0;        // calls of BatchUpdateInstancesTransforms
-    int32 ShimUpdated = 0;        // instances of the last one
+    int32 ShimUpdates = 0;         // calls of BatchUpdateInstancesTransforms
+    int32 ShimUpdated = 0;         // instances of the last one
     bool bShimMarkedDirty = false; // in the last one
 
 private:
@@ -263,7 +263,8 @@ enum class EHeightfieldSource { None, Simple, Complex, Editor };
 class ALandscapeProxy : public AActor {
     SHIM_OBJECT(ALandscapeProxy, AActor)
 public:
-    TOptional<float> GetHeightAtLocation(FVector Location, EHeightfieldSource HeightFieldSource = EHeightfieldSource::Complex) const;
+    TOptional<float> GetHeightAtLocation(FVector Location,
+                                         EHeightfieldSource HeightFieldSource = EHeightfieldSource::Complex) const;
     std::function<TOptional<float>(FVector)> ShimHeight;
 };
 class ULandscapeHeightfieldCollisionComponent : public UPrimitiveComponent {

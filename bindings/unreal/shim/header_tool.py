@@ -56,6 +56,18 @@ def check_function(path: Path, line: int, text: str, known: set) -> None:
             complain(path, line, f"{name}: type '{kind.strip()}' is not supported by blueprint")
 
 
+def after_macro(lines: list, number: int) -> tuple:
+    """What a macro that begins in a line (from 1) says in its brackets, and the index of the line after it."""
+    depth, text = 0, ""
+    for index in range(number - 1, len(lines)):
+        for c in lines[index]:
+            depth += (c == "(") - (c == ")")
+            text += c
+            if c == ")" and depth == 0:
+                return text, index + 1
+    return text, len(lines)
+
+
 def process(path: Path, out: Path, known: set) -> None:
     text = path.read_text()
     lines = text.split("\n")
@@ -89,9 +101,11 @@ def process(path: Path, out: Path, known: set) -> None:
                           f"#define {macro}")
             current = None
         if re.match(r"\s*UFUNCTION\(", line):
-            check_function(path, number, " ".join(lines[number:number + 4]).split(";")[0], known)
+            _, next_line = after_macro(lines, number)
+            check_function(path, number, " ".join(lines[next_line:next_line + 6]).split(";")[0], known)
         if re.match(r"\s*UPROPERTY\(", line):
-            declared = lines[number].strip().rstrip(";").split("=")[0].strip()
+            line, next_line = after_macro(lines, number)
+            declared = lines[next_line].strip().rstrip(";").split("=")[0].strip()
             kind = declared.rsplit(None, 1)[0]
             if "Blueprint" in line and "BlueprintAssignable" not in line and not plain_type(kind, known):
                 complain(path, number + 1, f"type '{kind}' is not supported by blueprint")

@@ -14,8 +14,7 @@ template <typename T> struct TShimVector {
     explicit TShimVector(T V) : X(V), Y(V), Z(V) {}
     TShimVector(T InX, T InY, T InZ) : X(InX), Y(InY), Z(InZ) {}
     template <typename U>
-        requires(!std::is_same_v<T, U>)
-    explicit TShimVector(const TShimVector<U>& V)
+    requires(!std::is_same_v<T, U>) explicit TShimVector(const TShimVector<U>& V)
         : X(static_cast<T>(V.X)), Y(static_cast<T>(V.Y)), Z(static_cast<T>(V.Z)) {}
     static const TShimVector ZeroVector, OneVector, UpVector;
 
@@ -59,8 +58,7 @@ template <typename T> struct TShimQuat {
         : X(Axis.X * std::sin(Angle / 2)), Y(Axis.Y * std::sin(Angle / 2)), Z(Axis.Z * std::sin(Angle / 2)),
           W(std::cos(Angle / 2)) {}
     template <typename U>
-        requires(!std::is_same_v<T, U>)
-    explicit TShimQuat(const TShimQuat<U>& Q)
+    requires(!std::is_same_v<T, U>) explicit TShimQuat(const TShimQuat<U>& Q)
         : X(static_cast<T>(Q.X)), Y(static_cast<T>(Q.Y)), Z(static_cast<T>(Q.Z)), W(static_cast<T>(Q.W)) {}
     static const TShimQuat Identity;
 
@@ -124,7 +122,8 @@ struct FTransform {
     }
     FTransform GetRelativeTransform(const FTransform& Other) const {
         return {Other.Rotation.Inverse() * Rotation,
-                Other.Rotation.Inverse().RotateVector(Translation - Other.Translation) / Other.Scale, Scale / Other.Scale};
+                Other.Rotation.Inverse().RotateVector(Translation - Other.Translation) / Other.Scale,
+                Scale / Other.Scale};
     }
     FTransform Inverse() const { return FTransform().GetRelativeTransform(*this); }
     bool Equals(const FTransform& Other, double Tolerance = 1e-4) const {

@@ -4,7 +4,12 @@
 #include "engine.h"
 
 enum class ENiagaraSimTarget : uint8 { CPUSim, GPUComputeSim };
-enum class ENiagaraTypeRegistryFlags : uint32 { None = 0, AllowUserVariable = 1, AllowAnyVariable = 0xf, AllowParameter = 0x10 };
+enum class ENiagaraTypeRegistryFlags : uint32 {
+    None = 0,
+    AllowUserVariable = 1,
+    AllowAnyVariable = 0xf,
+    AllowParameter = 0x10
+};
 inline ENiagaraTypeRegistryFlags operator|(ENiagaraTypeRegistryFlags A, ENiagaraTypeRegistryFlags B) {
     return static_cast<ENiagaraTypeRegistryFlags>(static_cast<uint32>(A) | static_cast<uint32>(B));
 }
@@ -148,9 +153,13 @@ public:
     virtual void DestroyPerInstanceData(void*, FNiagaraSystemInstance*) {}
     virtual bool HasPreSimulateTick() const { return false; }
     virtual bool PerInstanceTick(void*, FNiagaraSystemInstance*, float) { return false; }
-    virtual bool Equals(const UNiagaraDataInterface* Other) const { return Other != nullptr && Other->GetClass() == GetClass(); }
+    virtual bool Equals(const UNiagaraDataInterface* Other) const {
+        return Other != nullptr && Other->GetClass() == GetClass();
+    }
     bool CopyTo(UNiagaraDataInterface* Destination) const { return CopyToInternal(Destination); }
-    void GetFunctionSignatures(TArray<FNiagaraFunctionSignature>& OutFunctions) const { GetFunctionsInternal(OutFunctions); }
+    void GetFunctionSignatures(TArray<FNiagaraFunctionSignature>& OutFunctions) const {
+        GetFunctionsInternal(OutFunctions);
+    }
 
 protected:
     virtual void GetFunctionsInternal(TArray<FNiagaraFunctionSignature>&) const {}

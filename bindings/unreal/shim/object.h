@@ -48,16 +48,16 @@ public:
     virtual void PostInitProperties() {}
     virtual void PostLoad() {}
     virtual void BeginDestroy() {}
-    virtual UWorld* GetWorld() const { return Outer != nullptr ? Outer->GetWorld() : nullptr; }
-    UObject* GetOuter() const { return Outer; }
-    FString GetPathName() const { return Name.ToString(); }
-    bool HasAnyFlags(EObjectFlags Any) const { return (Flags & Any) != 0; }
+    virtual UWorld* GetWorld() const { return ShimOuter != nullptr ? ShimOuter->GetWorld() : nullptr; }
+    UObject* GetOuter() const { return ShimOuter; }
+    FString GetPathName() const { return ShimName.ToString(); }
+    bool HasAnyFlags(EObjectFlags Any) const { return (ShimFlags & Any) != 0; }
     void MarkAsGarbage() { bGarbage = true; }
     bool MarkPackageDirty() const { return ++DirtyCount > 0; }
 
-    UObject* Outer = nullptr;
-    FName Name;
-    uint32 Flags = RF_NoFlags;
+    UObject* ShimOuter = nullptr;
+    FName ShimName;
+    uint32 ShimFlags = RF_NoFlags;
     bool bGarbage = false;
     mutable int32 DirtyCount = 0;
 };
@@ -77,22 +77,31 @@ public:                                                                         
         static UClass Class{FName(TEXT(#Type)), Base::StaticClass(), &ShimConstruct<Type>};                            \
         return &Class;                                                                                                 \
     }                                                                                                                  \
-    virtual UClass* GetClass() const override { return StaticClass(); }
+    virtual UClass* GetClass() const override {                                                                        \
+        return StaticClass();                                                                                          \
+    }
 
 /** All that live; the garbage collector of this shim is the end of the program. */
 const std::vector<UObject*>& ShimObjects();
 void ShimDestroy(UObject* Object);
 UObject* ShimNewObject(UObject* Outer, const UClass* Class, FName Name, uint32 Flags);
 
-template <typename T> T* NewObject(UObject* Outer, const UClass* Class, FName Name = NAME_None, EObjectFlags Flags = RF_NoFlags) {
+template <typename T>
+T* NewObject(UObject* Outer, const UClass* Class, FName Name = NAME_None, EObjectFlags Flags = RF_NoFlags) {
     return static_cast<T*>(ShimNewObject(Outer, Class, Name, Flags));
 }
 template <typename T> T* NewObject(UObject* Outer, FName Name, EObjectFlags Flags = RF_NoFlags) {
     return NewObject<T>(Outer, T::StaticClass(), Name, Flags);
 }
-template <typename T> T* NewObject(UObject* Outer) { return NewObject<T>(Outer, T::StaticClass()); }
-template <typename T> T* GetMutableDefault() { return static_cast<T*>(T::StaticClass()->GetDefaultObject()); }
-template <typename T> const T* GetDefault() { return GetMutableDefault<T>(); }
+template <typename T> T* NewObject(UObject* Outer) {
+    return NewObject<T>(Outer, T::StaticClass());
+}
+template <typename T> T* GetMutableDefault() {
+    return static_cast<T*>(T::StaticClass()->GetDefaultObject());
+}
+template <typename T> const T* GetDefault() {
+    return GetMutableDefault<T>();
+}
 
 template <typename T, typename U> T* Cast(U* Object) {
     if constexpr (std::is_const_v<U>) {
@@ -102,7 +111,7 @@ template <typename T, typename U> T* Cast(U* Object) {
     }
 }
 template <typename T, typename U>
-    requires std::is_const_v<U>
+requires std::is_const_v<U>
 const T* Cast(U* Object) {
     return dynamic_cast<const T*>(Object);
 }

@@ -111,7 +111,8 @@ std::atomic<int64> Allocations{0};
 } // namespace
 
 void ShimLog(const char* Category, ELogVerbosity::Type Verbosity, const FString& Line) {
-    static const char* const Names[] = {"", "Fatal", "Error", "Warning", "Display", "Log", "Verbose", "VeryVerbose", ""};
+    static const char* const Names[] = {"",    "Fatal",   "Error",       "Warning", "Display",
+                                        "Log", "Verbose", "VeryVerbose", ""};
     const std::lock_guard Lock(LogMutex);
     LogLines.push_back(std::string(Category) + ": " + Names[Verbosity] + ": " + ShimNarrow(*Line));
     if (std::getenv("SHIM_LOG") != nullptr) std::fprintf(stderr, "%s\n", LogLines.back().c_str());
@@ -133,10 +134,16 @@ void FMemory::Free(void* Original) {
     std::free(Original);
 }
 
-int64 ShimLiveAllocations() { return Allocations; }
+int64 ShimLiveAllocations() {
+    return Allocations;
+}
 
-void* FPlatformProcess::GetDllHandle(const TCHAR* Filename) { return dlopen(ShimNarrow(Filename).c_str(), RTLD_NOW); }
-void FPlatformProcess::FreeDllHandle(void* DllHandle) { dlclose(DllHandle); }
+void* FPlatformProcess::GetDllHandle(const TCHAR* Filename) {
+    return dlopen(ShimNarrow(Filename).c_str(), RTLD_NOW);
+}
+void FPlatformProcess::FreeDllHandle(void* DllHandle) {
+    dlclose(DllHandle);
+}
 void FPlatformProcess::PushDllDirectory(const TCHAR*) {}
 void FPlatformProcess::PopDllDirectory(const TCHAR*) {}
 
@@ -152,7 +159,9 @@ FString FPaths::GetExtension(const FString& Path) {
     return FString(Dot == std::u16string::npos ? u"" : Text.substr(Dot + 1));
 }
 
-bool FPaths::FileExists(const FString& Path) { return std::ifstream(ShimNarrow(*Path)).good(); }
+bool FPaths::FileExists(const FString& Path) {
+    return std::ifstream(ShimNarrow(*Path)).good();
+}
 
 bool FFileHelper::LoadFileToArray(TArray<uint8>& Result, const TCHAR* Filename, uint32) {
     std::ifstream File(ShimNarrow(Filename), std::ios::binary);
@@ -233,14 +242,18 @@ FPool& Pool() {
 }
 } // namespace
 
-uint64 ShimTasksElsewhere() { return Elsewhere; }
+uint64 ShimTasksElsewhere() {
+    return Elsewhere;
+}
 
 FTaskGraphInterface& FTaskGraphInterface::Get() {
     static FTaskGraphInterface Instance;
     return Instance;
 }
 
-int32 FTaskGraphInterface::GetNumWorkerThreads() const { return static_cast<int32>(Pool().Threads.size()); }
+int32 FTaskGraphInterface::GetNumWorkerThreads() const {
+    return static_cast<int32>(Pool().Threads.size());
+}
 
 UE::Tasks::FTask UE::Tasks::ShimLaunch(std::function<void()> Body) {
     FTask Task{std::make_shared<FShimTask>()};
@@ -262,7 +275,8 @@ void UE::Tasks::ShimWait(const FTask& Task) {
 void ParallelFor(int32 Num, TFunctionRef<void(int32)> Body, EParallelForFlags Flags) {
     TArray<UE::Tasks::FTask> Tasks;
     const bool bAlone = Flags == EParallelForFlags::ForceSingleThread;
-    for (int32 Index = 1; Index < Num && !bAlone; ++Index) Tasks.Add(UE::Tasks::ShimLaunch([Body, Index] { Body(Index); }));
+    for (int32 Index = 1; Index < Num && !bAlone; ++Index)
+        Tasks.Add(UE::Tasks::ShimLaunch([Body, Index] { Body(Index); }));
     for (int32 Index = 0; Index < (bAlone ? Num : FMath::Min(Num, 1)); ++Index) Body(Index);
     UE::Tasks::Wait(Tasks);
 }
@@ -281,7 +295,9 @@ std::map<std::string, FModule>& Modules() {
 }
 } // namespace
 
-void ShimRegisterModule(const char* Name, IModuleInterface* (*Make)()) { Modules()[Name] = {Make, nullptr}; }
+void ShimRegisterModule(const char* Name, IModuleInterface* (*Make)()) {
+    Modules()[Name] = {Make, nullptr};
+}
 
 IModuleInterface* ShimStartModule(const char* Name) {
     FModule& Module = Modules().at(Name);

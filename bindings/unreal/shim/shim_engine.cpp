@@ -12,7 +12,9 @@ namespace {
 std::vector<UObject*> Objects;
 }
 
-const std::vector<UObject*>& ShimObjects() { return Objects; }
+const std::vector<UObject*>& ShimObjects() {
+    return Objects;
+}
 
 UObject::UObject() = default;
 
@@ -24,7 +26,7 @@ UClass* UObject::StaticClass() {
 UObject* UClass::GetDefaultObject() {
     if (Default == nullptr) {
         Default = Construct();
-        Default->Flags = RF_ClassDefaultObject;
+        Default->ShimFlags = RF_ClassDefaultObject;
         Default->PostInitProperties();
     }
     return Default;
@@ -33,9 +35,9 @@ UObject* UClass::GetDefaultObject() {
 UObject* ShimNewObject(UObject* Outer, const UClass* Class, FName Name, uint32 Flags) {
     const_cast<UClass*>(Class)->GetDefaultObject();
     UObject* Object = Class->Construct();
-    Object->Outer = Outer;
-    Object->Name = Name == NAME_None ? Class->Name : Name;
-    Object->Flags = Flags;
+    Object->ShimOuter = Outer;
+    Object->ShimName = Name == NAME_None ? Class->Name : Name;
+    Object->ShimFlags = Flags;
     Objects.push_back(Object);
     Object->PostInitProperties();
     return Object;
@@ -83,7 +85,9 @@ bool UStaticMesh::GetPhysicsTriMeshData(FTriMeshCollisionData* CollisionData, bo
     return true;
 }
 
-UBodySetup* UStaticMeshComponent::GetBodySetup() { return StaticMesh != nullptr ? StaticMesh->ShimBodySetup : nullptr; }
+UBodySetup* UStaticMeshComponent::GetBodySetup() {
+    return StaticMesh != nullptr ? StaticMesh->ShimBodySetup : nullptr;
+}
 
 TOptional<float> ALandscapeProxy::GetHeightAtLocation(FVector Location, EHeightfieldSource) const {
     return ShimHeight ? ShimHeight(Location) : TOptional<float>();
@@ -92,9 +96,15 @@ TOptional<float> ALandscapeProxy::GetHeightAtLocation(FVector Location, EHeightf
 // ---------------------------------------------------------------------------------------------------------------------
 // Components
 
-AActor* UActorComponent::GetOwner() const { return Cast<AActor>(Outer); }
-UWorld* UActorComponent::GetWorld() const { return Outer != nullptr ? Outer->GetWorld() : nullptr; }
-ULevel* AActor::GetLevel() const { return Cast<ULevel>(Outer); }
+AActor* UActorComponent::GetOwner() const {
+    return Cast<AActor>(ShimOuter);
+}
+UWorld* UActorComponent::GetWorld() const {
+    return ShimOuter != nullptr ? ShimOuter->GetWorld() : nullptr;
+}
+ULevel* AActor::GetLevel() const {
+    return Cast<ULevel>(ShimOuter);
+}
 
 void UActorComponent::RegisterComponent() {
     bRegistered = true;
@@ -103,7 +113,9 @@ void UActorComponent::RegisterComponent() {
     if (GetWorld() != nullptr && GetWorld()->HasBegunPlay() && !bHasBegunPlay) BeginPlay();
 }
 
-void UActorComponent::EndPlay(const EEndPlayReason::Type) { bHasBegunPlay = false; }
+void UActorComponent::EndPlay(const EEndPlayReason::Type) {
+    bHasBegunPlay = false;
+}
 
 void USceneComponent::SetWorldTransform(const FTransform& NewTransform) {
     ComponentToWorld = NewTransform;
@@ -153,8 +165,9 @@ bool UInstancedStaticMeshComponent::GetInstanceTransform(int32 InstanceIndex, FT
     return true;
 }
 
-bool UInstancedStaticMeshComponent::BatchUpdateInstancesTransforms(int32 Start, const TArray<FTransform>& New, bool bWorldSpace,
-                                                                   bool bMarkRenderStateDirty, bool bTeleport) {
+bool UInstancedStaticMeshComponent::BatchUpdateInstancesTransforms(int32 Start, const TArray<FTransform>& New,
+                                                                   bool bWorldSpace, bool bMarkRenderStateDirty,
+                                                                   bool bTeleport) {
     return BatchUpdateInstancesTransforms(Start, TArrayView<const FTransform>(New.GetData(), New.Num()), bWorldSpace,
                                           bMarkRenderStateDirty, bTeleport);
 }
@@ -166,8 +179,7 @@ bool UInstancedStaticMeshComponent::BatchUpdateInstancesTransforms(int32 Start, 
     ShimUpdated = New.Num();
     bShimMarkedDirty = bMarkRenderStateDirty;
     for (int32 Index = 0; Index < New.Num(); ++Index) {
-        Instances[Start + Index] =
-            bWorldSpace ? New[Index].GetRelativeTransform(GetComponentTransform()) : New[Index];
+        Instances[Start + Index] = bWorldSpace ? New[Index].GetRelativeTransform(GetComponentTransform()) : New[Index];
     }
     return true;
 }

@@ -111,7 +111,8 @@ struct Game {
     ULangevinWorldSubsystem* langevin = nullptr;
 };
 
-inline FKAggregateGeom box_of(float x, float y, float z, const FVector& center = FVector(), const FRotator& rotation = FRotator()) {
+inline FKAggregateGeom box_of(float x, float y, float z, const FVector& center = FVector(),
+                              const FRotator& rotation = FRotator()) {
     FKAggregateGeom geometry;
     FKBoxElem box;
     box.Center = center;

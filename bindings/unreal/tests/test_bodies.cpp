@@ -108,7 +108,8 @@ TEST_CASE("the component gives the same bits as the library used directly") {
         REQUIRE(lr_body_get_state(game.langevin->GetLibraryWorld(), static_cast<lr_body>(body.Id), &state) == LR_OK);
         lr_body_desc desc;
         lr_body_desc_init(&desc, sizeof desc);
-        for (int i = 0; i < 3; ++i) desc.position[i] = state.position[i], desc.linear_velocity[i] = state.linear_velocity[i];
+        for (int i = 0; i < 3; ++i)
+            desc.position[i] = state.position[i], desc.linear_velocity[i] = state.linear_velocity[i];
         for (int i = 0; i < 4; ++i) desc.orientation[i] = state.orientation[i];
         lr_body copy = 0;
         REQUIRE(lr_body_create(world, raw, &desc, 1, &copy) == LR_OK);
@@ -163,7 +164,8 @@ TEST_CASE("impulses and accelerations have the engine's units and directions") {
     game.world->ShimGravityZ = 0.0f;
     game.world->ShimBeginPlay();
     ULangevinBatchComponent* batch = game.add_batch(2, 0);
-    const TArray<FLangevinBody> bodies = batch->SpawnBodies({FTransform(FVector(0, 0, 0)), FTransform(FVector(0, 500, 0))}, FVector());
+    const TArray<FLangevinBody> bodies =
+        batch->SpawnBodies({FTransform(FVector(0, 0, 0)), FTransform(FVector(0, 500, 0))}, FVector());
     FTransform t;
     FVector v, w;
     bool r;

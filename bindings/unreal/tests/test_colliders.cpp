@@ -8,7 +8,8 @@
 
 namespace {
 /** Heights of a surface at some places, against what it should be. */
-template <typename F> void check_surface(const Game& game, const FVector& middle, double reach, F height, double tolerance = 0.05) {
+template <typename F>
+void check_surface(const Game& game, const FVector& middle, double reach, F height, double tolerance = 0.05) {
     for (int i = -3; i <= 3; ++i) {
         for (int k = -3; k <= 3; ++k) {
             const FVector at = middle + FVector(reach * (i + 0.1) / 3.3, reach * (k + 0.05) / 3.3, 5000);
@@ -24,7 +25,8 @@ TEST_CASE("boxes: place, turn, scale and the turn of the shape itself") {
     Game::settings().Origin = FVector(1000, 2000, 300);
     game.create();
     // Half extents 100, 50, 25 cm once scaled, at (3000, -4000, 500), turned by 30 degrees about Z.
-    game.add_block(box_of(100, 100, 100), FTransform(FRotator(0, 30, 0), FVector(3000, -4000, 500), FVector(2, 1, 0.5)));
+    game.add_block(box_of(100, 100, 100),
+                   FTransform(FRotator(0, 30, 0), FVector(3000, -4000, 500), FVector(2, 1, 0.5)));
     game.world->ShimBeginPlay();
     REQUIRE(game.langevin->GetColliderCount() == 1);
     const FQuat yaw = FRotator(0, 30, 0).Quaternion();
@@ -106,14 +108,16 @@ TEST_CASE("convex hulls and triangles that tell left from right") {
         Game game;
         game.create();
         // A wedge that is high at +Y: a mirrored one would be high at -Y.
-        const FVector corners[] = {{-100, -100, 0}, {100, -100, 0}, {-100, 100, 0}, {100, 100, 0}, {-100, 100, 80}, {100, 100, 80}};
+        const FVector corners[] = {{-100, -100, 0}, {100, -100, 0},  {-100, 100, 0},
+                                   {100, 100, 0},   {-100, 100, 80}, {100, 100, 80}};
         FKAggregateGeom geometry;
         if (!triangles) {
             FKConvexElem hull;
             for (const FVector& c : corners) hull.VertexData.Add(c);
             geometry.ConvexElems.Add(hull);
         }
-        UStaticMeshComponent* block = game.add_block(geometry, FTransform(FRotator(0, 0, 0), FVector(50, 60, 0), FVector(1, 2, 1)));
+        UStaticMeshComponent* block =
+            game.add_block(geometry, FTransform(FRotator(0, 0, 0), FVector(50, 60, 0), FVector(1, 2, 1)));
         if (triangles) {
             FTriMeshCollisionData& data = block->GetStaticMesh()->ShimTriangles;
             for (const FVector& c : corners) data.Vertices.Add(FVector3f(c));
@@ -162,7 +166,8 @@ TEST_CASE("instances of an instanced mesh are colliders each") {
     mesh->ShimBodySetup->AggGeom = box_of(100, 100, 100);
     instanced->SetStaticMesh(mesh);
     instanced->SetWorldTransform(FTransform(FRotator(0, 90, 0), FVector(1000, 0, 0)));
-    instanced->AddInstances({FTransform(FVector(0, 0, 0)), FTransform(FQuat::Identity, FVector(500, 0, 0), FVector(1, 1, 3))}, false);
+    instanced->AddInstances(
+        {FTransform(FVector(0, 0, 0)), FTransform(FQuat::Identity, FVector(500, 0, 0), FVector(1, 1, 3))}, false);
     instanced->RegisterComponent();
     game.world->ShimBeginPlay();
     CHECK(game.langevin->GetColliderCount() == 2);

@@ -113,7 +113,8 @@ TEST_CASE("upright shapes: their y is Unreal's Z, and x and z are X and Y") {
     for (int i = 0; i < 100; ++i) {
         const FRotation q = draw.rotation();
         const Matrix unreal = matrix_of(q), langevin = matrix_of(UprightToLangevin(q));
-        for (const auto& [own, axis] : {std::pair<FVec, FVec>{{0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, 1, 0}}}) {
+        for (const auto& [own, axis] :
+             {std::pair<FVec, FVec>{{0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, 1, 0}}}) {
             const FVec there = multiply(unreal, axis);
             check_near(multiply(langevin, own), {there.X, -there.Y, there.Z});
         }
@@ -143,17 +144,20 @@ TEST_CASE("a mesh vertex lands where the body has it") {
         const FRotation q = draw.rotation();
         const FVec p = draw.vector(), origin{1000, -2000, 300};
         const double scale = 1.5;
-        const float record[8] = {static_cast<float>(p.X), static_cast<float>(p.Y), static_cast<float>(p.Z),
-                                 static_cast<float>(q.X), static_cast<float>(q.Y), static_cast<float>(q.Z),
+        const float record[8] = {static_cast<float>(p.X), static_cast<float>(p.Y),  static_cast<float>(p.Z),
+                                 static_cast<float>(q.X), static_cast<float>(q.Y),  static_cast<float>(q.Z),
                                  static_cast<float>(q.W), static_cast<float>(scale)};
         const FPose pose = InstancePose(record, {-center_unreal.X, -center_unreal.Y, -center_unreal.Z}, origin);
-        const FVec drawn = multiply(matrix_of(pose.Rotation),
-                                 {vertex_unreal.X * pose.Scale, vertex_unreal.Y * pose.Scale, vertex_unreal.Z * pose.Scale});
+        const FVec drawn =
+            multiply(matrix_of(pose.Rotation),
+                     {vertex_unreal.X * pose.Scale, vertex_unreal.Y * pose.Scale, vertex_unreal.Z * pose.Scale});
         // In the library: p + R scale (vertex - centre).
-        const FVec body = multiply(matrix_of(q), {scale * (vertex_file.X - center_file.X), scale * (vertex_file.Y - center_file.Y),
-                                               scale * (vertex_file.Z - center_file.Z)});
+        const FVec body =
+            multiply(matrix_of(q), {scale * (vertex_file.X - center_file.X), scale * (vertex_file.Y - center_file.Y),
+                                    scale * (vertex_file.Z - center_file.Z)});
         check_near({pose.Location.X + drawn.X, pose.Location.Y + drawn.Y, pose.Location.Z + drawn.Z},
-                   {origin.X + 100 * (p.X + body.X), origin.Y - 100 * (p.Y + body.Y), origin.Z + 100 * (p.Z + body.Z)}, 1e-3);
+                   {origin.X + 100 * (p.X + body.X), origin.Y - 100 * (p.Y + body.Y), origin.Z + 100 * (p.Z + body.Z)},
+                   1e-3);
     }
 }
 

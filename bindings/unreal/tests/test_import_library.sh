@@ -36,6 +36,6 @@ fi
 wine="$(command -v wine64 || ls /usr/lib/wine/wine64 2>/dev/null || true)"
 if [[ -n $wine ]]; then
     cp "$dll" "$build/"
-    (cd "$build" && WINEPREFIX="$build/wine" WINEDEBUG=-all timeout 60 "$wine" ./main.exe) || { echo "main.exe: $?"; exit 1; }
+    (cd "$build" && mkdir -p ../wine && WINEPREFIX="$(cd .. && pwd)/wine" WINEDLLOVERRIDES="mscoree=;mshtml=" WINEDEBUG=-all timeout 100 "$wine" ./main.exe) || { echo "main.exe: $?"; exit 1; }
     echo "ran under Wine"
 fi

@@ -13,7 +13,9 @@ extern UClass* const ShimWorldSubsystems[];
 UClass* const ShimWorldSubsystems[] = {ULangevinWorldSubsystem::StaticClass(), nullptr};
 
 namespace {
-constexpr uint32 version(uint32 major, uint32 minor, uint32 patch) { return major << 22 | minor << 12 | patch; }
+constexpr uint32 version(uint32 major, uint32 minor, uint32 patch) {
+    return major << 22 | minor << 12 | patch;
+}
 
 struct Editor {
     Editor() { GEditor = &engine; }
@@ -35,7 +37,8 @@ int main(int argc, char** argv) {
     ShimStopModule("LangevinRigid");
     IPluginManager::Get().ShimBaseDir = FString(TEXT("/nowhere"));
     ShimStartModule("LangevinRigid");
-    good = good && logged(ShimTakeLog(), "is missing: package the plugin") && !FLangevinRigidModule::IsLibraryAvailable();
+    good =
+        good && logged(ShimTakeLog(), "is missing: package the plugin") && !FLangevinRigidModule::IsLibraryAvailable();
     ShimStopModule("LangevinRigid");
     const UWorld* empty = UWorld::ShimCreate();
     good = good && empty->GetSubsystem<ULangevinWorldSubsystem>()->GetLibraryWorld() == nullptr;

@@ -27,4 +27,5 @@ if [[ -n $needed ]]; then
     test -f "$build/a/LangevinRigid/Source/ThirdParty/LangevinRigidLibrary/lib/Linux/$(basename "$needed")"
 fi
 python3 "$package" --native "$prefix" --out "$build/a" >/dev/null 2>&1
+test -s "$build/a/LangevinRigid/Licenses/LICENSE"
 test ! -e "$build/a/LangevinRigid/Source/ThirdParty/LangevinRigidLibrary/lib/Linux/$(basename "${needed:-none}")"

@@ -148,11 +148,14 @@ TEST_CASE("Niagara reads what the bodies do") {
         context.ShimInstances = 66;
         context.ShimUserPtr = memory.data();
         std::size_t inputs = 0, outputs = 0;
-        for (const FNiagaraVariable& input : function.Inputs) inputs += static_cast<std::size_t>(input.GetType().ShimRegisters());
-        for (const FNiagaraVariable& output : function.Outputs) outputs += static_cast<std::size_t>(output.GetType().ShimRegisters());
+        for (const FNiagaraVariable& input : function.Inputs)
+            inputs += static_cast<std::size_t>(input.GetType().ShimRegisters());
+        for (const FNiagaraVariable& output : function.Outputs)
+            outputs += static_cast<std::size_t>(output.GetType().ShimRegisters());
         for (std::size_t i = 0; i < inputs; ++i) {
             context.ShimInputs.emplace_back();
-            for (uint32 particle = 0; particle < 66; ++particle) context.ShimInputs.back().push_back(particle == 65 ? ~0u : particle);
+            for (uint32 particle = 0; particle < 66; ++particle)
+                context.ShimInputs.back().push_back(particle == 65 ? ~0u : particle);
         }
         FVMExternalFunction call;
         reader->GetVMExternalFunction({function.Name}, memory.data(), call);

@@ -20,8 +20,7 @@ bool ULangevinAsset::SetBytes(const TArray<uint8>& Bytes, TArray<FString>& Fault
         static_cast<TArray<FString>*>(User)->Add(FString::Printf(TEXT("%u at %s: %s. %s"), Number, UTF8_TO_TCHAR(Where),
                                                                  UTF8_TO_TCHAR(What), UTF8_TO_TCHAR(Remedy)));
     };
-    const lr_status Status =
-        lr_asset_check_memory(Bytes.GetData(), static_cast<uint64>(Bytes.Num()), Report, &Faults);
+    const lr_status Status = lr_asset_check_memory(Bytes.GetData(), static_cast<uint64>(Bytes.Num()), Report, &Faults);
     if (Status != LR_OK) {
         if (Faults.Num() == 0) Faults.Add(UTF8_TO_TCHAR(lr_status_string(Status)));
         return false;
@@ -80,7 +79,7 @@ void ULangevinAsset::ShowInfo() {
     Thickness = static_cast<float>(LangevinConversion::LengthToCentimetres(Info.length_b));
     FallSpeed = static_cast<float>(LangevinConversion::LengthToCentimetres(Info.u0));
     HullVertices = static_cast<int32>(Info.hull_vertex_count);
-    const LangevinConversion::FVec Center = LangevinConversion::VectorToUnreal(
-        {Info.center_of_mass[0], Info.center_of_mass[1], Info.center_of_mass[2]});
+    const LangevinConversion::FVec Center =
+        LangevinConversion::VectorToUnreal({Info.center_of_mass[0], Info.center_of_mass[1], Info.center_of_mass[2]});
     CenterOfMass = FVector(Center.X, Center.Y, Center.Z);
 }

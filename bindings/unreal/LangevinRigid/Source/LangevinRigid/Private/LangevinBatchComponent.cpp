@@ -18,7 +18,8 @@ using LangevinTypes::From;
 using LangevinTypes::Store;
 using LangevinTypes::To;
 
-ULangevinBatchComponent::ULangevinBatchComponent(const FObjectInitializer& ObjectInitializer) : Super(ObjectInitializer) {
+ULangevinBatchComponent::ULangevinBatchComponent(const FObjectInitializer& ObjectInitializer)
+    : Super(ObjectInitializer) {
     PrimaryComponentTick.bCanEverTick = false;
     // The engine's own physics would build a body for each instance, and move it every frame.
     SetCollisionEnabled(ECollisionEnabled::NoCollision);
@@ -51,7 +52,8 @@ bool ULangevinBatchComponent::BeginBatch() {
     if (World == nullptr) return false; // the log has said why when the module started
     const lr_asset* Handle = Asset != nullptr ? Asset->GetHandle() : nullptr;
     if (Handle == nullptr) {
-        UE_LOG(LogLangevinRigid, Error, TEXT("%s has no asset: import a .lrb file and give it as Asset"), *GetPathName());
+        UE_LOG(LogLangevinRigid, Error, TEXT("%s has no asset: import a .lrb file and give it as Asset"),
+               *GetPathName());
         return false;
     }
     if (GetStaticMesh() == nullptr) {
@@ -212,7 +214,8 @@ bool ULangevinBatchComponent::GetBodyState(FLangevinBody Body, FTransform& Trans
     return true;
 }
 
-bool ULangevinBatchComponent::AddImpulseToBody(FLangevinBody Body, FVector Impulse, FVector Location, bool bAtLocation) {
+bool ULangevinBatchComponent::AddImpulseToBody(FLangevinBody Body, FVector Impulse, FVector Location,
+                                               bool bAtLocation) {
     if (Batch == 0) return false;
     lr_body_force Force;
     lr_body_force_init(&Force, sizeof(Force));

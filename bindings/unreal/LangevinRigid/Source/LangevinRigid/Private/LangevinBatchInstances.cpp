@@ -19,8 +19,9 @@ constexpr int32 Chunk = 2048;     // instances for a task: some tens of microsec
 
 void InChunks(int32 Count, TFunctionRef<void(int32 Begin, int32 End)> Body) {
     const int32 Chunks = FMath::DivideAndRoundUp(Count, Chunk);
-    ParallelFor(Chunks, [Count, &Body](int32 Index) { Body(Index * Chunk, FMath::Min(Count, (Index + 1) * Chunk)); },
-                Chunks < 2 ? EParallelForFlags::ForceSingleThread : EParallelForFlags::None);
+    ParallelFor(
+        Chunks, [Count, &Body](int32 Index) { Body(Index * Chunk, FMath::Min(Count, (Index + 1) * Chunk)); },
+        Chunks < 2 ? EParallelForFlags::ForceSingleThread : EParallelForFlags::None);
 }
 } // namespace
 
@@ -54,7 +55,8 @@ void ULangevinBatchComponent::WriteInstances(double AheadSeconds) {
     Records.SetNumUninitialized(Written * RecordFloats);
     Transforms.SetNumUninitialized(FMath::Max(Transforms.Num(), Count));
     if (!LangevinHost::Check(lr_batch_write_first_transforms(World, Batch, LR_TRANSFORM_POSITION_QUATERNION_SCALE,
-                                                             Records.GetData(), 0, static_cast<uint32>(Written), nullptr),
+                                                             Records.GetData(), 0, static_cast<uint32>(Written),
+                                                             nullptr),
                              TEXT("Transforms"))) {
         return;
     }
@@ -96,9 +98,9 @@ void ULangevinBatchComponent::SetInstanceCount(int32 Count) {
 
 void ULangevinBatchComponent::GrowBounds(int32 First, int32 Count, bool bAnew) {
     if (bAnew) BodyBounds = FBox(ForceInit);
-    const double Radius = GetStaticMesh() != nullptr ? GetStaticMesh()->GetBounds().SphereRadius +
-                                                           GetStaticMesh()->GetBounds().Origin.Size()
-                                                     : 0.0;
+    const double Radius = GetStaticMesh() != nullptr
+                              ? GetStaticMesh()->GetBounds().SphereRadius + GetStaticMesh()->GetBounds().Origin.Size()
+                              : 0.0;
     double Largest = 0.0;
     FBox Box(ForceInit);
     for (int32 Index = First; Index < First + Count; ++Index) {
@@ -120,7 +122,8 @@ TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> ULangevinBatchComponent
     View.struct_size = sizeof(View);
     if (Batch == 0 || lr_batch_get_view(LibraryWorld(), Batch, &View) != LR_OK) return nullptr;
     if (Snapshot.IsValid() && Snapshot->Frame == StepCount) return Snapshot;
-    const TSharedRef<FLangevinSnapshot, ESPMode::ThreadSafe> Taken = MakeShared<FLangevinSnapshot, ESPMode::ThreadSafe>();
+    const TSharedRef<FLangevinSnapshot, ESPMode::ThreadSafe> Taken =
+        MakeShared<FLangevinSnapshot, ESPMode::ThreadSafe>();
     const int32 Count = static_cast<int32>(View.count);
     Taken->AwakeCount = static_cast<int32>(View.awake_count);
     Taken->Frame = StepCount;
@@ -141,8 +144,8 @@ TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> ULangevinBatchComponent
             // Velocities of the view are along the body's axes.
             const LangevinConversion::FVec Velocity = LangevinConversion::Rotate(
                 Rotation, {View.velocity[0][Index], View.velocity[1][Index], View.velocity[2][Index]});
-            const LangevinConversion::FVec Spin = LangevinConversion::Rotate(
-                Rotation, {View.spin[0][Index], View.spin[1][Index], View.spin[2][Index]});
+            const LangevinConversion::FVec Spin =
+                LangevinConversion::Rotate(Rotation, {View.spin[0][Index], View.spin[1][Index], View.spin[2][Index]});
             Taken->Velocities[Index] = FVector3f(To(LangevinConversion::VectorToUnreal(Velocity)));
             Taken->Spins[Index] = FVector3f(To(LangevinConversion::MirrorSpin(Spin)));
         }

@@ -84,8 +84,8 @@ bool FLangevinColliders::AddPlane(const FVector& Point, const FVector& Normal, f
     lr_collider_desc Desc;
     lr_collider_desc_init(&Desc, sizeof(Desc));
     Desc.kind = LR_COLLIDER_PLANE;
-    LangevinTypes::Store(Desc.position,
-                         LangevinConversion::PositionToLangevin(LangevinTypes::From(Point), LangevinTypes::From(Origin)));
+    LangevinTypes::Store(
+        Desc.position, LangevinConversion::PositionToLangevin(LangevinTypes::From(Point), LangevinTypes::From(Origin)));
     LangevinTypes::Store(Desc.orientation, LangevinConversion::RotationFromYTo(
                                                LangevinConversion::MirrorDirection(LangevinTypes::From(Unit))));
     Desc.friction = Friction;

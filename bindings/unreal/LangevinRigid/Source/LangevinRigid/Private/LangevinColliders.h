@@ -49,7 +49,8 @@ private:
     };
 
     bool IsWanted(const UPrimitiveComponent& Component) const;
-    int32 AddEntry(UPrimitiveComponent& Component, const ULevel* Level, bool bFollow, const TArray<FLangevinShape>& Shapes);
+    int32 AddEntry(UPrimitiveComponent& Component, const ULevel* Level, bool bFollow,
+                   const TArray<FLangevinShape>& Shapes);
     void Place(const FPart& Part, const FTransform& Frame, float* Position, float* Orientation) const;
     void Destroy(const FEntry& Entry);
 

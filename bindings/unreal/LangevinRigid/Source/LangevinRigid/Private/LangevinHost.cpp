@@ -6,15 +6,20 @@
 #include "LangevinRigidModule.h"
 
 namespace LangevinHost {
+// uint64_t, as the library: the engine's uint64 is another type on Linux.
 namespace {
-void* Allocate(void*, uint64 Size, uint64 Alignment) {
+void* Allocate(void*, uint64_t Size, uint64_t Alignment) {
     return FMemory::Malloc(static_cast<SIZE_T>(Size), static_cast<uint32>(Alignment));
 }
 
-void Release(void*, void* Memory, uint64, uint64) { FMemory::Free(Memory); }
+void Release(void*, void* Memory, uint64_t, uint64_t) {
+    FMemory::Free(Memory);
+}
 } // namespace
 
-lr_allocator Allocator() { return {nullptr, &Allocate, &Release}; }
+lr_allocator Allocator() {
+    return {nullptr, &Allocate, &Release};
+}
 
 void Log(void*, int32 Level, const char* Message) {
     const FString Text = UTF8_TO_TCHAR(Message);
@@ -38,7 +43,9 @@ bool Check(lr_status Status, const TCHAR* What) {
 }
 } // namespace LangevinHost
 
-lr_job_system FLangevinJobs::Callbacks() { return {this, &Enqueue, &Finish}; }
+lr_job_system FLangevinJobs::Callbacks() {
+    return {this, &Enqueue, &Finish};
+}
 
 uint32 FLangevinJobs::WorkerCount() {
     return static_cast<uint32>(FMath::Clamp(FTaskGraphInterface::Get().GetNumWorkerThreads(), 0, 64));

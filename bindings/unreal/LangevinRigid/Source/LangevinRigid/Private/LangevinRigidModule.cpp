@@ -14,9 +14,15 @@ IMPLEMENT_MODULE(FLangevinRigidModule, LangevinRigid)
 namespace {
 bool bLibraryAvailable = false;
 
-constexpr uint32 Major(uint32 Version) { return Version >> 22; }
-constexpr uint32 Minor(uint32 Version) { return (Version >> 12) & 0x3ffu; }
-constexpr uint32 Patch(uint32 Version) { return Version & 0xfffu; }
+constexpr uint32 Major(uint32 Version) {
+    return Version >> 22;
+}
+constexpr uint32 Minor(uint32 Version) {
+    return (Version >> 12) & 0x3ffu;
+}
+constexpr uint32 Patch(uint32 Version) {
+    return Version & 0xfffu;
+}
 } // namespace
 
 bool FLangevinRigidModule::IsCompatible(uint32 Built, uint32 Loaded) {
@@ -29,8 +35,7 @@ void FLangevinRigidModule::StartupModule() {
         UE_LOG(LogLangevinRigid, Error, TEXT("The plugin folder of LangevinRigid was not found"));
         return;
     }
-    const FString ThirdParty =
-        FPaths::Combine(Plugin->GetBaseDir(), TEXT("Source/ThirdParty/LangevinRigidLibrary"));
+    const FString ThirdParty = FPaths::Combine(Plugin->GetBaseDir(), TEXT("Source/ThirdParty/LangevinRigidLibrary"));
     const FString LibraryPath = FPaths::Combine(ThirdParty, TEXT(LANGEVIN_RIGID_LIBRARY));
 
     // Its own folder is searched for what it needs, and only while it is loaded.
@@ -40,21 +45,25 @@ void FLangevinRigidModule::StartupModule() {
     FPlatformProcess::PopDllDirectory(*LibraryFolder);
     if (LibraryHandle == nullptr) {
         const bool bExists = FPaths::FileExists(LibraryPath);
-        UE_LOG(LogLangevinRigid, Error, TEXT("%s %s. Nothing will fall."), *LibraryPath,
-               bExists ? TEXT("is there but could not be loaded: a library that it needs is missing, or it is for another "
-                              "processor (see the lines above, or ldd / dumpbin /dependents)")
-                       : TEXT("is missing: package the plugin with bindings/unreal/package.py, and in a packaged game check "
-                              "that it was staged beside the executable's Plugins folder"));
+        UE_LOG(
+            LogLangevinRigid, Error, TEXT("%s %s. Nothing will fall."), *LibraryPath,
+            bExists
+                ? TEXT("is there but could not be loaded: a library that it needs is missing, or it is for another "
+                       "processor (see the lines above, or ldd / dumpbin /dependents)")
+                : TEXT("is missing: package the plugin with bindings/unreal/package.py, and in a packaged game check "
+                       "that it was staged beside the executable's Plugins folder"));
         return;
     }
 
     const uint32 Loaded = lr_version();
     constexpr uint32 Built = LR_VERSION_MAJOR << 22 | LR_VERSION_MINOR << 12 | LR_VERSION_PATCH;
     if (!IsCompatible(Built, Loaded)) {
-        UE_LOG(LogLangevinRigid, Error,
-               TEXT("%s is version %u.%u.%u, but the plugin was built for %u.%u.%u: rebuild the plugin, or put the library "
-                    "back that it came with. Nothing will fall."),
-               *LibraryPath, Major(Loaded), Minor(Loaded), Patch(Loaded), Major(Built), Minor(Built), Patch(Built));
+        UE_LOG(
+            LogLangevinRigid, Error,
+            TEXT(
+                "%s is version %u.%u.%u, but the plugin was built for %u.%u.%u: rebuild the plugin, or put the library "
+                "back that it came with. Nothing will fall."),
+            *LibraryPath, Major(Loaded), Minor(Loaded), Patch(Loaded), Major(Built), Minor(Built), Patch(Built));
         return;
     }
     bLibraryAvailable = true;
@@ -72,4 +81,6 @@ void FLangevinRigidModule::ShutdownModule() {
     LibraryHandle = nullptr;
 }
 
-bool FLangevinRigidModule::IsLibraryAvailable() { return bLibraryAvailable; }
+bool FLangevinRigidModule::IsLibraryAvailable() {
+    return bLibraryAvailable;
+}

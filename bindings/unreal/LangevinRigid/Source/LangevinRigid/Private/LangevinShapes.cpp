@@ -17,7 +17,9 @@
 
 namespace LangevinShapes {
 namespace {
-float Metres(double Centimetres) { return static_cast<float>(LangevinConversion::LengthToMetres(Centimetres)); }
+float Metres(double Centimetres) {
+    return static_cast<float>(LangevinConversion::LengthToMetres(Centimetres));
+}
 
 void AppendPoint(TArray<float>& Out, const FVector& Point) {
     float V[3];
@@ -76,10 +78,11 @@ void AddTriangles(UPrimitiveComponent& Component, const FVector& Scale, TArray<F
     if (Mesh == nullptr) return;
     FTriMeshCollisionData Data;
     if (!Mesh->GetPhysicsTriMeshData(&Data, true) || Data.Indices.Num() == 0) {
-        UE_LOG(LogLangevinRigid, Warning,
-               TEXT("%s has no simple collision, and its triangles cannot be read: give %s simple collision, or Allow CPU "
-                    "Access. Bodies fall through it."),
-               *Component.GetPathName(), *Mesh->GetPathName());
+        UE_LOG(
+            LogLangevinRigid, Warning,
+            TEXT("%s has no simple collision, and its triangles cannot be read: give %s simple collision, or Allow CPU "
+                 "Access. Bodies fall through it."),
+            *Component.GetPathName(), *Mesh->GetPathName());
         return;
     }
     FLangevinShape Shape;
@@ -146,8 +149,8 @@ bool GatherLandscape(const ULandscapeHeightfieldCollisionComponent& Component, F
             // A border belongs to no component: a hair's breadth inside there is an answer.
             const double X = FMath::Clamp(static_cast<double>(Column), 1e-3, Quads - 1e-3) * Component.CollisionScale;
             const double Y = FMath::Clamp(static_cast<double>(Row), 1e-3, Quads - 1e-3) * Component.CollisionScale;
-            const TOptional<float> Height = Proxy->GetHeightAtLocation(
-                Frame.TransformPosition(FVector(X, Y, 0.0)), EHeightfieldSource::Complex);
+            const TOptional<float> Height =
+                Proxy->GetHeightAtLocation(Frame.TransformPosition(FVector(X, Y, 0.0)), EHeightfieldSource::Complex);
             const float Value = Height.IsSet() ? Metres(Height.GetValue() - Base) : Hole;
             if (Height.IsSet()) Lowest = FMath::Min(Lowest, Value);
             Out.Heights.Add(Value);

@@ -6,15 +6,25 @@
 #include "LangevinConversion.h"
 
 namespace LangevinTypes {
-inline LangevinConversion::FVec From(const FVector& V) { return {V.X, V.Y, V.Z}; }
+inline LangevinConversion::FVec From(const FVector& V) {
+    return {V.X, V.Y, V.Z};
+}
 
-inline LangevinConversion::FRotation From(const FQuat& Q) { return {Q.X, Q.Y, Q.Z, Q.W}; }
+inline LangevinConversion::FRotation From(const FQuat& Q) {
+    return {Q.X, Q.Y, Q.Z, Q.W};
+}
 
-inline FVector To(const LangevinConversion::FVec& V) { return FVector(V.X, V.Y, V.Z); }
+inline FVector To(const LangevinConversion::FVec& V) {
+    return FVector(V.X, V.Y, V.Z);
+}
 
-inline FQuat To(const LangevinConversion::FRotation& Q) { return FQuat(Q.X, Q.Y, Q.Z, Q.W); }
+inline FQuat To(const LangevinConversion::FRotation& Q) {
+    return FQuat(Q.X, Q.Y, Q.Z, Q.W);
+}
 
-inline LangevinConversion::FVec From(const float* V) { return {V[0], V[1], V[2]}; }
+inline LangevinConversion::FVec From(const float* V) {
+    return {V[0], V[1], V[2]};
+}
 
 inline void Store(float* Out, const LangevinConversion::FVec& V) {
     Out[0] = static_cast<float>(V.X);

@@ -18,7 +18,9 @@ FLangevinWind::FLangevinWind(lr_world* InWorld, const FVector& InOrigin, const U
     AddTurbulence();
 }
 
-FLangevinWind::~FLangevinWind() { lr_world_set_wind_callback(World, nullptr, nullptr); }
+FLangevinWind::~FLangevinWind() {
+    lr_world_set_wind_callback(World, nullptr, nullptr);
+}
 
 void FLangevinWind::AddTurbulence() {
     if (Settings.TurbulenceSpeed <= 0.0f) return;
@@ -55,8 +57,8 @@ void FLangevinWind::Update(const UWorld& Level, float DeltaSeconds) {
         if (Source->bPointWind) {
             FLangevinPointWind Point;
             LangevinTypes::Store(Point.Position,
-                                 LangevinConversion::PositionToLangevin(LangevinTypes::From(Source->GetComponentLocation()),
-                                                                        LangevinTypes::From(Origin)));
+                                 LangevinConversion::PositionToLangevin(
+                                     LangevinTypes::From(Source->GetComponentLocation()), LangevinTypes::From(Origin)));
             Point.Radius = static_cast<float>(LangevinConversion::LengthToMetres(Source->Radius));
             Point.Speed = Speed;
             if (Point.Radius > 0.0f && Speed > 0.0f) Points.Add(Point);
@@ -91,6 +93,7 @@ void FLangevinWind::SetGusts(const FVector& Direction, float Speed) {
     Desc.speed = Speed;
     Desc.spread = 0.2f;
     LangevinTypes::Store(Desc.direction, LangevinConversion::MirrorDirection(LangevinTypes::From(Direction)));
-    LangevinHost::Check(Gusts == 0 ? lr_world_add_wind(World, &Desc, &Gusts) : lr_world_update_wind(World, Gusts, &Desc),
+    LangevinHost::Check(Gusts == 0 ? lr_world_add_wind(World, &Desc, &Gusts)
+                                   : lr_world_update_wind(World, Gusts, &Desc),
                         TEXT("Gusts"));
 }

@@ -65,7 +65,8 @@ void ULangevinWorldSubsystem::Initialize(FSubsystemCollectionBase& Collection) {
     Wind = MakeUnique<FLangevinWind>(World, Origin, Settings);
     if (Settings.bCollideWithLevel) {
         LevelAdded = FWorldDelegates::LevelAddedToWorld.AddUObject(this, &ULangevinWorldSubsystem::OnLevelAdded);
-        LevelRemoved = FWorldDelegates::LevelRemovedFromWorld.AddUObject(this, &ULangevinWorldSubsystem::OnLevelRemoved);
+        LevelRemoved =
+            FWorldDelegates::LevelRemovedFromWorld.AddUObject(this, &ULangevinWorldSubsystem::OnLevelRemoved);
     }
 }
 
@@ -132,7 +133,8 @@ void ULangevinWorldSubsystem::Tick(float DeltaTime) {
         if (Whole > Steps && !bToldLost) {
             bToldLost = true;
             UE_LOG(LogLangevinRigid, Warning,
-                   TEXT("A frame needed %d fixed steps, of which %d were made: bodies fall slower than they should. Raise Max "
+                   TEXT("A frame needed %d fixed steps, of which %d were made: bodies fall slower than they should. "
+                        "Raise Max "
                         "Steps Per Frame or Fixed Step in the project settings."),
                    Whole, Steps);
         }
@@ -171,8 +173,8 @@ void ULangevinWorldSubsystem::TellEvents() {
             if (Batch != nullptr && Batch->GetLibraryBatch() == From.batch) Event.Batch = Batch;
         }
         if (From.collider != 0) Event.Other = Colliders->Find(From.collider);
-        Event.Location = LangevinTypes::To(LangevinConversion::PositionToUnreal(LangevinTypes::From(From.position),
-                                                                                LangevinTypes::From(Origin)));
+        Event.Location = LangevinTypes::To(
+            LangevinConversion::PositionToUnreal(LangevinTypes::From(From.position), LangevinTypes::From(Origin)));
         Event.Normal = LangevinTypes::To(LangevinConversion::MirrorDirection(LangevinTypes::From(From.normal)));
         Event.Speed = static_cast<float>(LangevinConversion::LengthToCentimetres(From.speed));
         Event.Impulse = static_cast<float>(LangevinConversion::LengthToCentimetres(From.impulse));
@@ -182,7 +184,9 @@ void ULangevinWorldSubsystem::TellEvents() {
     OnContactEvents.Broadcast(Events);
 }
 
-void ULangevinWorldSubsystem::SetPaused(bool bInPaused) { bPaused = bInPaused; }
+void ULangevinWorldSubsystem::SetPaused(bool bInPaused) {
+    bPaused = bInPaused;
+}
 
 void ULangevinWorldSubsystem::SetWind(FVector Velocity) {
     if (Wind.IsValid()) Wind->SetExtra(Velocity);
@@ -191,8 +195,8 @@ void ULangevinWorldSubsystem::SetWind(FVector Velocity) {
 FVector ULangevinWorldSubsystem::SampleWind(FVector Location) const {
     float Values[3] = {};
     if (World == nullptr) return FVector::ZeroVector;
-    LangevinTypes::Store(Values, LangevinConversion::PositionToLangevin(LangevinTypes::From(Location),
-                                                                        LangevinTypes::From(Origin)));
+    LangevinTypes::Store(
+        Values, LangevinConversion::PositionToLangevin(LangevinTypes::From(Location), LangevinTypes::From(Origin)));
     if (!Check(lr_world_sample_wind(World, Values, 1, Values), TEXT("Wind"))) return FVector::ZeroVector;
     return LangevinTypes::To(LangevinConversion::VectorToUnreal(LangevinTypes::From(Values)));
 }
@@ -209,14 +213,18 @@ bool ULangevinWorldSubsystem::RemoveCollider(UPrimitiveComponent* Component) {
     return Colliders.IsValid() && Component != nullptr && Colliders->RemoveComponent(*Component);
 }
 
-int32 ULangevinWorldSubsystem::GetColliderCount() const { return Colliders.IsValid() ? Colliders->Num() : 0; }
+int32 ULangevinWorldSubsystem::GetColliderCount() const {
+    return Colliders.IsValid() ? Colliders->Num() : 0;
+}
 
 int32 ULangevinWorldSubsystem::WakeBox(FVector Min, FVector Max) {
     if (World == nullptr) return 0;
     // y changes its sign, and so low and high change places.
     float Low[3], High[3];
-    LangevinTypes::Store(Low, LangevinConversion::PositionToLangevin({Min.X, Max.Y, Min.Z}, LangevinTypes::From(Origin)));
-    LangevinTypes::Store(High, LangevinConversion::PositionToLangevin({Max.X, Min.Y, Max.Z}, LangevinTypes::From(Origin)));
+    LangevinTypes::Store(Low,
+                         LangevinConversion::PositionToLangevin({Min.X, Max.Y, Min.Z}, LangevinTypes::From(Origin)));
+    LangevinTypes::Store(High,
+                         LangevinConversion::PositionToLangevin({Max.X, Min.Y, Max.Z}, LangevinTypes::From(Origin)));
     uint32 Woken = 0;
     Check(lr_world_wake_box(World, Low, High, &Woken), TEXT("WakeBox"));
     return static_cast<int32>(Woken);
@@ -243,7 +251,7 @@ bool ULangevinWorldSubsystem::RestoreState(const TArray<uint8>& State) {
 }
 
 int64 ULangevinWorldSubsystem::GetStateHash() const {
-    uint64 Hash = 0;
+    uint64_t Hash = 0; // another type than uint64 on Linux
     if (World != nullptr) lr_world_hash(World, &Hash);
     return static_cast<int64>(Hash);
 }
@@ -260,8 +268,14 @@ int32 ULangevinWorldSubsystem::GetBodyCount() const {
     return World != nullptr && lr_world_get_info(World, &Info) == LR_OK ? static_cast<int32>(Info.body_count) : 0;
 }
 
-uint64 ULangevinWorldSubsystem::GetLaunchedTasks() const { return Jobs.IsValid() ? Jobs->GetLaunched() : 0; }
+uint64 ULangevinWorldSubsystem::GetLaunchedTasks() const {
+    return Jobs.IsValid() ? Jobs->GetLaunched() : 0;
+}
 
-void ULangevinWorldSubsystem::RegisterBatch(ULangevinBatchComponent& Batch) { Batches.AddUnique(&Batch); }
+void ULangevinWorldSubsystem::RegisterBatch(ULangevinBatchComponent& Batch) {
+    Batches.AddUnique(&Batch);
+}
 
-void ULangevinWorldSubsystem::UnregisterBatch(ULangevinBatchComponent& Batch) { Batches.Remove(&Batch); }
+void ULangevinWorldSubsystem::UnregisterBatch(ULangevinBatchComponent& Batch) {
+    Batches.Remove(&Batch);
+}

@@ -35,11 +35,11 @@ enum class ELangevinEmitterShape : uint8 {
 
 /** What a batch's bodies are doing, as it was when it was taken: for other threads, such as Niagara's. */
 struct LANGEVINRIGID_API FLangevinSnapshot {
-    TArray<FVector> Locations;   // cm, world: centres of mass
-    TArray<FQuat4f> Rotations;   // of the mesh
+    TArray<FVector> Locations;    // cm, world: centres of mass
+    TArray<FQuat4f> Rotations;    // of the mesh
     TArray<FVector3f> Velocities; // cm/s, world
-    TArray<FVector3f> Spins;     // rad/s, world
-    TArray<float> Ages;          // s
+    TArray<FVector3f> Spins;      // rad/s, world
+    TArray<float> Ages;           // s
     TArray<float> Scales;
     int32 AwakeCount = 0; // the first of them move, the others lie
     uint64 Frame = 0;
@@ -74,7 +74,8 @@ public:
     ELangevinLoads Loads = ELangevinLoads::Default;
 
     /** Stepped once where others are stepped so often; for what is far away. */
-    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", AdvancedDisplay, meta = (ClampMin = "1", ClampMax = "1024"))
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", AdvancedDisplay,
+              meta = (ClampMin = "1", ClampMax = "1024"))
     int32 RateDivisor = 1;
 
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
@@ -160,7 +161,8 @@ public:
 
     /** Transform: of the mesh, world. cm/s and rad/s, world. False for a body that is no more. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
-    bool GetBodyState(FLangevinBody Body, FTransform& Transform, FVector& Velocity, FVector& Spin, bool& bResting) const;
+    bool GetBodyState(FLangevinBody Body, FTransform& Transform, FVector& Velocity, FVector& Spin,
+                      bool& bResting) const;
 
     /** kg cm/s, at the centre of mass, or at Location if bAtLocation. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")

@@ -22,9 +22,10 @@ bool ULangevinAssetFactory::FactoryCanImport(const FString& Filename) {
     return FPaths::GetExtension(Filename).Equals(TEXT("lrb"), ESearchCase::IgnoreCase);
 }
 
-UObject* ULangevinAssetFactory::FactoryCreateBinary(UClass* InClass, UObject* InParent, FName InName, EObjectFlags Flags,
-                                                    UObject*, const TCHAR* Type, const uint8*& Buffer,
-                                                    const uint8* BufferEnd, FFeedbackContext* Warn) {
+UObject* ULangevinAssetFactory::FactoryCreateBinary(UClass* InClass, UObject* InParent, FName InName,
+                                                    EObjectFlags Flags, UObject*, const TCHAR* Type,
+                                                    const uint8*& Buffer, const uint8* BufferEnd,
+                                                    FFeedbackContext* Warn) {
     UImportSubsystem* Imports = GEditor->GetEditorSubsystem<UImportSubsystem>();
     Imports->BroadcastAssetPreImport(this, InClass, InParent, InName, Type);
     ULangevinAsset* Asset = NewObject<ULangevinAsset>(InParent, InClass, InName, Flags);
@@ -53,7 +54,8 @@ bool ULangevinAssetFactory::CanReimport(UObject* Obj, TArray<FString>& OutFilena
 
 void ULangevinAssetFactory::SetReimportPaths(UObject* Obj, const TArray<FString>& NewReimportPaths) {
     ULangevinAsset* Asset = Cast<ULangevinAsset>(Obj);
-    if (Asset != nullptr && NewReimportPaths.Num() == 1) Asset->AssetImportData->UpdateFilenameOnly(NewReimportPaths[0]);
+    if (Asset != nullptr && NewReimportPaths.Num() == 1)
+        Asset->AssetImportData->UpdateFilenameOnly(NewReimportPaths[0]);
 }
 
 EReimportResult::Type ULangevinAssetFactory::Reimport(UObject* Obj) {

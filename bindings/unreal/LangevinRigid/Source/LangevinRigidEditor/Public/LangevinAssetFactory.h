@@ -17,8 +17,8 @@ public:
 
     virtual bool FactoryCanImport(const FString& Filename) override;
     virtual UObject* FactoryCreateBinary(UClass* InClass, UObject* InParent, FName InName, EObjectFlags Flags,
-                                         UObject* Context, const TCHAR* Type, const uint8*& Buffer, const uint8* BufferEnd,
-                                         FFeedbackContext* Warn) override;
+                                         UObject* Context, const TCHAR* Type, const uint8*& Buffer,
+                                         const uint8* BufferEnd, FFeedbackContext* Warn) override;
 
     virtual bool CanReimport(UObject* Obj, TArray<FString>& OutFilenames) override;
     virtual void SetReimportPaths(UObject* Obj, const TArray<FString>& NewReimportPaths) override;

@@ -64,7 +64,9 @@ void UNiagaraDataInterfaceLangevin::GetVMExternalFunction(const FVMExternalFunct
     }
 }
 
-int32 UNiagaraDataInterfaceLangevin::PerInstanceDataSize() const { return sizeof(FInstanceData); }
+int32 UNiagaraDataInterfaceLangevin::PerInstanceDataSize() const {
+    return sizeof(FInstanceData);
+}
 
 bool UNiagaraDataInterfaceLangevin::InitPerInstanceData(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance) {
     FInstanceData* Data = new (PerInstanceData) FInstanceData;
@@ -78,7 +80,8 @@ void UNiagaraDataInterfaceLangevin::DestroyPerInstanceData(void* PerInstanceData
 }
 
 // Whether the instance must begin anew: never.
-bool UNiagaraDataInterfaceLangevin::PerInstanceTick(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance, float) {
+bool UNiagaraDataInterfaceLangevin::PerInstanceTick(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance,
+                                                    float) {
     FInstanceData& Data = *static_cast<FInstanceData*>(PerInstanceData);
     if (!Data.Batch.IsValid()) Data.Batch = FindBatch(*SystemInstance);
     Data.Converter = SystemInstance->GetLWCConverter(false);
@@ -135,8 +138,9 @@ void UNiagaraDataInterfaceLangevin::GetBody(FVectorVMExternalFunctionContext& Co
         const int32 Index = InIndex.GetAndAdvance();
         const bool bValid = Snapshot != nullptr && Index >= 0 && Index < Snapshot->Num();
         OutValid.SetAndAdvance(bValid);
-        OutPosition.SetAndAdvance(bValid ? FVector3f(Data->Converter.ConvertWorldToSimulationPosition(Snapshot->Locations[Index]))
-                                         : FVector3f::ZeroVector);
+        OutPosition.SetAndAdvance(
+            bValid ? FVector3f(Data->Converter.ConvertWorldToSimulationPosition(Snapshot->Locations[Index]))
+                   : FVector3f::ZeroVector);
         OutOrientation.SetAndAdvance(bValid ? Snapshot->Rotations[Index] : FQuat4f::Identity);
         OutVelocity.SetAndAdvance(bValid ? Snapshot->Velocities[Index] : FVector3f::ZeroVector);
         OutSpin.SetAndAdvance(bValid ? Snapshot->Spins[Index] : FVector3f::ZeroVector);

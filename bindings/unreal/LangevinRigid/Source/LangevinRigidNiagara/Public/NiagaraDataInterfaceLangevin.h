@@ -6,6 +6,7 @@
 
 #include "NiagaraDataInterfaceLangevin.generated.h"
 
+class AActor;
 class ULangevinBatchComponent;
 struct FLangevinSnapshot;
 
@@ -23,12 +24,15 @@ public:
     virtual void PostInitProperties() override;
     virtual void GetVMExternalFunction(const FVMExternalFunctionBindingInfo& BindingInfo, void* InstanceData,
                                        FVMExternalFunction& OutFunc) override;
-    virtual bool CanExecuteOnTarget(ENiagaraSimTarget Target) const override { return Target == ENiagaraSimTarget::CPUSim; }
+    virtual bool CanExecuteOnTarget(ENiagaraSimTarget Target) const override {
+        return Target == ENiagaraSimTarget::CPUSim;
+    }
     virtual int32 PerInstanceDataSize() const override;
     virtual bool InitPerInstanceData(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance) override;
     virtual void DestroyPerInstanceData(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance) override;
     virtual bool HasPreSimulateTick() const override { return true; }
-    virtual bool PerInstanceTick(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance, float DeltaSeconds) override;
+    virtual bool PerInstanceTick(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance,
+                                 float DeltaSeconds) override;
     virtual bool Equals(const UNiagaraDataInterface* Other) const override;
 
 protected:
