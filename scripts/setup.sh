@@ -22,6 +22,7 @@ if [ "${1:-build}" = bench ]; then               # test, and what docs/performan
 fi
 if [ "${1:-build}" = test ]; then
     packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen)
+    packages+=(mono-mcs mono-runtime libmono-corlib4.5-cil)   # C#: build rules of the Unreal plugin
 fi
 if [ "${1:-build}" = battery ]; then
     packages+=(dieharder)

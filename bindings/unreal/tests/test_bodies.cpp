@@ -1,6 +1,11 @@
 // Bodies in a running world: time, instances, tasks, events, state. SPDX-License-Identifier: MIT
+#include "LangevinHost.h"
 #include "LeafStormActor.h"
 #include "fixture.h"
+
+#include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace {
 /** The transform that a body must be drawn with, worked out from the library's state without the conversion of the plugin. */
@@ -22,7 +27,8 @@ void check_instances(const Game& game, const ULangevinBatchComponent& batch) {
     view.struct_size = sizeof view;
     REQUIRE(lr_batch_get_view(game.langevin->GetLibraryWorld(), batch.GetLibraryBatch(), &view) == LR_OK);
     REQUIRE(batch.GetInstanceCount() == static_cast<int32>(view.count));
-    int wrong = 0;
+    int wrong = 0, outside = 0;
+    const FBox bounds = batch.Bounds.GetBox();
     for (uint32 i = 0; i < view.count; ++i) {
         lr_body_state state = {};
         state.struct_size = sizeof state;
@@ -30,8 +36,13 @@ void check_instances(const Game& game, const ULangevinBatchComponent& batch) {
         FTransform drawn;
         REQUIRE(batch.GetInstanceTransform(static_cast<int32>(i), drawn, true));
         wrong += !drawn.Equals(expected(game, *batch.Asset, state), 2e-3);
+        // The mesh reaches 4.06 cm from its origin, here along a diagonal.
+        const FVector reach = FVector(batch.GetStaticMesh() != nullptr ? 2.3 : 0.0) * drawn.GetScale3D();
+        outside +=
+            !bounds.IsInsideOrOn(drawn.GetLocation() + reach) || !bounds.IsInsideOrOn(drawn.GetLocation() - reach);
     }
     CHECK(wrong == 0);
+    CHECK(outside == 0);
 }
 
 int64 run_storm(bool tasks, int32 count, uint64* launched) {
@@ -192,6 +203,27 @@ TEST_CASE("a step runs on the engine's threads, with the same bits") {
     uint64 none = 1;
     CHECK(run_storm(false, 20000, &none) == threaded);
     CHECK(none == 0);
+}
+
+TEST_CASE("tasks: each index once, and all of them done when finish returns") {
+    struct Work {
+        std::atomic<int> indices[8] = {};
+    } work;
+    FLangevinJobs jobs;
+    const lr_job_system callbacks = jobs.Callbacks();
+    for (int round = 1; round <= 20; ++round) {
+        void* token = callbacks.enqueue(
+            callbacks.user,
+            [](void* task, uint32_t begin, uint32_t end) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                for (uint32_t i = begin; i < end; ++i) ++static_cast<Work*>(task)->indices[i];
+            },
+            &work, 8);
+        callbacks.finish(callbacks.user, token);
+        for (const std::atomic<int>& count : work.indices) CHECK(count == round);
+    }
+    CHECK(jobs.GetLaunched() == 160);
+    CHECK(FLangevinJobs::WorkerCount() == 3);
 }
 
 TEST_CASE("fixed steps: the same motion at any frame rate, and none lost") {

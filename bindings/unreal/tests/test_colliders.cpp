@@ -163,7 +163,7 @@ TEST_CASE("instances of an instanced mesh are colliders each") {
     auto* instanced = NewObject<UInstancedStaticMeshComponent>(actor);
     UStaticMesh* mesh = make_mesh();
     mesh->ShimBodySetup = NewObject<UBodySetup>(mesh);
-    mesh->ShimBodySetup->AggGeom = box_of(100, 100, 100);
+    mesh->ShimBodySetup->AggGeom = box_of(100, 100, 100, FVector(0, 0, 20));
     instanced->SetStaticMesh(mesh);
     instanced->SetWorldTransform(FTransform(FRotator(0, 90, 0), FVector(1000, 0, 0)));
     instanced->AddInstances(
@@ -171,8 +171,8 @@ TEST_CASE("instances of an instanced mesh are colliders each") {
     instanced->RegisterComponent();
     game.world->ShimBeginPlay();
     CHECK(game.langevin->GetColliderCount() == 2);
-    CHECK(game.ground_below(FVector(1000, 0, 900)) == doctest::Approx(50));
-    CHECK(game.ground_below(FVector(1000, 500, 900)) == doctest::Approx(150)); // X of the component is Y of the world
+    CHECK(game.ground_below(FVector(1000, 0, 900)) == doctest::Approx(70));
+    CHECK(game.ground_below(FVector(1000, 500, 900)) == doctest::Approx(210)); // X of the component is Y of the world
 }
 
 TEST_CASE("landscapes: slopes to the right side, and holes") {
