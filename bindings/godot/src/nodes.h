@@ -52,7 +52,7 @@ typedef struct area_shape {
 } area_shape;
 
 typedef struct area_wind {
-    uint64_t area; /* instance id */
+    uint64_t area;         /* instance id */
     uint32_t first, count; /* of shapes */
     float velocity[3];     /* direction times magnitude; 0 where there is no wind at present */
     float direction[3];

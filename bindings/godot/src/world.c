@@ -212,8 +212,7 @@ static void simd_changed(void* instance) {
     world_node* self = instance;
     if (!self->world) return;
     const lr_status status = lr_world_set_simd_target(self->world, (int32_t)self->simd);
-    if (status != LR_OK)
-        gd_warning("simd: %s: %s", lr_simd_target_name((int32_t)self->simd), lr_status_string(status));
+    if (status != LR_OK) gd_warning("simd: %s: %s", lr_simd_target_name((int32_t)self->simd), lr_status_string(status));
 }
 
 static void process_changed(void* instance) {
