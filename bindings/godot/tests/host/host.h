@@ -103,6 +103,11 @@ host_variant host_call(host_object* object, const char* method, gdx_call_error* 
 host_method* host_find_method(const host_object* object, const char* method);
 void host_virtual(host_object* object, const char* method, const void* const* args, void* ret);
 
+/* The engine's functions. */
+#define HOST_DECLARE(name, engine_type, result, parameters) result host_##name parameters;
+GDX_FUNCTIONS(HOST_DECLARE)
+#undef HOST_DECLARE
+
 host_variant host_nil(void);
 host_variant host_int(int64_t value);
 host_variant host_float(double value);
@@ -110,7 +115,13 @@ host_variant host_bool(int value);
 host_variant host_vector(float x, float y, float z);
 host_variant host_text(const char* text);
 host_variant host_obj(host_object* object);
-void host_destroy(void* variant);
+int host_is_packed(uint32_t type);
+int64_t host_width_of(uint32_t type); /* bytes an element */
+host_variant host_value_of(uint32_t type);
+host_name* host_name_new(const char* text);
+void host_name_free(void* name);
+void host_array_free(void* array);
+host_array* host_array_own(host_array** slot, int64_t width, int64_t count); /* alone, and of that length */
 host_string* host_string_new(const char* text);
 void host_string_free(void* string);
 

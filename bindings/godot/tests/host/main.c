@@ -23,7 +23,7 @@ static int passed, failed;
 static int64_t call_int(host_object* o, const char* method) {
     host_variant v = host_call(o, method, NULL, 0);
     const int64_t value = v.type == GDX_INT ? v.u.integer : -1;
-    host_destroy(&v);
+    host_variant_destroy(&v);
     return value;
 }
 
@@ -31,7 +31,7 @@ static void set(host_object* o, const char* setter, host_variant value) {
     gdx_call_error error = {99, 0, 0};
     host_variant ret = host_call(o, setter, &error, 1, value);
     CHECK(error.error == GDX_CALL_OK);
-    host_destroy(&ret);
+    host_variant_destroy(&ret);
 }
 
 enum { ENTER_TREE = 10, EXIT_TREE = 11, PHYSICS = 26, ENTER_WORLD = 41, EXIT_WORLD = 42, MOVED = 2000 };
@@ -46,20 +46,20 @@ static host_object* load(const char* path) {
     host_virtual(loader, "_load", args, &result);
     host_object* asset = result.type == GDX_OBJECT ? result.u.object : NULL;
     if (asset) ++asset->refs;
-    host_destroy(&result);
+    host_variant_destroy(&result);
     host_string* type = NULL;
     host_virtual(loader, "_get_resource_type", args, &type);
     CHECK(type && !strcmp(type->text, strstr(path, ".lrb") ? "LangevinAsset" : ""));
     host_string_free(&type);
     host_string_free(&text);
-    host_destroy(&hold);
+    host_variant_destroy(&hold);
     return asset;
 }
 
 static void release(host_object* counted) {
     host_variant v = host_obj(counted);
     --counted->refs;
-    host_destroy(&v);
+    host_variant_destroy(&v);
 }
 
 /* Arguments of the wrong number and type are answered as an engine expects, and change nothing. */
@@ -67,13 +67,13 @@ static void test_arguments(host_object* world) {
     gdx_call_error error = {0, 0, 0};
     host_variant ret = host_call(world, "set_seed", &error, 0);
     CHECK(error.error == GDX_CALL_TOO_FEW_ARGUMENTS && error.expected == 1);
-    host_destroy(&ret);
+    host_variant_destroy(&ret);
     ret = host_call(world, "get_seed", &error, 1, host_int(1));
     CHECK(error.error == GDX_CALL_TOO_MANY_ARGUMENTS && error.expected == 0);
-    host_destroy(&ret);
+    host_variant_destroy(&ret);
     ret = host_call(world, "set_seed", &error, 1, host_text("nine"));
     CHECK(error.error == GDX_CALL_INVALID_ARGUMENT && error.argument == 0 && error.expected == GDX_INT);
-    host_destroy(&ret);
+    host_variant_destroy(&ret);
     set(world, "set_seed", host_float(5.0));
     CHECK(call_int(world, "get_seed") == 5);
     const int before = host.errors;
@@ -146,16 +146,16 @@ static uint64_t run(host_object* asset, host_object* mesh, int frames) {
     m->info.ptrcall(m->info.userdata, batch->instance, NULL, &got);
     CHECK(got == asset && asset->refs == refs + 1);
     --asset->refs;
-    host_destroy(&typed);
-    host_destroy(&ids);
-    host_destroy(&rows);
-    host_destroy(&drawn);
+    host_variant_destroy(&typed);
+    host_variant_destroy(&ids);
+    host_variant_destroy(&rows);
+    host_variant_destroy(&drawn);
 
     host_variant snapshot = host_call(world, "save_snapshot", NULL, 0), answer;
     CHECK(snapshot.u.array->count > 1000);
     answer = host_call(world, "restore_snapshot", NULL, 1, snapshot);
     CHECK(answer.u.integer == 0);
-    host_destroy(&answer);
+    host_variant_destroy(&answer);
     const uint64_t hash = (uint64_t)call_int(world, "get_state_hash");
 
     /* The batch first, the world first, and a batch that is still in the tree when it goes. */
@@ -208,7 +208,7 @@ int main(int argc, char** argv) {
         CHECK(host.errors == errors + 1 && host.warnings == 0); /* the one that test_arguments asks for */
         release(asset);
     }
-    host_destroy(&hold);
+    host_variant_destroy(&hold);
     CHECK(host.rids == 0 && host.multimeshes == 4);
     CHECK(host.postinitialize > 8);
 

@@ -51,27 +51,21 @@ static int is_class(const host_object* o, const char* name) {
     return 0;
 }
 
-static host_variant value_of(uint32_t type) {
-    host_variant v = host_nil();
-    v.type = type;
-    return v;
-}
-
 static host_variant rid(uint64_t id) {
-    host_variant v = value_of(GDX_RID);
+    host_variant v = host_value_of(GDX_RID);
     v.u.rid = id;
     return v;
 }
 
 static host_variant transform(const float* floats) {
-    host_variant v = value_of(GDX_TRANSFORM3D);
+    host_variant v = host_value_of(GDX_TRANSFORM3D);
     v.u.many = malloc(48);
     memcpy(v.u.many, floats, 48);
     return v;
 }
 
 static host_variant list_of(host_object* object) {
-    host_variant v = value_of(GDX_ARRAY);
+    host_variant v = host_value_of(GDX_ARRAY);
     v.u.list = calloc(1, sizeof *v.u.list);
     v.u.list->refs = 1;
     if (object) v.u.list->items[v.u.list->count++] = host_obj(object);
@@ -122,7 +116,7 @@ static int render(const char* method, const host_variant* const* args, int64_t c
 static int physics(const char* method, host_variant* ret) {
     static const float identity[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     if (!strcmp(method, "get_shape_owners")) {
-        *ret = value_of(GDX_PACKED_INT32_ARRAY);
+        *ret = host_value_of(GDX_PACKED_INT32_ARRAY);
         ret->u.array = calloc(1, sizeof(host_array));
         ret->u.array->refs = 1;
         ret->u.array->count = 1;
@@ -137,7 +131,7 @@ static int physics(const char* method, host_variant* ret) {
     } else if (!strcmp(method, "is_shape_owner_disabled")) {
         *ret = host_bool(0);
     } else if (!strcmp(method, "get_plane")) {
-        *ret = value_of(GDX_PLANE);
+        *ret = host_value_of(GDX_PLANE);
         ret->u.floats[1] = 1.0f;
     } else if (strcmp(method, "get_physics_material_override") != 0) {
         return 0;
@@ -171,7 +165,7 @@ static int node(host_object* o, const char* method, const host_variant* const* a
     else if (!strcmp(method, "disconnect"))
         host.connections &= strcmp(text_of(args[0]), "node_added") ? 1 : 2;
     else if (!strcmp(method, "get_aabb")) {
-        *ret = value_of(GDX_AABB);
+        *ret = host_value_of(GDX_AABB);
         ret->u.many = calloc(6, sizeof(float));
         ret->u.many[3] = ret->u.many[4] = 0.1f;
     } else if (!strcmp(method, "emit_signal")) {
