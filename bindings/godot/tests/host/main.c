@@ -109,6 +109,19 @@ static void leave(host_object* batch) {
     host_notify(batch, EXIT_TREE);
 }
 
+/* What the editor shows on a node that is not set up. */
+static void test_warnings(host_object* asset) {
+    host_object* batch = host_construct("LangevinBatch");
+    host_variant list = host_nil();
+    host_virtual(batch, "_get_configuration_warnings", NULL, &list.u.array);
+    CHECK(list.u.array && list.u.array->count == 3); /* no world, no asset, no mesh */
+    set(batch, "set_asset", host_obj(asset));
+    host_virtual(batch, "_get_configuration_warnings", NULL, &list.u.array);
+    CHECK(list.u.array && list.u.array->count == 2);
+    host_array_free(&list.u.array);
+    host_free(batch);
+}
+
 static uint64_t run(host_object* asset, host_object* mesh, int frames) {
     host_object* world = host_construct("LangevinWorld");
     world->parent = host_root;
@@ -201,6 +214,7 @@ int main(int argc, char** argv) {
     host_variant hold = host_obj(mesh);
     CHECK(asset != NULL);
     if (asset) {
+        test_warnings(asset);
         const uint64_t first = run(asset, mesh, 1000);
         const int errors = host.errors, names = host.names, live = host.objects;
         CHECK(run(asset, mesh, 1000) == first && first != 0);
