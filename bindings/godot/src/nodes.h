@@ -101,6 +101,8 @@ void world_apply_wind(world_node* world);
 gd_var world_nodes_below_viewport(world_node* world, const char* class_name); /* Array of nodes in the same World3D */
 void world_step(world_node* world, double dt);
 void world_emit_events(world_node* world);
+gd_var world_save(const world_node* world); /* PackedByteArray */
+lr_status world_restore(world_node* world, const gd_var* bytes);
 void world_add_batch(world_node* world, struct batch_node* batch);
 void world_remove_batch(world_node* world, struct batch_node* batch);
 
