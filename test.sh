@@ -13,7 +13,7 @@ configure() { # directory, arguments
 }
 
 step "Set-up"
-scripts/setup.sh test ${CI:+arm64}
+scripts/setup.sh test package ${CI:+arm64}
 
 step "Formatting"
 find include src samples tests \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) -print0 |
@@ -46,6 +46,10 @@ build/samples/import_mesh assets/leaf.obj build/samples/imported.lrb 2>/dev/null
 cmp build/samples/leaf.lrb build/samples/imported.lrb # in process and by the tool
 python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples/leaf.lrb assets/leaf.obj
 python3 tests/samples/check_paper_figures.py build/samples/paper_figures "$prefix/bin/lr_bake" . build/samples
+
+step "Package for Linux, used as a new user would"
+scripts/package.sh linux-x64
+packaging/check_package.sh build/packages/langevin_rigid-*-linux-x64.tar.xz
 
 step "API reference: Doxygen without a warning"
 scripts/api_reference.sh
