@@ -17,7 +17,7 @@ scripts/setup.sh test package ${CI:+arm64 browser}
 source scripts/compiler_cache.sh
 
 step "Formatting"
-find include src samples tests \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) -print0 |
+find include src samples tests bindings packaging \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) -print0 |
     xargs -0 clang-format --dry-run -Werror
 echo "clean"
 
