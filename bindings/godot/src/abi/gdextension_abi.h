@@ -183,7 +183,6 @@ typedef void (*gdx_destructor)(void* value);
     X(packed_vector3_array_operator_index, PackedVector3ArrayOperatorIndex, void*, (void* array, int64_t index))       \
     X(packed_vector3_array_operator_index_const, PackedVector3ArrayOperatorIndexConst, void*,                          \
       (const void* array, int64_t index))                                                                              \
-    X(object_destroy, ObjectDestroy, void, (void* object))                                                             \
     X(object_method_bind_call, ObjectMethodBindCall, void,                                                             \
       (const void* method, void* object, const void* const* args, int64_t count, void* ret, gdx_call_error* error))    \
     X(object_method_bind_ptrcall, ObjectMethodBindPtrcall, void,                                                       \

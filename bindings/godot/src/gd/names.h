@@ -9,7 +9,6 @@
 #define GD_NAMES(X)                                                                                                    \
     X(add_resource_format_loader)                                                                                      \
     X(append)                                                                                                          \
-    X(changed)                                                                                                         \
     X(connect)                                                                                                         \
     X(disconnect)                                                                                                      \
     X(emit_signal)                                                                                                     \
@@ -52,7 +51,6 @@
     X(is_class)                                                                                                        \
     X(is_connected)                                                                                                    \
     X(is_editor_hint)                                                                                                  \
-    X(is_inside_tree)                                                                                                  \
     X(is_shape_owner_disabled)                                                                                         \
     X(is_visible_in_tree)                                                                                              \
     X(multimesh_allocate_data)                                                                                         \
@@ -79,19 +77,13 @@
     X(landed)                                                                                                          \
     X(touched)                                                                                                         \
     X(woke)                                                                                                            \
-    X(_exists)                                                                                                         \
     X(_get_configuration_warnings)                                                                                     \
     X(_get_recognized_extensions)                                                                                      \
     X(_get_resource_type)                                                                                              \
     X(_handles_type)                                                                                                   \
     X(_load)                                                                                                           \
-    X(_recognize_path)                                                                                                 \
-    X(Area3D)                                                                                                          \
     X(LangevinAsset)                                                                                                   \
-    X(LangevinAssetLoader)                                                                                             \
-    X(LangevinBatch)                                                                                                   \
-    X(LangevinWorld)                                                                                                   \
-    X(PhysicsBody3D)
+    X(LangevinAssetLoader)
 
 #define GD_NAME_ID(name) GD_N_##name,
 enum { GD_NAMES(GD_NAME_ID) GD_NAME_COUNT };

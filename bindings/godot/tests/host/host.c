@@ -57,9 +57,6 @@ host_object* host_construct(const char* class_name) {
 gdx_object host_classdb_construct_object2(const void* name) {
     return host_construct((*(host_name* const*)name)->text);
 }
-void host_object_destroy(void* object) {
-    host_free(object);
-}
 gdx_object host_object_get_instance_from_id(uint64_t id) {
     for (host_object* o = objects; o; o = o->next)
         if (o->id == id) return o;
