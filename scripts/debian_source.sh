@@ -29,11 +29,17 @@ done
 options=(-qq -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$work/parts" -o "Dir::State::lists=$work/lists"
     -o "Dir::Cache=$work/cache" -o APT::Sandbox::User=root)
 cd "$work/unpacked"
-fetch() { # what apt is asked for
-    apt-get "${options[@]}" "$@" >>"$work/log" 2>&1 || { tail -n 20 "$work/log" >&2; exit 1; }
+apt() { apt-get "${options[@]}" "$@" >>"$work/log" 2>&1; }
+failed() {
+    tail -n 20 "$work/log" >&2
+    exit 1
 }
-fetch update
-fetch source --only-source "${names[@]}"
+apt update || failed
+# With security updates, as packages are installed; not every mirror has the sources of those.
+apt source --only-source "${names[@]}" || {
+    rm -rf ./*
+    apt source --only-source --target-release "$(. /etc/os-release && echo "$VERSION_CODENAME")" "${names[@]}" || failed
+}
 for name in "${names[@]}"; do
     found=("$name"-*/)
     [ ${#found[@]} -eq 1 ] && [ -d "${found[0]}" ] || { echo "sources of $name did not come as one folder" >&2; exit 1; }
