@@ -13,11 +13,11 @@ configure() { # directory, arguments
 }
 
 step "Set-up"
-scripts/setup.sh test ${CI:+arm64}
+scripts/setup.sh test package ${CI:+arm64 browser}
 source scripts/compiler_cache.sh
 
 step "Formatting"
-find include src samples tests \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) -print0 |
+find include src samples tests bindings packaging \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) -print0 |
     xargs -0 clang-format --dry-run -Werror
 echo "clean"
 
@@ -60,6 +60,10 @@ binding() { # its name: what it printed, as a whole
 }
 export -f binding
 printf '%s\n' bindings/*/test.sh | cut -d/ -f2 | xargs -P "$jobs" -I{} bash -c 'binding "$@"' - {} "$prefix"
+
+step "Package for Linux, used as a new user would"
+scripts/package.sh linux-x64
+packaging/check_package.sh build/packages/langevin_rigid-*-linux-x64.tar.xz
 
 step "API reference: Doxygen without a warning"
 scripts/api_reference.sh

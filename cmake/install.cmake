@@ -1,9 +1,10 @@
-# A CMake package, a pkg-config file, and the tools.
-install(TARGETS langevin_rigid EXPORT langevin_rigid_targets
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# A CMake package, a pkg-config file, and the tools. Components: runtime, bake (lr_bake), development (all else).
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+install(TARGETS langevin_rigid EXPORT langevin_rigid_targets COMPONENT runtime
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
 if(TARGET lr_bake)
-    install(TARGETS lr_bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS lr_bake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
     if(TARGET lr_scorecard)
         install(TARGETS lr_scorecard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     endif()
@@ -13,18 +14,18 @@ if(TARGET lr_bake)
     install(EXPORT langevin_rigid_baker_targets NAMESPACE langevin_rigid::
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/langevin_rigid)
 endif()
-install(FILES include/langevin_rigid.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES include/langevin_rigid.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/langevin_rigid)
-install(EXPORT langevin_rigid_targets NAMESPACE langevin_rigid:: DESTINATION ${package_dir})
+install(EXPORT langevin_rigid_targets NAMESPACE langevin_rigid:: DESTINATION ${package_dir} COMPONENT runtime)
 configure_package_config_file(cmake/langevin_rigid-config.cmake.in
     "${PROJECT_BINARY_DIR}/langevin_rigid-config.cmake" INSTALL_DESTINATION ${package_dir})
 # Before 1.0 each minor version is an ABI of its own.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/langevin_rigid-config-version.cmake"
     COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/langevin_rigid-config.cmake"
-    "${PROJECT_BINARY_DIR}/langevin_rigid-config-version.cmake" DESTINATION ${package_dir})
+    "${PROJECT_BINARY_DIR}/langevin_rigid-config-version.cmake" DESTINATION ${package_dir} COMPONENT runtime)
 
 # The way from the .pc file up to the prefix, so that the package may be moved: two folders, or three on multiarch systems.
 file(RELATIVE_PATH pc_to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
@@ -32,4 +33,4 @@ file(RELATIVE_PATH pc_to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 file(RELATIVE_PATH LR_PC_UP "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" LR_PC_UP "${LR_PC_UP}")
 configure_file(cmake/langevin_rigid.pc.in "${PROJECT_BINARY_DIR}/langevin_rigid.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/langevin_rigid.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES "${PROJECT_BINARY_DIR}/langevin_rigid.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT runtime)

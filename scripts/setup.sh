@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
-#   scripts/setup.sh [build|test|bench|battery] [arm64] [blender] [browser]   build: library, baker, samples; test: that and what only tests use;
-#                                                   battery: build and what scripts/noise_battery.sh runs;
-#                                                   arm64: also a cross compiler and an emulator of 64-bit ARM;
-#                                                   blender: also Blender, for bindings/python;
-#                                                   browser: also Chromium, for the page of bindings/web
+#   scripts/setup.sh [build|test|bench|battery] [WORD...]   build: library, baker, samples; test: that and what only tests use;
+#                                     battery: build and what scripts/noise_battery.sh runs. Words add to it:
+#       arm64     a cross compiler and an emulator of 64-bit ARM
+#       windows   MinGW and Wine
+#       package   what scripts/package.sh needs, with the sources of what packages carry
+#       browser   Chromium, for the page of bindings/web
+#       blender   Blender, for bindings/python
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -25,17 +27,25 @@ if [ "${1:-build}" = bench ]; then               # test, and what docs/performan
     set -- test "${@:2}"
 fi
 if [ "${1:-build}" = test ]; then
-    packages+=(doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
-        python3-clang-14                         # generators of bindings
-        mono-mcs mono-runtime libmono-corlib4.5-cil   # C# binding
-        wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32 lld-14 llvm-14   # WebAssembly
-        nodejs node-typescript dpkg-dev          # runs it, checks its types, unpacks the sources of libccd
-        xvfb xdotool                             # the viewer in a window, without a screen
-        ccache)                                  # the second run is a third of the first (scripts/compiler_cache.sh)
+    packages+=(
+        doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
+        ccache                                       # the second run is a third of the first: scripts/compiler_cache.sh
+        python3-clang-14                             # generators of bindings
+        mono-mcs mono-runtime libmono-corlib4.5-cil libmono-system-core4.0-cil libmono-system4.0-cil   # C#, Unity, Unreal's rules
+        python3-numpy python3-pip python3-setuptools python3-wheel python3-matplotlib mypy             # Python
+        nodejs lld-14 wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 llvm-14   # WebAssembly
+        node-typescript dpkg-dev                     # its types; unpacks the sources of libccd
+        xvfb xdotool                                 # the viewer in a window, without a screen
+        patchelf                                     # libraries that find each other beside them, in packages
+    )
 fi
 mode=${1:-build}
 if [ "$mode" = battery ]; then
     packages+=(dieharder)
+fi
+if [[ " $* " == *" package "* ]]; then
+    packages+=(dpkg-dev xz-utils zip unzip binutils)   # Debian's sources; archives; what is in them
+    packages+=(libutfcpp-dev doctest-dev)              # headers, for assimp and tests
 fi
 if [[ " $* " == *" arm64 "* ]]; then
     packages+=(g++-aarch64-linux-gnu qemu-user-static)
@@ -46,19 +56,23 @@ fi
 if [[ " $* " == *" browser "* ]]; then           # bindings/web: the page in a real browser, 400 MB
     packages+=(chromium)
 fi
+if [[ " $* " == *" windows "* ]]; then
+    packages+=(g++-mingw-w64-x86-64-posix wine64 llvm-14)   # llvm-14: import libraries for Microsoft's linker
+fi
 
 missing=()
 for package in "${packages[@]}"; do
     [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
 done
-# WebAssembly is built with the sources of libccd: its package is for this processor.
-fetch_sources() {
-    [ "$mode" != test ] || bindings/web/fetch_libccd.sh build/sources ||
+fetch_sources() { # later steps need no network
+    # WebAssembly is built with the sources of libccd: its package is for this processor.
+    [ "$mode" != test ] || scripts/debian_source.sh build/sources libccd >/dev/null ||
         echo "set-up: no sources of libccd; WebAssembly will be built without it" >&2
+    if [[ " $* " == *" package "* ]]; then packaging/fetch_sources.sh >/dev/null; fi
 }
 if [ ${#missing[@]} -eq 0 ]; then
-    fetch_sources
     echo "set-up: all ${#packages[@]} Debian packages are installed"
+    fetch_sources "$@"
     exit 0
 fi
 
@@ -73,5 +87,5 @@ fi
 echo "set-up: installing ${missing[*]}"
 "${sudo[@]}" apt-get update -qq
 "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
-fetch_sources
+fetch_sources "$@"
 echo "set-up: done"

@@ -9,6 +9,7 @@ prefix=$(cd "${1:?usage: test.sh PREFIX}" && pwd)
 build=$root/build/csharp
 library=$(dirname "$(find "$prefix" -name liblangevin_rigid.so | head -n 1)")
 python=/usr/bin/python3
+export PYTHONDONTWRITEBYTECODE=1
 passed=0
 failed=0
 skipped=0
@@ -45,6 +46,23 @@ drift() {
     rm -rf generated
     "$python" "$root/bindings/generator/csharp.py" --out "$build/generated"
     diff -ru "$here/src/Generated" generated || { echo "run bindings/generator/csharp.py and commit what it writes"; return 1; }
+}
+# What no rule covers must stop the generator, not become something that looks right.
+strict() {
+    refused '#define LR_NOVELTY_FIRST 1' 'LR_NOVELTY_FIRST: no rule says which enum'
+    refused 'LR_API lr_status lr_world_set_novelty(lr_world* world, int32_t novelty);' "'novelty'): an int32_t without an enum"
+    refused 'typedef struct lr_novelty { int32_t kind; } lr_novelty;' "'kind'): an int32_t without an enum"
+    refused 'LR_API void lr_novelty(long double x);' 'a type that no rule is for'
+}
+refused() {
+    sed "s|^#endif /\* LANGEVIN_RIGID_H \*/|$1\n&|" "$root/include/langevin_rigid.h" > novelty.h
+    ! cmp -s novelty.h "$root/include/langevin_rigid.h"
+    if "$python" "$root/bindings/generator/csharp.py" --header novelty.h --out "$build/novelty" > novelty.log 2>&1; then
+        echo "taken: $1"
+        return 1
+    fi
+    cat novelty.log
+    grep -qF "$2" novelty.log
 }
 same_layout() {
     rm -rf layout && mkdir layout
@@ -121,9 +139,10 @@ guide() {
 
 if "$python" -c "import clang.cindex" 2> /dev/null; then
     step "generated sources are those of the header" drift
+    step "what no rule covers stops the generator" strict
     step "sizes, offsets and values are those of the C compiler" same_layout
 else
-    skipped=$((skipped + 2))
+    skipped=$((skipped + 3))
     echo "SKIPPED: generated sources and layouts, for want of libclang: apt-get install python3-clang-14"
 fi
 step "the project has the version of the header" version

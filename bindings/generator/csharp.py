@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Writes the raw layer of the C# binding from the public header.
 
-    csharp.py [--out DIR]     DIR: bindings/csharp/src/Generated unless given
+    csharp.py [--out DIR] [--header FILE]     DIR: bindings/csharp/src/Generated unless given
 """
 import argparse
 import pathlib
@@ -283,8 +283,9 @@ public ref {type_} {name}(int index)
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--out", type=pathlib.Path, default=OUT)
+    parser.add_argument("--header", type=pathlib.Path, default=api_model.HEADER)
     options = parser.parse_args()
-    files = Generator(api_model.read()).files()
+    files = Generator(api_model.read(options.header)).files()
     options.out.mkdir(parents=True, exist_ok=True)
     for old in options.out.glob("*.cs"):
         if old.name not in files:

@@ -78,6 +78,6 @@ if chromium=$(command -v chromium || command -v google-chrome); then
     step "site" "$web/site.sh" "$prefix"
     step "page in a browser" node "$web/tests/page.mjs" "$chromium" "$root/build/web/site" "$work"
 else
-    skip "the page" chromium "scripts/setup.sh test"
+    skip "the page" Chromium "scripts/setup.sh test browser"
 fi
 finish

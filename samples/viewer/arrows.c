@@ -7,7 +7,7 @@
 #include "ground.h"
 #include "shaders.h"
 
-enum { sides = 8, across = 11, layers = 4, lattice = across * across * layers };
+enum { sides = 8, across = 9, layers = 3, lattice = across * across * layers };
 
 static int put(float (*vertices)[6], int n, float radius, float z, int side, float normal_radial, float normal_z) {
     const float turn = 2.0f * PI * (float)side / sides;
@@ -62,7 +62,7 @@ void arrows_free(arrows* a) {
 
 void arrows_draw(const arrows* a, const scene* s, const pass* p, const camera* c) {
     /* The spacing is one of 1, 2 and 5 times a power of ten, and the lattice stands still while the camera moves. */
-    const float wanted = c->distance / 8.0f, power = powf(10.0f, floorf(log10f(wanted))), part = wanted / power;
+    const float wanted = c->distance / 6.0f, power = powf(10.0f, floorf(log10f(wanted))), part = wanted / power;
     const float spacing = power * (part < 2.0f ? 1.0f : part < 5.0f ? 2.0f : 5.0f);
     static float feet[lattice][3], winds[lattice][3], instances[lattice][6];
     const float x0 = (roundf(c->target.x / spacing) - across / 2) * spacing;
@@ -81,7 +81,7 @@ void arrows_draw(const arrows* a, const scene* s, const pass* p, const camera* c
         memcpy(instances[i] + 3, winds[i], sizeof winds[i]);
     }
     pass_use(p, a->program);
-    glUniform2f(uniform(a->program, "size"), 1.1f * spacing, 0.035f * spacing);
+    glUniform2f(uniform(a->program, "size"), 0.9f * spacing, 0.026f * spacing);
     glBindVertexArray(a->array);
     glBindBuffer(GL_ARRAY_BUFFER, a->instances);
     glBufferData(GL_ARRAY_BUFFER, sizeof instances, instances, GL_STREAM_DRAW);

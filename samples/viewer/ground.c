@@ -13,6 +13,17 @@ float ground_height(float relief, float level, float x, float z) {
     return level + 0.6f * relief * waves * (1.0f - smooth(6.0f, 11.0f, r));
 }
 
+float ground_surface(float relief, float level, float x, float z) {
+    const float column = floorf((x + GROUND_HALF) / GROUND_CELL), row = floorf((z + GROUND_HALF) / GROUND_CELL);
+    const float x0 = column * GROUND_CELL - GROUND_HALF, z0 = row * GROUND_CELL - GROUND_HALF;
+    const float u = (x - x0) / GROUND_CELL, v = (z - z0) / GROUND_CELL;
+    const float near = ground_height(relief, level, x0, z0);
+    const float far = ground_height(relief, level, x0 + GROUND_CELL, z0 + GROUND_CELL);
+    const float corner =
+        u > v ? ground_height(relief, level, x0 + GROUND_CELL, z0) : ground_height(relief, level, x0, z0 + GROUND_CELL);
+    return u > v ? near + u * (corner - near) + v * (far - corner) : near + v * (corner - near) + u * (far - corner);
+}
+
 void ground_heights(float relief, float level, float heights[ground_side * ground_side]) {
     for (int k = 0; k < ground_side; ++k)
         for (int i = 0; i < ground_side; ++i)

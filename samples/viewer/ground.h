@@ -11,6 +11,9 @@ enum { ground_side = 129 };                                  /* samples along ea
 /* Height at a place, m. relief: height of its waves, m; they end before the edge. */
 float ground_height(float relief, float level, float x, float z);
 
+/* Height of the collider there: its triangles lie a little off the curve between the samples. */
+float ground_surface(float relief, float level, float x, float z);
+
 /* Samples as a heightfield has them: x varies fastest. */
 void ground_heights(float relief, float level, float heights[ground_side * ground_side]);
 

@@ -90,7 +90,8 @@ static void draw_numbers(viewer* v, const layout* l) {
     draw_lines(v, l, (float)v->picture.width - l->left, l->top, lines, n);
     lr_body_state state;
     check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
-    if (!v->followed || lr_body_get_state(v->scene->world, v->followed, &state) != LR_OK) return;
+    if (!v->followed) return;
+    check(lr_body_get_state(v->scene->world, v->followed, &state), "state", NULL);
     const lr_asset_info* info = &v->scene->batches[v->followed_batch].info;
     const float top = l->top + l->line * ((float)n + 0.9f);
     char told[5][64];

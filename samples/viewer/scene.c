@@ -81,6 +81,11 @@ static void create_batch(scene* s, scene_batch* b) {
     check(lr_batch_contact_init(&contact, sizeof contact), "lr_batch_contact_init", NULL);
     contact.ground_effect = s->plan->ground_effect;
     check(lr_batch_set_contact(s->world, b->batch, &contact), "contact", NULL);
+    if (!(s->plan->lift > 0.0f)) return;
+    lr_load_gains gains;
+    check(lr_load_gains_init(&gains, sizeof gains), "lr_load_gains_init", NULL);
+    gains.lift = s->plan->lift;
+    check(lr_batch_set_load_gains(s->world, b->batch, &gains), "gains", NULL);
 }
 
 /* Bodies that lie or fly outside of what is to be seen begin anew, as do old ones. */
@@ -101,12 +106,13 @@ static lr_emitter_desc emitter_of(const scene* s, const scene_batch* b) {
     const scene_kind* kind = b->kind;
     lr_emitter_desc desc;
     check(lr_emitter_desc_init(&desc, sizeof desc), "lr_emitter_desc_init", NULL);
-    desc.shape = kind->shape;
+    desc.shape = LR_EMIT_BOX;
     memcpy(desc.position, kind->at, sizeof desc.position);
     memcpy(desc.size, kind->half, sizeof desc.size);
     if (kind->thrown) {
         /* Nose along x, top along z: laid flat, then turned about y. */
-        const float c = cosf(0.5f * kind->heading), t = sinf(0.5f * kind->heading), r = sqrtf(0.5f);
+        const float half = 0.5f * atan2f(-kind->direction[2], kind->direction[0]);
+        const float c = cosf(half), t = sinf(half), r = sqrtf(0.5f);
         desc.pose = LR_POSE_FIXED;
         desc.body_orientation[0] = -r * c;
         desc.body_orientation[1] = r * t;
@@ -204,6 +210,7 @@ void scene_free(scene* s) {
         lr_asset_release(s->batches[k].asset);
         mesh_free(&s->batches[k].mesh);
     }
+    free(s->renamed);
     free(s);
 }
 
@@ -212,10 +219,14 @@ static void replace_batch(scene* s, scene_batch* b) {
     lr_batch_view view;
     check(lr_batch_view_init(&view, sizeof view), "lr_batch_view_init", NULL);
     check(lr_batch_get_view(s->world, b->batch, &view), "view", NULL);
-    const uint32_t count = view.count < b->capacity ? view.count : b->capacity;
+    const uint32_t count = view.count < b->capacity ? view.count : b->capacity, first = s->renamed_count;
+    s->renamed_count += count;
+    if (s->renamed_count > s->renamed_room)
+        s->renamed = grow(s->renamed, s->renamed_room = s->renamed_count, sizeof *s->renamed);
     lr_body_desc* bodies = allocate(count, sizeof *bodies);
     for (uint32_t i = 0; i < count; ++i) {
         lr_body_state state;
+        s->renamed[first + i][0] = view.ids[i];
         check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
         check(lr_body_get_state(s->world, view.ids[i], &state), "state", NULL);
         check(lr_body_desc_init(&bodies[i], sizeof bodies[i]), "lr_body_desc_init", NULL);
@@ -229,9 +240,12 @@ static void replace_batch(scene* s, scene_batch* b) {
     }
     const lr_batch old = b->batch;
     create_batch(s, b);
-    check(lr_body_create(s->world, b->batch, bodies, count, NULL), "cannot create the bodies", "try a smaller --count");
+    lr_body* ids = allocate(count, sizeof *ids);
+    check(lr_body_create(s->world, b->batch, bodies, count, ids), "cannot create the bodies", "try a smaller --count");
+    for (uint32_t i = 0; i < count; ++i) s->renamed[first + i][1] = ids[i];
     check(lr_batch_destroy(s->world, old), "batch", NULL);
     free(bodies);
+    free(ids);
 }
 
 static void shrink(scene* s, const scene_batch* b) {
@@ -246,12 +260,13 @@ static void shrink(scene* s, const scene_batch* b) {
     free(ids);
 }
 
-void scene_apply(scene* s, const settings* wanted) {
+int scene_apply(scene* s, const settings* wanted) {
     const settings before = s->now;
     s->now = *wanted;
     int other = 0, changed[setting_number];
     for (int k = 0; k < setting_number; ++k) changed[k] = before.value[k] != wanted->value[k], other |= changed[k];
-    if (!other) return;
+    if (!other) return 0;
+    s->renamed_count = 0;
     for (int k = 0; (changed[setting_count] || changed[setting_model]) && k < s->batch_count; ++k) {
         scene_batch* b = &s->batches[k];
         b->count = share_of(s, k, s->now.value[setting_count]);
@@ -266,6 +281,13 @@ void scene_apply(scene* s, const settings* wanted) {
     if (changed[setting_count] || changed[setting_model] || changed[setting_meet]) let_meet(s);
     if (changed[setting_wind] || changed[setting_direction] || changed[setting_gusts] || changed[setting_turbulence])
         scene_wind_update(s);
+    return changed[setting_count] || changed[setting_model];
+}
+
+lr_body scene_renamed(const scene* s, lr_body old) {
+    for (uint32_t i = 0; i < s->renamed_count; ++i)
+        if (s->renamed[i][0] == old) return s->renamed[i][1];
+    return 0;
 }
 
 static double seconds_now(void) {
@@ -295,7 +317,7 @@ scene_report scene_look(const scene* s, int whole) {
         check(lr_batch_get_view(s->world, s->batches[k].batch, &view), "view", NULL);
         for (uint32_t i = 0; i < view.count; ++i) {
             const float ground =
-                ground_height(s->plan->relief, s->plan->ground_level, view.position[0][i], view.position[2][i]);
+                ground_surface(s->plan->relief, s->plan->ground_level, view.position[0][i], view.position[2][i]);
             report.lowest = fminf(report.lowest, view.position[1][i] - ground);
         }
     }

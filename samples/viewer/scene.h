@@ -33,7 +33,9 @@ typedef struct scene {
     int batch_count;
     lr_wind_source gusts, turbulence;
     settings now;
-    double stepping; /* s on the clock, of the last step */
+    double stepping;       /* s on the clock, of the last step */
+    lr_body (*renamed)[2]; /* old and new ids of the bodies that the last scene_apply kept */
+    uint32_t renamed_count, renamed_room;
 } scene;
 
 /* A float stands for each of lr_wave's numbers that the picture needs as well. */
@@ -44,8 +46,11 @@ extern const lr_wave pond_waves[pond_wave_count];
 scene* scene_create(const scene_plan* plan, const scene_source* source, const settings* initially);
 void scene_free(scene* s);
 
-/* Makes the world as `wanted` says: wind, numbers, loads. Bodies stay, as far as they may. */
-void scene_apply(scene* s, const settings* wanted);
+/* Makes the world as `wanted` says: wind, numbers, loads. Bodies stay, as far as they may; returns 1 if their ids are others. */
+int scene_apply(scene* s, const settings* wanted);
+
+/* The id that a body has since scene_apply returned 1; 0 if it has ended. */
+lr_body scene_renamed(const scene* s, lr_body old);
 
 /* Steps by dt, s. */
 void scene_step(scene* s, float dt);

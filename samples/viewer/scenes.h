@@ -17,14 +17,12 @@ enum { scene_kinds = 4, scene_solids = 6 };
 typedef struct scene_kind {
     const char* asset; /* NAME.lrb of the baked assets, and NAME.obj of the meshes; null: no more kinds */
     enum look look;
-    float share;   /* of the scene's bodies */
-    int32_t shape; /* LR_EMIT_* */
-    float at[3], half[3];
+    float share;          /* of the scene's bodies */
+    float at[3], half[3]; /* m: middle and half sides of the box where they are born */
     float direction[3], spread, speed_min, speed_max, spin;
     float scale_min, scale_max;
-    int thrown;    /* flat, nose ahead; else at random */
-    float heading; /* rad about y from +x, of what is thrown */
-    float burst;   /* s between bursts; 0: a steady stream */
+    int thrown;  /* flat, nose ahead along the direction; else in any pose */
+    float burst; /* s between bursts; 0: a steady stream */
 } scene_kind;
 
 /* Something to land on. */
@@ -46,6 +44,7 @@ typedef struct scene_plan {
     float life;         /* s from birth to rebirth */
     float ready;        /* part of a life that has passed for bodies in the air at the start: 0: an empty sky */
     float ground_effect;
+    float lift; /* gain of the loads; 0: 1 */
     settings initially;
     camera camera;
 } scene_plan;

@@ -37,6 +37,11 @@ void trails_clear(trails* t) {
     t->last = 0.0;
 }
 
+void trails_rename(trails* t, const scene* s) {
+    for (int k = 0; k < trail_number; ++k)
+        if (t->list[k].body) t->list[k].body = scene_renamed(s, t->list[k].body);
+}
+
 /* Half of the extent along body y of the batch that a body is of, by its scale. */
 static float half_width_of(const scene* s, lr_body body, float scale) {
     for (int k = 0; k < s->batch_count; ++k) {
@@ -88,7 +93,8 @@ static void follow(trail* t, const scene* s, lr_body body) {
     memset(t, 0, sizeof *t);
     lr_body_state state;
     check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
-    if (!body || lr_body_get_state(s->world, body, &state) != LR_OK) return;
+    if (!body) return;
+    check(lr_body_get_state(s->world, body, &state), "state", NULL);
     t->body = body;
     t->half_width = half_width_of(s, body, state.scale);
 }
@@ -105,10 +111,7 @@ void trails_sample(trails* t, const scene* s, lr_body followed) {
         lr_body_state state;
         check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
         if (!one->body) continue;
-        if (lr_body_get_state(s->world, one->body, &state) != LR_OK) {
-            memset(one, 0, sizeof *one);
-            continue;
-        }
+        check(lr_body_get_state(s->world, one->body, &state), "state", NULL);
         one->resting = state.resting == LR_REST_RESTING ? one->resting + 1 : 0;
         if (!one->resting) extend(one, &state);
     }

@@ -32,6 +32,9 @@ void trails_free(trails* t);
 /* Forgets all. */
 void trails_clear(trails* t);
 
+/* After scene_apply: bodies have other ids, or have ended. */
+void trails_rename(trails* t, const scene* s);
+
 /* Adds where the bodies are now. followed: 0 for none. */
 void trails_sample(trails* t, const scene* s, lr_body followed);
 

@@ -45,10 +45,8 @@ void viewer_show_plan(viewer* v, const scene_plan* plan, const settings* initial
 static void follow(viewer* v, double dt) {
     lr_body_state state;
     check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
-    if (!v->followed || lr_body_get_state(v->scene->world, v->followed, &state) != LR_OK) {
-        v->followed = 0;
-        return;
-    }
+    if (!v->followed) return;
+    check(lr_body_get_state(v->scene->world, v->followed, &state), "state", NULL);
     const vec3 at = from_array(state.position);
     if (length(sub(at, v->followed_at)) > 0.6f) v->camera.target = at; /* it has begun anew elsewhere */
     v->followed_at = at;
@@ -56,7 +54,10 @@ static void follow(viewer* v, double dt) {
 }
 
 void viewer_tick(viewer* v, double dt) {
-    scene_apply(v->scene, &v->wanted);
+    if (scene_apply(v->scene, &v->wanted)) {
+        if (v->followed) v->followed = scene_renamed(v->scene, v->followed);
+        trails_rename(&v->trails, v->scene);
+    }
     if (!v->paused || v->single) {
         /* A single step is one of a sixtieth of a second, whatever the window's pace. */
         const double clock = v->single ? 1.0 / ticks_a_second : dt;

@@ -1,5 +1,6 @@
 #include "baker/file_io.h"
 
+#include "baker/file_faults.h"
 #include "baker/signals_held.h"
 
 #include <fcntl.h>
@@ -14,19 +15,6 @@
 
 namespace lr::baker {
 namespace {
-
-bool fail(Faults& faults, FaultId id, const std::string& path, std::string what, std::string remedy) {
-    faults.push_back({id, Severity::error, path, std::move(what), std::move(remedy)});
-    return false;
-}
-
-bool cannot_write(Faults& faults, const std::string& path, int reason) {
-    const char* remedy = "Check that the folder exists and that you may write to it.";
-    if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG) remedy = "Free some space there, or write elsewhere.";
-    if (reason == EISDIR) remedy = "Give the name of a file in that folder.";
-    return fail(faults, FaultId::file_write, path,
-                "It cannot be written: " + std::generic_category().message(reason) + ".", remedy);
-}
 
 class Descriptor {
 public:
@@ -172,32 +160,21 @@ bool read_file(const std::string& path, std::size_t max_bytes, std::vector<uint8
     // Not to wait for a writer if this is a pipe.
     Descriptor in(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
     if (in.get() < 0) {
-        if (errno == ENOENT || errno == ENOTDIR)
-            return fail(faults, FaultId::file_not_found, path, "There is no such file.",
-                        "Check the path and its spelling.");
-        return fail(faults, FaultId::file_read, path,
-                    "It cannot be read: " + std::generic_category().message(errno) + ".",
-                    "Check that you may read it.");
+        if (errno == ENOENT || errno == ENOTDIR) return no_such_file(faults, path);
+        return cannot_read(faults, path, errno, "Check that you may read it.");
     }
     struct stat info {};
-    if (::fstat(in.get(), &info) != 0 || !S_ISREG(info.st_mode))
-        return fail(faults, FaultId::file_read, path, "This is not a file.",
-                    "Give the path of a file, not of a folder or a device.");
+    if (::fstat(in.get(), &info) != 0 || !S_ISREG(info.st_mode)) return not_a_file(faults, path);
     // The size may be a lie (/proc) or change: it is a hint.
     std::size_t size = 0;
     out.resize(std::clamp<std::size_t>(static_cast<std::size_t>(info.st_size), 4096, max_bytes) + 1);
     for (;;) {
         const ssize_t n = ::read(in.get(), out.data() + size, out.size() - size);
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0)
-            return fail(faults, FaultId::file_read, path,
-                        "It cannot be read: " + std::generic_category().message(errno) + ".",
-                        "Check that the disk is sound.");
+        if (n < 0) return cannot_read(faults, path, errno, "Check that the disk is sound.");
         if (n == 0) break;
         size += static_cast<std::size_t>(n);
-        if (size > max_bytes)
-            return fail(faults, FaultId::file_too_large, path,
-                        "The file is larger than " + std::to_string(max_bytes) + " bytes.", "Reduce it.");
+        if (size > max_bytes) return too_large(faults, path, max_bytes);
         if (size == out.size()) out.resize(std::min(2 * size, max_bytes + 1));
     }
     out.resize(size);
@@ -225,7 +202,7 @@ bool make_folder(const std::string& path, Faults& faults, bool* made) {
     if (fresh) return true;
     if (reason == EEXIST && ::stat(path.c_str(), &info) == 0) {
         if (S_ISDIR(info.st_mode)) return true;
-        return fail(faults, FaultId::file_write, path, "This is a file, not a folder.", "Give the name of a folder.");
+        return not_a_folder(faults, path);
     }
     return cannot_write(faults, path, reason);
 }

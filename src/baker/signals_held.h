@@ -1,9 +1,43 @@
-// Signals that end the program wait in this thread while an object of this class lives.
+// Signals that end the program wait in this thread while an object of this class lives; on Windows, whose consoles end programs
+// from threads of their own, while any lives.
 #pragma once
 
+#if defined(_WIN32)
+#include "baker/windows_text.h"
+#include <atomic>
+#else
 #include <signal.h>
+#endif
 
 namespace lr::baker {
+
+#if defined(_WIN32)
+
+class SignalsHeld {
+public:
+    SignalsHeld() {
+        ++held();
+        SetConsoleCtrlHandler(&wait, TRUE);
+    }
+    ~SignalsHeld() {
+        SetConsoleCtrlHandler(&wait, FALSE);
+        --held();
+    }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+private:
+    static std::atomic<int>& held() {
+        static constinit std::atomic<int> count = 0;
+        return count;
+    }
+    static BOOL WINAPI wait(DWORD) {
+        while (held() > 0) Sleep(1);
+        return FALSE; // to the next handler, which ends the program
+    }
+};
+
+#else
 
 class SignalsHeld {
 public:
@@ -20,5 +54,7 @@ public:
 private:
     sigset_t before_;
 };
+
+#endif
 
 } // namespace lr::baker

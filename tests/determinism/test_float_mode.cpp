@@ -16,7 +16,15 @@ namespace {
 struct RestoreMode {
     std::fenv_t saved{};
     RestoreMode() { std::fegetenv(&saved); }
-    ~RestoreMode() { std::fesetenv(&saved); }
+    ~RestoreMode() {
+        std::fesetenv(&saved);
+#if defined(__SSE2__) // MinGW's fesetenv leaves traps unmasked
+        _mm_setcsr(saved_control);
+#endif
+    }
+#if defined(__SSE2__)
+    const uint32_t saved_control = _mm_getcsr();
+#endif
 };
 
 constexpr float frame_dt = 1.0f / 60.0f; // not computed in the mode under test

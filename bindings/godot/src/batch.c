@@ -111,7 +111,8 @@ void batch_ensure(batch_node* self) {
         apply_rules(self);
         self->retune = self->moved = 0;
         const int64_t first = self->initial_count < self->capacity ? self->initial_count : self->capacity;
-        if (first > 0) complain(self, "initial_count", lr_batch_emit(self->world->world, self->batch, (uint32_t)first, NULL));
+        if (first > 0)
+            complain(self, "initial_count", lr_batch_emit(self->world->world, self->batch, (uint32_t)first, NULL));
     }
     if (!self->batch) return;
     if (self->retune) {
@@ -250,12 +251,17 @@ static void v_warnings(void* instance, const void* const* args, void* ret) {
 
 #define F(field) offsetof(batch_node, field)
 #define NUMBER(field_name, least, most, shown, then)                                                                   \
-    {.name = #field_name, .type = GDX_FLOAT, .offset = F(field_name), .hint = GD_HINT_RANGE, .hint_string = shown,     \
-     .minimum = least, .maximum = most, .changed = then}
+    {                                                                                                                  \
+        .name = #field_name, .type = GDX_FLOAT, .offset = F(field_name), .hint = GD_HINT_RANGE, .hint_string = shown,  \
+        .minimum = least, .maximum = most, .changed = then                                                             \
+    }
 #define COUNT(field_name, least, most, shown, then)                                                                    \
-    {.name = #field_name, .type = GDX_INT, .offset = F(field_name), .hint = GD_HINT_RANGE, .hint_string = shown,       \
-     .minimum = least, .maximum = most, .changed = then}
-#define GROUP(title) {.name = title, .type = GDX_NIL}
+    {                                                                                                                  \
+        .name = #field_name, .type = GDX_INT, .offset = F(field_name), .hint = GD_HINT_RANGE, .hint_string = shown,    \
+        .minimum = least, .maximum = most, .changed = then                                                             \
+    }
+#define GROUP(title)                                                                                                   \
+    { .name = title, .type = GDX_NIL }
 
 static const gd_property properties[] = {
     {.name = "asset",
@@ -349,8 +355,10 @@ static const gd_property properties[] = {
     {.name = NULL},
 };
 
-#define BODIES {"bodies", GDX_PACKED_INT64_ARRAY, NULL}
-#define POSITIONS {"positions", GDX_PACKED_VECTOR3_ARRAY, NULL}
+#define BODIES                                                                                                         \
+    { "bodies", GDX_PACKED_INT64_ARRAY, NULL }
+#define POSITIONS                                                                                                      \
+    { "positions", GDX_PACKED_VECTOR3_ARRAY, NULL }
 static const gd_signal signals[] = {
     {"touched", 3, {BODIES, POSITIONS, {"speeds", GDX_PACKED_FLOAT32_ARRAY, NULL}}},
     {"landed", 2, {BODIES, POSITIONS}},

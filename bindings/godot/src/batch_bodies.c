@@ -67,9 +67,9 @@ static void m_spawn(void* self, const gd_var* args, gd_var* ret) {
 static void m_destroy_bodies(void* self, const gd_var* args, gd_var* ret) {
     lr_world* world = ready(self, "destroy_bodies");
     const int64_t count = gd_array_count(&args[0]);
-    const int ok = world && (count == 0 || !failed("destroy_bodies",
-                                                   lr_body_destroy(world, (const lr_body*)gd_read(&args[0]),
-                                                                   (uint32_t)count)));
+    const int ok =
+        world && (count == 0 || !failed("destroy_bodies",
+                                        lr_body_destroy(world, (const lr_body*)gd_read(&args[0]), (uint32_t)count)));
     *ret = gd_int(ok ? GD_OK : GD_FAILED);
 }
 
@@ -217,8 +217,10 @@ static void m_velocity(void* self, const gd_var* args, gd_var* ret) {
     add_force(self, args, ret, LR_FORCE_MODE_VELOCITY, "add_velocity");
 }
 
-#define BODY {"body", GDX_INT, NULL}
-#define GIVES(type) {"", type, NULL}
+#define BODY                                                                                                           \
+    { "body", GDX_INT, NULL }
+#define GIVES(type)                                                                                                    \
+    { "", type, NULL }
 #define NOTHING GIVES(GDX_NIL)
 #define CONST (GDX_METHOD_NORMAL | GDX_METHOD_CONST)
 

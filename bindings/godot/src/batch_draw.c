@@ -43,8 +43,7 @@ static void update_local(batch_node* self) {
     self->local_is_identity = memcmp(moved, identity, 9 * sizeof(float)) == 0 && fabsf(moved[9]) <= tiny &&
                               fabsf(moved[10]) <= tiny && fabsf(moved[11]) <= tiny;
     self->mesh_radius = asset ? (float)asset->info.length_d : 1.0f;
-    if (gd_type(&self->mesh) != GDX_NIL &&
-        gd_call_floats(gd_to_object(&self->mesh), GD_N_get_aabb, GDX_AABB, box)) {
+    if (gd_type(&self->mesh) != GDX_NIL && gd_call_floats(gd_to_object(&self->mesh), GD_N_get_aabb, GDX_AABB, box)) {
         float radius = 0.0f;
         for (int corner = 0; corner < 8; ++corner) {
             float length = 0.0f;

@@ -52,7 +52,7 @@ typedef struct area_shape {
 } area_shape;
 
 typedef struct area_wind {
-    uint64_t area; /* instance id */
+    uint64_t area;         /* instance id */
     uint32_t first, count; /* of shapes */
     float velocity[3];     /* direction times magnitude; 0 where there is no wind at present */
     float direction[3];
@@ -101,6 +101,8 @@ void world_apply_wind(world_node* world);
 gd_var world_nodes_below_viewport(world_node* world, const char* class_name); /* Array of nodes in the same World3D */
 void world_step(world_node* world, double dt);
 void world_emit_events(world_node* world);
+gd_var world_save(const world_node* world); /* PackedByteArray */
+lr_status world_restore(world_node* world, const gd_var* bytes);
 void world_add_batch(world_node* world, struct batch_node* batch);
 void world_remove_batch(world_node* world, struct batch_node* batch);
 

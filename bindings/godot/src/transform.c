@@ -14,7 +14,8 @@ void transform_identity(float* engine) {
 void transform_multiply(const float* a, const float* b, float* c) {
     float out[12];
     for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) out[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
+        for (int j = 0; j < 3; ++j)
+            out[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
         out[9 + i] = a[3 * i] * b[9] + a[3 * i + 1] * b[10] + a[3 * i + 2] * b[11] + a[9 + i];
     }
     memcpy(c, out, sizeof out);
@@ -39,15 +40,9 @@ int transform_invert_to_rows(const float* m, float* rows) {
     const float determinant = m[0] * a + m[1] * b + m[2] * c;
     if (!(fabsf(determinant) > 1e-30f)) return 0;
     const float r = 1.0f / determinant;
-    const float inverse[9] = {a * r,
-                              (m[2] * m[7] - m[1] * m[8]) * r,
-                              (m[1] * m[5] - m[2] * m[4]) * r,
-                              b * r,
-                              (m[0] * m[8] - m[2] * m[6]) * r,
-                              (m[2] * m[3] - m[0] * m[5]) * r,
-                              c * r,
-                              (m[1] * m[6] - m[0] * m[7]) * r,
-                              (m[0] * m[4] - m[1] * m[3]) * r};
+    const float inverse[9] = {a * r, (m[2] * m[7] - m[1] * m[8]) * r, (m[1] * m[5] - m[2] * m[4]) * r,
+                              b * r, (m[0] * m[8] - m[2] * m[6]) * r, (m[2] * m[3] - m[0] * m[5]) * r,
+                              c * r, (m[1] * m[6] - m[0] * m[7]) * r, (m[0] * m[4] - m[1] * m[3]) * r};
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) rows[4 * i + j] = inverse[3 * i + j];
         rows[4 * i + 3] = -(inverse[3 * i] * m[9] + inverse[3 * i + 1] * m[10] + inverse[3 * i + 2] * m[11]);
@@ -64,8 +59,7 @@ int transform_split(const float* m, float* position, float* q, float* scale) {
             const float along = axis[j][0] * axis[k][0] + axis[j][1] * axis[k][1] + axis[j][2] * axis[k][2];
             for (int i = 0; i < 3; ++i) axis[j][i] -= along * axis[k][i];
         }
-        const float length =
-            sqrtf(axis[j][0] * axis[j][0] + axis[j][1] * axis[j][1] + axis[j][2] * axis[j][2]);
+        const float length = sqrtf(axis[j][0] * axis[j][0] + axis[j][1] * axis[j][1] + axis[j][2] * axis[j][2]);
         if (!(length > 1e-9f) || !isfinite(length)) return 0;
         for (int i = 0; i < 3; ++i) axis[j][i] /= length;
         scale[j] = length;

@@ -212,8 +212,7 @@ static void simd_changed(void* instance) {
     world_node* self = instance;
     if (!self->world) return;
     const lr_status status = lr_world_set_simd_target(self->world, (int32_t)self->simd);
-    if (status != LR_OK)
-        gd_warning("simd: %s: %s", lr_simd_target_name((int32_t)self->simd), lr_status_string(status));
+    if (status != LR_OK) gd_warning("simd: %s: %s", lr_simd_target_name((int32_t)self->simd), lr_status_string(status));
 }
 
 static void process_changed(void* instance) {
@@ -322,30 +321,14 @@ static void m_wake_box(void* instance, const gd_var* args, gd_var* ret) {
     *ret = gd_int(woken);
 }
 
-static void m_save(void* instance, const gd_var* args, gd_var* ret) {
-    world_node* self = instance;
+static void m_save(void* self, const gd_var* args, gd_var* ret) {
     (void)args;
-    const uint64_t size = lr_world_snapshot_size(self->world);
-    *ret = gd_array(GDX_PACKED_BYTE_ARRAY, (int64_t)size);
-    void* data = gd_data(ret);
-    if (data && lr_world_snapshot_save(self->world, data, size, NULL) != LR_OK) gd_array_resize(ret, 0);
+    *ret = world_save(self);
 }
 
-static void m_restore(void* instance, const gd_var* args, gd_var* ret) {
-    world_node* self = instance;
-    for (uint32_t i = 0; i < self->batch_count; ++i) batch_ensure(self->batches[i]);
-    lr_status status = LR_ERROR_SNAPSHOT_FORMAT;
-    if (self->world && gd_read(&args[0]))
-        status = lr_world_snapshot_restore(self->world, gd_read(&args[0]), (uint64_t)gd_array_count(&args[0]));
-    if (status != LR_OK) {
-        gd_error("restore_snapshot: %s", lr_status_string(status));
-    } else {
-        /* Colliders and winds are those of the snapshot: the scene's are put in their place. */
-        self->gusts = self->turbulence = 0;
-        world_forget_colliders(self, 1);
-        self->tree_changed = 1;
-        for (uint32_t i = 0; i < self->batch_count; ++i) batch_draw(self->batches[i]);
-    }
+static void m_restore(void* self, const gd_var* args, gd_var* ret) {
+    const lr_status status = world_restore(self, &args[0]);
+    if (status != LR_OK) gd_error("restore_snapshot: %s", lr_status_string(status));
     *ret = gd_int(gd_error_from_status(status));
 }
 

@@ -327,8 +327,8 @@ static void sync_link(world_node* self, shape_link* link, gdx_object body, const
         motion.collider = link->collider;
         pose_of(link->pose, link->extra, motion.position, motion.orientation, before);
         if (!pose_of(pose, link->extra, motion.position, motion.orientation, after)) return;
-        const float change = fmaxf(fabsf(after[0] - before[0]),
-                                   fmaxf(fabsf(after[1] - before[1]), fabsf(after[2] - before[2])));
+        const float change =
+            fmaxf(fabsf(after[0] - before[0]), fmaxf(fabsf(after[1] - before[1]), fabsf(after[2] - before[2])));
         if (change <= 1e-4f * max_abs(before)) {
             memcpy(link->pose, pose, sizeof pose);
             const lr_status status = lr_collider_move(self->world, &motion, 1);

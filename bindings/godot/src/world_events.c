@@ -50,8 +50,7 @@ void world_emit_events(world_node* self) {
     lr_contact_event_list_init(&list, sizeof list);
     if (lr_world_get_contact_events(self->world, &list) != LR_OK) return;
     if (list.lost > 0 && list.lost == list.total_lost)
-        gd_warning("%llu events found no room in this step: raise event_capacity",
-                   (unsigned long long)list.lost);
+        gd_warning("%llu events found no room in this step: raise event_capacity", (unsigned long long)list.lost);
     if (list.count == 0) return;
     report* reports = calloc((size_t)self->batch_count * KINDS, sizeof *reports);
     if (!reports) return;

@@ -35,8 +35,8 @@ static void apply_source(world_node* self, lr_wind_source* source, int kind, dou
         } else {
             desc.size = (float)self->turbulence_size;
         }
-        status = *source ? lr_world_update_wind(self->world, *source, &desc)
-                         : lr_world_add_wind(self->world, &desc, source);
+        status =
+            *source ? lr_world_update_wind(self->world, *source, &desc) : lr_world_add_wind(self->world, &desc, source);
     }
     if (status != LR_OK) gd_error("wind: %s", lr_status_string(status));
 }

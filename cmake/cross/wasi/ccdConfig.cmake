@@ -1,7 +1,7 @@
 # libccd from its Debian source package: scripts/setup.sh test leaves it at LR_CCD_SOURCE. Its headers, with the precision that
 # they were configured for, are those of libccd-dev.
 include("${CMAKE_CURRENT_LIST_DIR}/host_headers.cmake")
-set(LR_CCD_SOURCE "${PROJECT_SOURCE_DIR}/build/sources/libccd-2.1" CACHE PATH "Unpacked sources of libccd")
+set(LR_CCD_SOURCE "${PROJECT_SOURCE_DIR}/build/sources/libccd" CACHE PATH "Unpacked sources of libccd")
 if(NOT EXISTS "${LR_CCD_SOURCE}/src/ccd.c")
     message(FATAL_ERROR "No sources of libccd in ${LR_CCD_SOURCE}: run scripts/setup.sh test, set LR_CCD_SOURCE, or build with -DLR_WITH_CCD=OFF.")
 endif()

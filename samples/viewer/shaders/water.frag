@@ -15,7 +15,7 @@ void main() {
     vec3 r = reflect(-v, n);
     r.y = abs(r.y);
     float seen = sun_seen(at, 0.02);
-    vec3 shine = 0.9 * sky(r) + vec3(9.0, 8.0, 6.5) * smoothstep(0.9975, 0.9997, dot(r, sun)) * seen;
+    vec3 shine = 0.9 * sky(r) + vec3(5.0, 4.4, 3.6) * pow(max(dot(r, sun), 0.0), 350.0) * seen;
     vec3 murk = vec3(0.020, 0.075, 0.070) * (0.35 * sunlight * (0.35 + 0.65 * seen) + ambient(vec3(0.0, 1.0, 0.0)));
     float hidden = 1.0 - exp(-0.55 / max(facing, 0.08)); // of what is below, by the way through the water
     float alpha = mix(hidden, 1.0, mirror);

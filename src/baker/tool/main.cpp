@@ -4,13 +4,12 @@
 #include "baker/text.h"
 #include "baker/tool/bake_job.h"
 #include "baker/tool/batch.h"
+#include "baker/tool/console.h"
 #include "baker/tool/memory_budget.h"
 #include "baker/tool/options.h"
 #include "baker/tool/progress.h"
 #include "format/asset_file.h"
 #include "shape/aerodynamics.h"
-
-#include <signal.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -150,11 +149,14 @@ int run_on_asset(const CommandLine& line) {
 } // namespace
 
 int main(int argc, char** argv) {
-    // A file size limit is then an error of the write, not a death with a file left aside.
-    signal(SIGXFSZ, SIG_IGN);
+    set_up_console();
     try {
+        std::vector<std::string> arguments = utf8_arguments(argc, argv);
+        std::vector<char*> pointers;
+        for (std::string& argument : arguments) pointers.push_back(argument.data());
         int exit_code = 0;
-        const std::optional<CommandLine> line = parse_command_line(argc, argv, exit_code);
+        const std::optional<CommandLine> line =
+            parse_command_line(static_cast<int>(pointers.size()), pointers.data(), exit_code);
         if (!line) return exit_code;
         if (line->command != CommandLine::Command::bake) return run_on_asset(*line);
         return line->folders ? run_batch(*line) : run_bake(*line);

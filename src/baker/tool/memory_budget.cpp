@@ -5,7 +5,20 @@
 #include <optional>
 #include <string>
 
+#if defined(_WIN32)
+#include "baker/windows_text.h"
+#endif
+
 namespace lr::baker {
+#if defined(_WIN32)
+
+uint64_t available_memory() {
+    MEMORYSTATUSEX memory{};
+    memory.dwLength = sizeof memory;
+    return GlobalMemoryStatusEx(&memory) != 0 ? memory.ullAvailPhys : uint64_t{4} << 30;
+}
+
+#else
 namespace {
 
 std::optional<uint64_t> number_in(const char* path) {
@@ -33,6 +46,8 @@ uint64_t available_memory() {
     if (limit && used) bytes = std::min(bytes, *limit - std::min(*limit, *used));
     return bytes;
 }
+
+#endif
 
 uint64_t solve_memory(std::size_t faces) {
     const auto n = static_cast<uint64_t>(faces);

@@ -1,6 +1,7 @@
 #include "baker/tool/options.h"
 
 #include "baker/text.h"
+#include "baker/tool/console.h"
 #include "format/asset_data.h"
 
 #include <CLI/CLI.hpp>
@@ -164,7 +165,9 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
     const bool to_folder = !ellipsoid && command.count("--output-dir") > 0;
     if (to_folder == (command.count("--output") > 0))
         throw CLI::ValidationError("--output", to_folder ? "not together with --output-dir" : "say where to write to");
-    line.output = to_folder ? texts.output_folder : texts.output;
+    line.output = with_slashes(to_folder ? texts.output_folder : texts.output);
+    line.report = with_slashes(line.report);
+    line.plots = with_slashes(line.plots);
     if (line.output.empty()) throw CLI::ValidationError("--output", "the file name is empty");
     line.folders = to_folder || (!ellipsoid && is_folder(line.output) && (several || line.output.back() == '/'));
     if (several && !line.folders)

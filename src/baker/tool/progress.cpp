@@ -1,6 +1,6 @@
 #include "baker/tool/progress.h"
 
-#include <unistd.h>
+#include "baker/tool/console.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ void erase_line() {
 
 } // namespace
 
-Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool quiet) : quiet_(quiet), terminal_(shows_progress()) {}
 
 void Progress::update(const char* phase, double fraction) {
     if (quiet_) return;
@@ -60,7 +60,7 @@ void Progress::clear() {
 }
 
 BatchProgress::BatchProgress(bool quiet, std::size_t total)
-    : shown_(!quiet && isatty(STDERR_FILENO) != 0), total_(static_cast<double>(total)) {}
+    : shown_(!quiet && shows_progress()), total_(static_cast<double>(total)) {}
 
 void BatchProgress::update(double finished) {
     if (!shown_) return;

@@ -145,10 +145,10 @@ typedef void (*gdx_destructor)(void* value);
 /* X(name to ask for, the engine's name of its type, result, parameters) */
 #define GDX_FUNCTIONS(X)                                                                                               \
     X(print_error_with_message, PrintErrorWithMessage, void,                                                           \
-      (const char* description, const char* message, const char* function, const char* file, int32_t line,            \
+      (const char* description, const char* message, const char* function, const char* file, int32_t line,             \
        uint8_t notify))                                                                                                \
     X(print_warning_with_message, PrintWarningWithMessage, void,                                                       \
-      (const char* description, const char* message, const char* function, const char* file, int32_t line,            \
+      (const char* description, const char* message, const char* function, const char* file, int32_t line,             \
        uint8_t notify))                                                                                                \
     X(variant_new_copy, VariantNewCopy, void, (void* to, const void* from))                                            \
     X(variant_new_nil, VariantNewNil, void, (void* variant))                                                           \
@@ -156,11 +156,11 @@ typedef void (*gdx_destructor)(void* value);
     X(variant_get_type, VariantGetType, gdx_type, (const void* variant))                                               \
     X(variant_can_convert_strict, VariantCanConvertStrict, uint8_t, (gdx_type from, gdx_type to))                      \
     X(variant_call, VariantCall, void,                                                                                 \
-      (void* self, const void* method, const void* const* args, int64_t count, void* ret, gdx_call_error* error))     \
+      (void* self, const void* method, const void* const* args, int64_t count, void* ret, gdx_call_error* error))      \
     X(variant_construct, VariantConstruct, void,                                                                       \
-      (gdx_type type, void* variant, const void* const* args, int32_t count, gdx_call_error* error))                  \
+      (gdx_type type, void* variant, const void* const* args, int32_t count, gdx_call_error* error))                   \
     X(variant_get_indexed, VariantGetIndexed, void,                                                                    \
-      (const void* self, int64_t index, void* ret, uint8_t* valid, uint8_t* out_of_bounds))                           \
+      (const void* self, int64_t index, void* ret, uint8_t* valid, uint8_t* out_of_bounds))                            \
     X(get_variant_from_type_constructor, GetVariantFromTypeConstructor, gdx_from_type, (gdx_type type))                \
     X(get_variant_to_type_constructor, GetVariantToTypeConstructor, gdx_to_type, (gdx_type type))                      \
     X(variant_get_ptr_internal_getter, GetVariantGetInternalPtrFunc, gdx_inner_pointer, (gdx_type type))               \
@@ -168,51 +168,51 @@ typedef void (*gdx_destructor)(void* value);
     X(string_new_with_utf8_chars, StringNewWithUtf8Chars, void, (void* string, const char* text))                      \
     X(string_to_utf8_chars, StringToUtf8Chars, int64_t, (const void* string, char* text, int64_t capacity))            \
     X(string_name_new_with_latin1_chars, StringNameNewWithLatin1Chars, void,                                           \
-      (void* name, const char* text, uint8_t is_static))                                                              \
+      (void* name, const char* text, uint8_t is_static))                                                               \
     X(packed_byte_array_operator_index, PackedByteArrayOperatorIndex, uint8_t*, (void* array, int64_t index))          \
     X(packed_byte_array_operator_index_const, PackedByteArrayOperatorIndexConst, const uint8_t*,                       \
-      (const void* array, int64_t index))                                                                             \
+      (const void* array, int64_t index))                                                                              \
     X(packed_int32_array_operator_index_const, PackedInt32ArrayOperatorIndexConst, const int32_t*,                     \
-      (const void* array, int64_t index))                                                                             \
+      (const void* array, int64_t index))                                                                              \
     X(packed_int64_array_operator_index, PackedInt64ArrayOperatorIndex, int64_t*, (void* array, int64_t index))        \
     X(packed_int64_array_operator_index_const, PackedInt64ArrayOperatorIndexConst, const int64_t*,                     \
-      (const void* array, int64_t index))                                                                             \
+      (const void* array, int64_t index))                                                                              \
     X(packed_float32_array_operator_index, PackedFloat32ArrayOperatorIndex, float*, (void* array, int64_t index))      \
     X(packed_float32_array_operator_index_const, PackedFloat32ArrayOperatorIndexConst, const float*,                   \
-      (const void* array, int64_t index))                                                                             \
+      (const void* array, int64_t index))                                                                              \
     X(packed_vector3_array_operator_index, PackedVector3ArrayOperatorIndex, void*, (void* array, int64_t index))       \
     X(packed_vector3_array_operator_index_const, PackedVector3ArrayOperatorIndexConst, void*,                          \
-      (const void* array, int64_t index))                                                                             \
+      (const void* array, int64_t index))                                                                              \
     X(object_destroy, ObjectDestroy, void, (void* object))                                                             \
     X(object_method_bind_call, ObjectMethodBindCall, void,                                                             \
-      (const void* method, void* object, const void* const* args, int64_t count, void* ret, gdx_call_error* error))   \
+      (const void* method, void* object, const void* const* args, int64_t count, void* ret, gdx_call_error* error))    \
     X(object_method_bind_ptrcall, ObjectMethodBindPtrcall, void,                                                       \
-      (const void* method, void* object, const void* const* args, void* ret))                                         \
+      (const void* method, void* object, const void* const* args, void* ret))                                          \
     X(global_get_singleton, GlobalGetSingleton, gdx_object, (const void* name))                                        \
     X(object_get_instance_binding, ObjectGetInstanceBinding, void*,                                                    \
-      (void* object, void* token, const gdx_binding_callbacks* callbacks))                                            \
+      (void* object, void* token, const gdx_binding_callbacks* callbacks))                                             \
     X(object_set_instance_binding, ObjectSetInstanceBinding, void,                                                     \
-      (void* object, void* token, void* binding, const gdx_binding_callbacks* callbacks))                             \
+      (void* object, void* token, void* binding, const gdx_binding_callbacks* callbacks))                              \
     X(object_set_instance, ObjectSetInstance, void, (void* object, const void* class_name, void* instance))            \
     X(object_get_instance_from_id, ObjectGetInstanceFromId, gdx_object, (uint64_t id))                                 \
     X(object_get_instance_id, ObjectGetInstanceId, uint64_t, (const void* object))                                     \
     X(ref_set_object, RefSetObject, void, (void* ref, void* object))                                                   \
     X(classdb_construct_object2, ClassdbConstructObject2, gdx_object, (const void* class_name))                        \
     X(classdb_get_method_bind, ClassdbGetMethodBind, const void*,                                                      \
-      (const void* class_name, const void* method, int64_t hash))                                                     \
+      (const void* class_name, const void* method, int64_t hash))                                                      \
     X(classdb_register_extension_class4, ClassdbRegisterExtensionClass4, void,                                         \
-      (void* library, const void* class_name, const void* parent, const gdx_class_info* info))                        \
+      (void* library, const void* class_name, const void* parent, const gdx_class_info* info))                         \
     X(classdb_register_extension_class_method, ClassdbRegisterExtensionClassMethod, void,                              \
-      (void* library, const void* class_name, const gdx_method_info* info))                                           \
+      (void* library, const void* class_name, const gdx_method_info* info))                                            \
     X(classdb_register_extension_class_integer_constant, ClassdbRegisterExtensionClassIntegerConstant, void,           \
-      (void* library, const void* class_name, const void* enumeration, const void* name, int64_t value,               \
+      (void* library, const void* class_name, const void* enumeration, const void* name, int64_t value,                \
        uint8_t is_bitfield))                                                                                           \
     X(classdb_register_extension_class_property, ClassdbRegisterExtensionClassProperty, void,                          \
-      (void* library, const void* class_name, const gdx_property_info* info, const void* setter, const void* getter)) \
+      (void* library, const void* class_name, const gdx_property_info* info, const void* setter, const void* getter))  \
     X(classdb_register_extension_class_property_group, ClassdbRegisterExtensionClassPropertyGroup, void,               \
-      (void* library, const void* class_name, const void* group, const void* prefix))                                 \
+      (void* library, const void* class_name, const void* group, const void* prefix))                                  \
     X(classdb_register_extension_class_signal, ClassdbRegisterExtensionClassSignal, void,                              \
-      (void* library, const void* class_name, const void* name, const gdx_property_info* args, int64_t count))        \
+      (void* library, const void* class_name, const void* name, const gdx_property_info* args, int64_t count))         \
     X(classdb_unregister_extension_class, ClassdbUnregisterExtensionClass, void,                                       \
       (void* library, const void* class_name))
 

@@ -30,7 +30,7 @@ typedef struct gd_api {
     gdx_destructor destroy[GDX_TYPE_COUNT]; /* null for types that own nothing */
     gdx_library library;
     uint64_t names[GD_NAME_COUNT]; /* StringNames */
-    gdx_object rendering_server; /* from the first batch on: it does not exist when extensions are loaded */
+    gdx_object rendering_server;   /* from the first batch on: it does not exist when extensions are loaded */
     uint8_t in_editor;
 } gd_api;
 

@@ -386,7 +386,8 @@ void gd_register(const gd_class* type) {
     for (const gd_signal* s = type->signals; s && s->name; ++s) {
         info_text texts[GD_MAX_ARGS];
         gdx_property_info args[GD_MAX_ARGS];
-        for (uint32_t i = 0; i < s->arg_count; ++i) args[i] = info_of(&s->args[i], 0, NULL, GD_USAGE_DEFAULT, &texts[i]);
+        for (uint32_t i = 0; i < s->arg_count; ++i)
+            args[i] = info_of(&s->args[i], 0, NULL, GD_USAGE_DEFAULT, &texts[i]);
         uint64_t signal;
         name_of(&signal, s->name);
         gd.classdb_register_extension_class_signal(gd.library, &name, &signal, args, s->arg_count);

@@ -48,7 +48,7 @@ typedef struct gd_property {
     size_t offset;
     uint32_t hint; /* GD_HINT_* */
     const char* hint_string;
-    double minimum, maximum;        /* of numbers, and of each component of a Vector3; both 0: no limits */
+    double minimum, maximum;         /* of numbers, and of each component of a Vector3; both 0: no limits */
     void (*changed)(void* instance); /* after the field was set; may be null */
     gd_method_fn get, set;           /* instead of a field */
     uint32_t usage;                  /* 0: GD_USAGE_DEFAULT */

@@ -185,18 +185,31 @@ func test_determinism() -> void:
 func test_snapshot() -> void:
 	var world := make_world()
 	world.wind = Vector3(1, 0, 0)
+	world.turbulence_speed = 0.5
+	var ground := floor_at(9.5)
 	var batch := make_batch(world, 50)
-	for i in 20:
+	for i in 60:
 		world.step(1.0 / 60.0)
 	var saved := world.save_snapshot()
 	var before := world.get_state_hash()
-	for i in 20:
+	for i in 60:
 		world.step(1.0 / 60.0)
 	var later := world.get_state_hash()
 	check(world.restore_snapshot(saved) == OK and world.get_state_hash() == before, "restored")
-	for i in 20:
+	for i in 60:
 		world.step(1.0 / 60.0)
-	check(world.get_state_hash() == later, "and goes on as before")
+	check(world.get_state_hash() == later, "and goes on as before, on the ground and in turbulence")
+	ground.free()
+	world.turbulence_speed = 0.0
+	world.step(1.0 / 60.0)
+	check(world.get_collider_count() == 0, "no collider")
+	check(world.restore_snapshot(saved) == OK and world.get_collider_count() == 1, "that of the snapshot is back")
+	world.step(1.0 / 60.0)
+	check(world.get_collider_count() == 0, "and goes, as the scene has none")
+	world.turbulence_speed = 0.1
+	world.turbulence_speed = 0.0
+	world.step(1.0 / 60.0)
+	check(world.sample_wind(Vector3(1, 2, 3)).is_equal_approx(Vector3(1, 0, 0)), "turbulence of the snapshot ends")
 	print("a refused snapshot (1 expected)")
 	check(world.restore_snapshot(PackedByteArray([1, 2, 3])) != OK, "no snapshot")
 	world.reset()

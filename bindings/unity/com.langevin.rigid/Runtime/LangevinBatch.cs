@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+using System;
+using LangevinRigid;
+using UnityEngine;
+
+namespace LangevinUnity
+{
+    /// <summary>All bodies of one asset: where they are born, when they end, what they touch, and how they are drawn.</summary>
+    [AddComponentMenu("Langevin Rigid/Langevin Batch")]
+    public sealed unsafe partial class LangevinBatch : LangevinMember
+    {
+        [Header("Bodies")]
+        [SerializeField] private LangevinAsset asset = null;
+        [Tooltip("The most bodies at a time; memory for all is taken at once.")]
+        [SerializeField, Min(1)] private int capacity = 1000;
+        [Tooltip("Born by the emitter when the batch joins its world.")]
+        [SerializeField, Min(0)] private int startCount = 0;
+        [SerializeField] private LoadModel loadModel = LoadModel.Default;
+        [SerializeField] private LangevinEmitter emitter = new LangevinEmitter();
+        [SerializeField] private LangevinRules rules = new LangevinRules();
+
+        [Header("Drawing")]
+        [SerializeField] private LangevinDrawSettings drawing = new LangevinDrawSettings();
+
+        [Header("Contact")]
+        [Tooltip("Layers of the colliders that bodies meet.")]
+        [SerializeField] private LayerMask collidesWith = ~0;
+        [SerializeField, Range(0.0f, 10.0f)] private float friction = 0.5f;
+        [SerializeField, Range(0.0f, 1.0f)] private float restitution = 0.1f;
+        [SerializeField, Range(0.0f, 10.0f)] private float rollingResistance = 0.05f;
+        [Tooltip("0 to 1 of the air cushion that a sheet has over the ground.")]
+        [SerializeField, Range(0.0f, 1.0f)] private float groundEffect = 0.0f;
+        [Tooltip("Bodies of this batch meet each other: heaps.")]
+        [SerializeField] private bool meetEachOther = false;
+
+        [Header("Art")]
+        [SerializeField, Range(0.0f, 5.0f)] private float drag = 1.0f;
+        [SerializeField, Range(0.0f, 5.0f)] private float lift = 1.0f;
+        [SerializeField, Range(0.0f, 5.0f)] private float spinDrag = 1.0f;
+        [SerializeField, Range(0.0f, 5.0f)] private float turbulence = 1.0f;
+
+        [Header("Level of detail")]
+        [Tooltip("Stepped once where others take so many substeps.")]
+        [SerializeField, Range(1, 64)] private int divisor = 1;
+        [Tooltip("Share in the world's budget.")]
+        [SerializeField, Range(0.01f, 100.0f)] private float priority = 1.0f;
+
+        [Header("Events")]
+        [SerializeField] private LangevinUnityEvent onEvent = new LangevinUnityEvent();
+
+        private BatchId id;
+        private LangevinInstances instances;
+        private LangevinGroupDrawing group;
+        private Float3 center;
+        private MeshMirror mirror;
+        private string warned;
+        private bool outdated;
+
+        /// <summary>The library's handle; null while the batch is in no world.</summary>
+        public BatchId Id { get { return id; } }
+
+        /// <summary>What bodies are; set it while the component is disabled.</summary>
+        public LangevinAsset Asset { get { return asset; } set { asset = value; } }
+
+        /// <summary>The most bodies at a time; set it while the component is disabled.</summary>
+        public int Capacity { get { return capacity; } set { capacity = Mathf.Max(1, value); } }
+
+        /// <summary>Bodies that are born on joining the world.</summary>
+        public int StartCount { get { return startCount; } set { startCount = value; } }
+
+        /// <summary>Call Apply after a change.</summary>
+        public LangevinEmitter Emitter { get { return emitter; } }
+
+        /// <summary>Call Apply after a change.</summary>
+        public LangevinRules Rules { get { return rules; } }
+
+        /// <summary>Mesh, materials and mode; a change of mode or mesh takes effect when the component is enabled again.</summary>
+        public LangevinDrawSettings Drawing { get { return drawing; } }
+
+        /// <summary>Matrices of all bodies, as of the last frame; null while the batch is in no world.</summary>
+        public LangevinInstances Instances { get { return instances; } }
+
+        /// <summary>Whether bodies of this batch meet each other. Call Apply after a change.</summary>
+        public bool MeetEachOther { get { return meetEachOther; } set { meetEachOther = value; } }
+
+        /// <summary>Level of detail. Call Apply after a change.</summary>
+        public int Divisor { get { return divisor; } set { divisor = Mathf.Clamp(value, 1, 1024); } }
+
+        /// <summary>Raised for this batch's events; the world's Happened is raised first.</summary>
+        public event Action<LangevinEvent> Happened;
+
+        /// <summary>The same, for handlers that are set in the inspector.</summary>
+        public LangevinUnityEvent OnEvent { get { return onEvent; } }
+
+        internal void Raise(LangevinEvent e)
+        {
+            if (Happened != null) Happened(e);
+            onEvent.Invoke(e);
+        }
+
+        internal override void OnJoin(LangevinSimulation simulation)
+        {
+            if (asset == null)
+                throw new InvalidOperationException("LangevinBatch \"" + name + "\" has no asset. Drag an imported .lrb onto its Asset field.");
+            BatchDesc desc = BatchDesc.Create();
+            desc.Asset = simulation.AssetOf(asset);
+            desc.Capacity = (uint)capacity;
+            desc.LoadModel = loadModel;
+            BatchId created;
+            LangevinSimulation.Check(Native.lr_batch_create(simulation.Handle, &desc, &created), "lr_batch_create");
+            id = created;
+            AssetInfo info = AssetInfo.Create();
+            LangevinSimulation.Check(Native.lr_asset_get_info(desc.Asset, &info), "lr_asset_get_info");
+            center = new Float3((float)info.CenterOfMass.X, (float)info.CenterOfMass.Y, (float)info.CenterOfMass.Z);
+            mirror = asset.Mirror;
+            ApplyTo(simulation);
+            if (startCount > 0 && emitter.enabled) Emit(Mathf.Min(startCount, capacity));
+            bool wantsGroup = drawing.mode == LangevinDrawMode.BatchRendererGroup && drawing.Problem() == null;
+            bool packed = wantsGroup && LangevinGroupDrawing.Supported;
+            if (wantsGroup && !packed)
+                Debug.LogWarning("This graphics API has no raw buffers for BatchRendererGroup: \"" + name +
+                    "\" is drawn by RenderMeshInstanced.", this);
+            instances = new LangevinInstances(capacity, packed);
+            if (packed) group = new LangevinGroupDrawing(drawing, instances, capacity, gameObject.layer);
+            AfterStep(simulation);
+        }
+
+        internal override void OnLeave(LangevinSimulation simulation)
+        {
+            try
+            {
+                if (!id.IsNull) LangevinSimulation.Check(Native.lr_batch_destroy(simulation.Handle, id), "lr_batch_destroy");
+            }
+            finally
+            {
+                id = default(BatchId);
+                FreeBuffers();
+            }
+        }
+
+        // Also when the world went first, and OnLeave had nothing to leave.
+        protected override void OnDisable()
+        {
+            base.OnDisable();
+            FreeBuffers();
+        }
+
+        private void FreeBuffers()
+        {
+            if (group != null) group.Dispose();
+            group = null;
+            if (instances != null) instances.Dispose();
+            instances = null;
+        }
+
+        /// <summary>Hands the fields' values to the library: from the next step on they hold.</summary>
+        public void Apply()
+        {
+            LangevinSimulation simulation = Simulation;
+            if (simulation == null || id.IsNull) return;
+            World.CompleteStep();
+            ApplyTo(simulation);
+        }
+
+        private void ApplyTo(LangevinSimulation simulation)
+        {
+            IntPtr world = simulation.Handle;
+            BatchContact contact = BatchContact.Create();
+            contact.Layers = (uint)collidesWith.value;
+            contact.Friction = friction;
+            contact.Restitution = restitution;
+            contact.RollingResistance = rollingResistance;
+            contact.GroundEffect = groundEffect;
+            LangevinSimulation.Check(Native.lr_batch_set_contact(world, id, &contact), "lr_batch_set_contact");
+            LangevinSimulation.Check(Native.lr_batch_set_pair_contact(world, id, id, meetEachOther ? 1 : 0), "lr_batch_set_pair_contact");
+            LoadGains gains = LoadGains.Create();
+            gains.Drag = drag;
+            gains.Lift = lift;
+            gains.SpinDrag = spinDrag;
+            gains.Turbulence = turbulence;
+            LangevinSimulation.Check(Native.lr_batch_set_load_gains(world, id, &gains), "lr_batch_set_load_gains");
+            BatchRate rate = BatchRate.Create();
+            rate.Divisor = (uint)divisor;
+            rate.Priority = priority;
+            LangevinSimulation.Check(Native.lr_batch_set_rate(world, id, &rate), "lr_batch_set_rate");
+            ApplyLife(world);
+        }
+
+        // Rules that respawn need an emitter, so they end before it and begin after it.
+        private void ApplyLife(IntPtr world)
+        {
+            if (!rules.enabled) LangevinSimulation.Check(Native.lr_batch_set_rules(world, id, null), "lr_batch_set_rules");
+            if (emitter.enabled)
+            {
+                transform.hasChanged = false;
+                EmitterDesc desc = emitter.ToLibrary(transform, mirror);
+                LangevinSimulation.Check(Native.lr_batch_set_emitter(world, id, &desc), "lr_batch_set_emitter");
+            }
+            if (rules.enabled)
+            {
+                if (!emitter.enabled && rules.action == EndAction.Respawn)
+                    throw new InvalidOperationException("LangevinBatch \"" + name + "\": rules that respawn need an emitter.");
+                BatchRules desc = rules.ToLibrary();
+                LangevinSimulation.Check(Native.lr_batch_set_rules(world, id, &desc), "lr_batch_set_rules");
+            }
+            if (!emitter.enabled) LangevinSimulation.Check(Native.lr_batch_set_emitter(world, id, null), "lr_batch_set_emitter");
+        }
+
+        internal override void BeforeStep(LangevinSimulation simulation, float dt)
+        {
+            if (id.IsNull) return;
+            if (outdated)
+            {
+                outdated = false;
+                ApplyTo(simulation);
+            }
+            else if (emitter.enabled && transform.hasChanged)
+            {
+                transform.hasChanged = false;
+                EmitterDesc desc = emitter.ToLibrary(transform, mirror);
+                LangevinSimulation.Check(Native.lr_batch_set_emitter(simulation.Handle, id, &desc), "lr_batch_set_emitter");
+            }
+        }
+
+        internal override void AfterStep(LangevinSimulation simulation)
+        {
+            if (instances == null) return;
+            instances.Refresh(simulation.Handle, id, center, mirror);
+            if (group != null) group.Upload();
+        }
+
+        internal override void Draw()
+        {
+            if (instances == null || group != null || drawing.mode == LangevinDrawMode.None || instances.Count == 0) return;
+            string problem = drawing.Problem();
+            if (problem == null)
+            {
+                LangevinInstancedDrawing.Draw(drawing, instances, gameObject.layer);
+            }
+            else if (problem != warned)
+            {
+                // Once, not each frame.
+                warned = problem;
+                Debug.LogWarning("LangevinBatch \"" + name + "\" is not drawn. " + problem, this);
+            }
+        }
+
+#if UNITY_EDITOR
+        private void OnValidate() { outdated = true; }
+
+        private void OnDrawGizmosSelected()
+        {
+            Gizmos.color = new Color(0.4f, 0.8f, 0.3f, 0.8f);
+            Gizmos.matrix = Matrix4x4.TRS(transform.position, transform.rotation, transform.lossyScale);
+            bool round = emitter.shape == EmitterShape.Sphere || emitter.shape == EmitterShape.SphereSurface;
+            if (emitter.enabled && round) Gizmos.DrawWireSphere(Vector3.zero, emitter.size.x);
+            else if (emitter.enabled && emitter.shape != EmitterShape.Point) Gizmos.DrawWireCube(Vector3.zero, emitter.size * 2.0f);
+            Gizmos.matrix = Matrix4x4.identity;
+            if (emitter.enabled) Gizmos.DrawRay(transform.position, transform.rotation * emitter.direction);
+            Gizmos.color = new Color(0.9f, 0.3f, 0.2f, 0.8f);
+            if (rules.enabled)
+                foreach (LangevinKillVolume volume in rules.volumes)
+                {
+                    if (volume.shape == VolumeShape.Box) Gizmos.DrawWireCube(volume.center, volume.size * 2.0f);
+                    if (volume.shape == VolumeShape.Sphere) Gizmos.DrawWireSphere(volume.center, volume.size.x);
+                    if (volume.shape == VolumeShape.Plane) Gizmos.DrawRay(volume.center, volume.size.normalized);
+                }
+        }
+#endif
+    }
+}

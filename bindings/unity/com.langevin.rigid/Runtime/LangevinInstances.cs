@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+using System;
+using LangevinRigid;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using Unity.Jobs;
+using UnityEngine;
+using Allocator = Unity.Collections.Allocator;
+
+namespace LangevinUnity
+{
+    /// <summary>The matrices of a batch's bodies as a renderer takes them. The library writes into this memory, and they are turned into
+    /// Unity's where they lie. Of bodies at rest nothing is written again until one of them wakes or ends.</summary>
+    public sealed unsafe class LangevinInstances : IDisposable
+    {
+        private readonly int rows;
+        private NativeArray<float> matrices;
+        private NativeArray<float> inverses;
+        private NativeArray<LangevinChunk> chunks;
+        private bool valid;
+        private ulong revision;
+        private uint awake;
+
+        /// <summary>Bodies, each with a matrix.</summary>
+        public int Count { get; private set; }
+
+        /// <summary>Matrices that the last Refresh wrote: the first ones.</summary>
+        public int Written { get; private set; }
+
+        /// <summary>Memory for `capacity` bodies. packed: 12 floats a matrix (four columns of three) and their inverses, for
+        /// BatchRendererGroup; else 16, as Matrix4x4.</summary>
+        public LangevinInstances(int capacity, bool packed)
+        {
+            rows = packed ? 3 : 4;
+            matrices = new NativeArray<float>(capacity * 4 * rows, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            if (packed) inverses = new NativeArray<float>(capacity * 12, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            int count = (capacity + LangevinConvertJob.Chunk - 1) / LangevinConvertJob.Chunk;
+            chunks = new NativeArray<LangevinChunk>(count, Allocator.Persistent);
+        }
+
+        /// <summary>The matrices as Matrix4x4, without a copy; valid until Dispose. Not for packed ones.</summary>
+        public NativeArray<Matrix4x4> Matrices { get { return matrices.Reinterpret<Matrix4x4>(sizeof(float)); } }
+
+        /// <summary>All floats of the matrices.</summary>
+        public NativeArray<float> Floats { get { return matrices; } }
+
+        /// <summary>All floats of the inverses of packed matrices.</summary>
+        public NativeArray<float> InverseFloats { get { return inverses; } }
+
+        /// <summary>Draws of at most LangevinConvertJob.Chunk bodies.</summary>
+        public int ChunkCount { get { return (Count + LangevinConvertJob.Chunk - 1) / LangevinConvertJob.Chunk; } }
+
+        /// <summary>Bodies of a chunk begin here.</summary>
+        public int FirstOf(int chunk) { return chunk * LangevinConvertJob.Chunk; }
+
+        /// <summary>So many bodies it has.</summary>
+        public int CountOf(int chunk) { return Math.Min(LangevinConvertJob.Chunk, Count - FirstOf(chunk)); }
+
+        /// <summary>What holds all bodies of a chunk, each of at most `reach` metres from its origin at scale 1.</summary>
+        public Bounds BoundsOf(int chunk, float reach)
+        {
+            LangevinChunk box = chunks[chunk];
+            var bounds = new Bounds();
+            var grow = Vector3.one * (reach * box.Scale);
+            bounds.SetMinMax(new Vector3(box.Min.X, box.Min.Y, box.Min.Z) - grow, new Vector3(box.Max.X, box.Max.Y, box.Max.Z) + grow);
+            return bounds;
+        }
+
+        /// <summary>What holds all bodies; empty at the origin where there are none.</summary>
+        public Bounds BoundsOfAll(float reach)
+        {
+            var all = new Bounds();
+            for (int chunk = 0; chunk < ChunkCount; ++chunk)
+            {
+                if (chunk == 0) all = BoundsOf(chunk, reach);
+                else all.Encapsulate(BoundsOf(chunk, reach));
+            }
+            return all;
+        }
+
+        /// <summary>Has the next Refresh write everything.</summary>
+        public void Invalidate() { valid = false; }
+
+        /// <summary>Takes over where bodies are now. No step may run.</summary>
+        public void Refresh(IntPtr world, BatchId batch, Float3 center, MeshMirror mirror)
+        {
+            BatchView view = BatchView.Create();
+            LangevinSimulation.Check(Native.lr_batch_get_view(world, batch, &view), "lr_batch_get_view");
+            bool kept = valid && view.Revision == revision;
+            uint wanted = kept ? Math.Max(awake, view.AwakeCount) : view.Count;
+            wanted = Math.Min(wanted, view.Count);
+            uint written = 0;
+            float* first = (float*)NativeArrayUnsafeUtility.GetUnsafePtr(matrices);
+            if (wanted > 0)
+            {
+                TransformFormat format = rows == 3 ? TransformFormat.Matrix3x4ColumnMajor : TransformFormat.Matrix4x4ColumnMajor;
+                Status status = Native.lr_batch_write_first_transforms(world, batch, format, first, 0, wanted, &written);
+                LangevinSimulation.Check(status, "lr_batch_write_first_transforms");
+            }
+            Count = (int)view.Count;
+            Written = (int)written;
+            revision = view.Revision;
+            awake = view.AwakeCount;
+            valid = true;
+            if (written == 0) return;
+            var job = new LangevinConvertJob
+            {
+                Matrices = first,
+                Inverses = rows == 3 ? (float*)NativeArrayUnsafeUtility.GetUnsafePtr(inverses) : null,
+                Chunks = (LangevinChunk*)NativeArrayUnsafeUtility.GetUnsafePtr(chunks),
+                Count = Count,
+                Written = Written,
+                Rows = rows,
+                Center = center,
+                Mirror = mirror,
+            };
+            int dirty = (Written + LangevinConvertJob.Chunk - 1) / LangevinConvertJob.Chunk;
+            job.Schedule(dirty, 4).Complete();
+        }
+
+        /// <summary>Frees the memory. More than once is fine.</summary>
+        public void Dispose()
+        {
+            if (matrices.IsCreated) matrices.Dispose();
+            if (inverses.IsCreated) inverses.Dispose();
+            if (chunks.IsCreated) chunks.Dispose();
+            Count = 0;
+        }
+    }
+}

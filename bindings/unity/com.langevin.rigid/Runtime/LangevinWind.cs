@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using LangevinRigid;
+using UnityEngine;
+
+namespace LangevinUnity
+{
+    /// <summary>Wind from a WindZone on the same GameObject. Directional zones add to the uniform wind along their forward axis;
+    /// spherical ones blow outward, less with the distance, to nothing at their radius.</summary>
+    [AddComponentMenu("Langevin Rigid/Langevin Wind")]
+    [RequireComponent(typeof(WindZone))]
+    public sealed unsafe class LangevinWind : LangevinMember
+    {
+        private const int Frames = 8;
+
+        [Tooltip("m/s for a Main of 1.")]
+        [SerializeField, Min(0.0f)] private float speedScale = 1.0f;
+        [Tooltip("m, of the largest eddies of Turbulence.")]
+        [SerializeField, Min(0.01f)] private float eddySize = 2.0f;
+        [Tooltip("Samples along each axis of a spherical zone.")]
+        [SerializeField, Range(5, 33)] private int resolution = 17;
+        [SerializeField] private int seed = 1;
+
+        private WindZone zone;
+        private WindSourceId eddies;
+        private WindSourceId sphere;
+        private WindSourceDesc eddiesSet;
+        private Shape shapeSet;
+        private Vector3 positionSet;
+
+        // What the samples of a spherical zone depend on; its place is apart from them.
+        private struct Shape : IEquatable<Shape>
+        {
+            public float Radius, Speed, Pulse, Frequency;
+            public int Resolution;
+
+            public bool Equals(Shape other)
+            {
+                return Radius == other.Radius && Speed == other.Speed && Pulse == other.Pulse && Frequency == other.Frequency &&
+                    Resolution == other.Resolution;
+            }
+        }
+
+        /// <summary>m/s for a Main of 1.</summary>
+        public float SpeedScale { get { return speedScale; } set { speedScale = value; } }
+
+        /// <summary>m, of the largest eddies.</summary>
+        public float EddySize { get { return eddySize; } set { eddySize = value; } }
+
+        internal override void OnJoin(LangevinSimulation simulation)
+        {
+            zone = GetComponent<WindZone>();
+            Synchronize(simulation);
+        }
+
+        internal override void OnLeave(LangevinSimulation simulation)
+        {
+            Remove(simulation, ref eddies);
+            Remove(simulation, ref sphere);
+            Apply(World, this);
+        }
+
+        protected override void OnDisable()
+        {
+            base.OnDisable();
+            // The world may have gone first, and taken its sources along.
+            eddies = default(WindSourceId);
+            sphere = default(WindSourceId);
+        }
+
+        internal override void BeforeStep(LangevinSimulation simulation, float dt) { Synchronize(simulation); }
+
+        /// <summary>m/s, of a directional zone at the world's time: Main, and Pulse Magnitude of it going up and down with Pulse
+        /// Frequency.</summary>
+        public Vector3 VelocityAt(double time)
+        {
+            if (zone == null || zone.mode != WindZoneMode.Directional) return Vector3.zero;
+            double pulse = 1.0 + zone.windPulseMagnitude * Math.Sin(2.0 * Math.PI * zone.windPulseFrequency * time);
+            return transform.forward * (float)(zone.windMain * speedScale * Math.Max(0.0, pulse));
+        }
+
+        /// <summary>Sets the world's uniform wind to the sum of its directional zones, all but one that leaves.</summary>
+        internal static void Apply(LangevinWorld world, LangevinWind leaving = null)
+        {
+            LangevinSimulation simulation = world.Simulation;
+            Vector3 sum = Vector3.zero;
+            bool any = false;
+            foreach (LangevinMember member in world.Members)
+            {
+                var wind = member as LangevinWind;
+                if (wind == null) continue;
+                any = true;
+                if (wind == leaving) continue;
+                sum += wind.VelocityAt(simulation.Info().Time);
+            }
+            // A world without winds keeps what was set by hand.
+            if (!any) return;
+            WindDesc desc = WindDesc.Create();
+            desc.Velocity = LangevinConversion.ToLibrary(sum);
+            LangevinSimulation.Check(Native.lr_world_set_wind(simulation.Handle, &desc), "lr_world_set_wind");
+        }
+
+        private void Synchronize(LangevinSimulation simulation)
+        {
+            float rms = Mathf.Abs(zone.windTurbulence * zone.windMain) * speedScale;
+            if (rms > 0.0f) SynchronizeEddies(simulation, rms);
+            else Remove(simulation, ref eddies);
+            if (zone.mode == WindZoneMode.Spherical && zone.radius > 0.0f && zone.windMain != 0.0f) SynchronizeSphere(simulation);
+            else Remove(simulation, ref sphere);
+        }
+
+        private void SynchronizeEddies(LangevinSimulation simulation, float rms)
+        {
+            WindSourceDesc desc = WindSourceDesc.Create();
+            desc.Kind = WindSourceKind.Turbulence;
+            desc.Speed = rms;
+            desc.Size = Mathf.Max(eddySize, 0.01f);
+            desc.Octaves = 3;
+            desc.Seed = (uint)seed;
+            if (!eddies.IsNull && desc.Speed == eddiesSet.Speed && desc.Size == eddiesSet.Size && desc.Seed == eddiesSet.Seed) return;
+            Put(simulation, ref eddies, &desc);
+            eddiesSet = desc;
+        }
+
+        private void SynchronizeSphere(LangevinSimulation simulation)
+        {
+            var shape = new Shape
+            {
+                Radius = zone.radius,
+                Speed = zone.windMain * speedScale,
+                Pulse = zone.windPulseMagnitude,
+                Frequency = zone.windPulseFrequency,
+                Resolution = Mathf.Max(5, resolution),
+            };
+            bool same = !sphere.IsNull && shape.Equals(shapeSet);
+            if (same && transform.position == positionSet) return;
+            float[] samples = same ? null : Samples(shape);
+            WindSourceDesc desc = WindSourceDesc.Create();
+            desc.Kind = WindSourceKind.Grid;
+            float spacing = 2.0f * shape.Radius / (shape.Resolution - 1);
+            // The first sample is the corner of least coordinates in the library's world: the samples are symmetric, so no order changes.
+            Float3 middle = LangevinConversion.ToLibrary(transform.position);
+            desc.Position = new Float3(middle.X - shape.Radius, middle.Y - shape.Radius, middle.Z - shape.Radius);
+            desc.Spacing = new Float3(spacing, spacing, spacing);
+            desc.Counts = new UInt3((uint)shape.Resolution, (uint)shape.Resolution, (uint)shape.Resolution);
+            desc.Frames = FramesOf(shape);
+            desc.Period = Pulses(shape) ? 1.0f / (shape.Frequency * Frames) : 1.0f;
+            desc.Outside = WindOutside.Zero;
+            fixed (float* first = samples)
+            {
+                desc.Samples = first;
+                Put(simulation, ref sphere, &desc);
+            }
+            shapeSet = shape;
+            positionSet = transform.position;
+        }
+
+        private static bool Pulses(Shape shape) { return shape.Pulse != 0.0f && shape.Frequency > 0.0f; }
+
+        private static uint FramesOf(Shape shape) { return Pulses(shape) ? (uint)Frames : 1u; }
+
+        // Outward, evenly less from the middle to the radius; frames hold one period of the pulse.
+        private static float[] Samples(Shape shape)
+        {
+            int n = shape.Resolution, frames = (int)FramesOf(shape), at = 0;
+            float half = 0.5f * (n - 1);
+            var samples = new float[3 * n * n * n * frames];
+            for (int frame = 0; frame < frames; ++frame)
+            {
+                double pulse = frames > 1 ? Math.Max(0.0, 1.0 + shape.Pulse * Math.Sin(2.0 * Math.PI * frame / frames)) : 1.0;
+                for (int k = 0; k < n; ++k)
+                    for (int j = 0; j < n; ++j)
+                        for (int i = 0; i < n; ++i, at += 3)
+                        {
+                            var r = new Vector3((i - half) / half, (j - half) / half, (k - half) / half);
+                            float length = r.magnitude;
+                            if (length <= 0.0f || length >= 1.0f) continue;
+                            float speed = (float)(shape.Speed * pulse) * (1.0f - length) / length;
+                            samples[at] = r.x * speed;
+                            samples[at + 1] = r.y * speed;
+                            samples[at + 2] = r.z * speed;
+                        }
+            }
+            return samples;
+        }
+
+        private static void Put(LangevinSimulation simulation, ref WindSourceId id, WindSourceDesc* desc)
+        {
+            if (!id.IsNull)
+            {
+                LangevinSimulation.Check(Native.lr_world_update_wind(simulation.Handle, id, desc), "lr_world_update_wind");
+                return;
+            }
+            WindSourceId added;
+            LangevinSimulation.Check(Native.lr_world_add_wind(simulation.Handle, desc, &added), "lr_world_add_wind");
+            id = added;
+        }
+
+        private static void Remove(LangevinSimulation simulation, ref WindSourceId id)
+        {
+            if (id.IsNull) return;
+            WindSourceId gone = id;
+            id = default(WindSourceId);
+            LangevinSimulation.Check(Native.lr_world_remove_wind(simulation.Handle, gone), "lr_world_remove_wind");
+        }
+
+#if UNITY_EDITOR
+        private void OnDrawGizmosSelected()
+        {
+            var seen = GetComponent<WindZone>();
+            if (seen == null) return;
+            Gizmos.color = new Color(0.4f, 0.7f, 1.0f, 0.9f);
+            if (seen.mode == WindZoneMode.Directional) Gizmos.DrawRay(transform.position, transform.forward * (seen.windMain * speedScale));
+            else Gizmos.DrawWireSphere(transform.position, seen.radius);
+        }
+#endif
+    }
+}

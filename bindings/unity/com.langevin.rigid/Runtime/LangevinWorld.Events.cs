@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using LangevinRigid;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace LangevinUnity
+{
+    /// <summary>Something that happened in a step, in Unity's world.</summary>
+    public struct LangevinEvent
+    {
+        /// <summary>What happened.</summary>
+        public ContactEventKind kind;
+        /// <summary>Whose body it is.</summary>
+        public LangevinBatch batch;
+        /// <summary>The body; stale where it has been destroyed.</summary>
+        public BodyId body;
+        /// <summary>What was touched or left; null for other events, and for colliders without a component.</summary>
+        public LangevinCollider collider;
+        /// <summary>m, where they touch; else of the centre of mass.</summary>
+        public Vector3 position;
+        /// <summary>Unit, from the collider to the body; 0 unless a contact begins.</summary>
+        public Vector3 normal;
+        /// <summary>m/s, of approach.</summary>
+        public float speed;
+        /// <summary>N s.</summary>
+        public float impulse;
+    }
+
+    /// <summary>A LangevinEvent for handlers that are set in the inspector.</summary>
+    [Serializable]
+    public sealed class LangevinUnityEvent : UnityEvent<LangevinEvent> { }
+
+    public sealed unsafe partial class LangevinWorld
+    {
+        [Header("Events")]
+        [Tooltip("Kept of a step at most; 64 bytes each. 0: none.")]
+        [SerializeField, Min(0)] private int eventCapacity = 0;
+        [SerializeField] private ContactEvents eventKinds = ContactEvents.Begin | ContactEvents.Landed | ContactEvents.Killed;
+        [SerializeField] private LangevinUnityEvent onEvent = new LangevinUnityEvent();
+
+        private readonly Dictionary<BatchId, LangevinBatch> batchesById = new Dictionary<BatchId, LangevinBatch>();
+        private readonly Dictionary<ColliderId, LangevinCollider> collidersById = new Dictionary<ColliderId, LangevinCollider>();
+        private LangevinEvent[] buffer = new LangevinEvent[0];
+
+        /// <summary>Raised on the main thread after a step for each of its events, in an order that is the same in every run. Handlers may
+        /// change the world.</summary>
+        public event Action<LangevinEvent> Happened;
+
+        /// <summary>The same, for handlers that are set in the inspector.</summary>
+        public LangevinUnityEvent OnEvent { get { return onEvent; } }
+
+        /// <summary>Events for which there was no room since the last SetEvents.</summary>
+        public long LostEvents { get; private set; }
+
+        /// <summary>Has events kept from now on, at most `capacity` of a step; 0 ends it.</summary>
+        public void SetEvents(int capacity, ContactEvents kinds)
+        {
+            eventCapacity = capacity;
+            eventKinds = kinds;
+            if (Simulation == null) return;
+            CompleteStep();
+            ApplyEvents();
+        }
+
+        private void ApplyEvents()
+        {
+            // "Everything" in the inspector sets all 32 bits.
+            ContactEvents kinds = eventKinds & ContactEvents.All;
+            bool on = eventCapacity > 0 && kinds != ContactEvents.None;
+            Status status = Native.lr_world_set_contact_events(simulation.Handle, on ? (uint)eventCapacity : 0u,
+                on ? kinds : ContactEvents.None);
+            LangevinSimulation.Check(status, "lr_world_set_contact_events");
+            LostEvents = 0;
+        }
+
+        private void ForgetEvents()
+        {
+            batchesById.Clear();
+            collidersById.Clear();
+        }
+
+        private void DispatchEvents()
+        {
+            if (eventCapacity <= 0 || Simulation == null) return;
+            ContactEventList list = ContactEventList.Create();
+            LangevinSimulation.Check(Native.lr_world_get_contact_events(simulation.Handle, &list), "lr_world_get_contact_events");
+            LostEvents = (long)list.TotalLost;
+            int count = (int)list.Count;
+            if (count == 0) return;
+            ForgetEvents();
+            foreach (LangevinMember member in Members)
+            {
+                var batch = member as LangevinBatch;
+                if (batch != null) batchesById[batch.Id] = batch;
+                var collider = member as LangevinCollider;
+                if (collider != null && !collider.Id.IsNull) collidersById[collider.Id] = collider;
+            }
+            // All are copied before the first handler runs: one that changes the world ends the library's list.
+            if (buffer.Length < count) buffer = new LangevinEvent[Mathf.NextPowerOfTwo(count)];
+            for (int i = 0; i < count; ++i) buffer[i] = Convert(list.Events + i);
+            for (int i = 0; i < count; ++i)
+            {
+                try
+                {
+                    if (Happened != null) Happened(buffer[i]);
+                    onEvent.Invoke(buffer[i]);
+                    if (buffer[i].batch != null) buffer[i].batch.Raise(buffer[i]);
+                    if (buffer[i].collider != null) buffer[i].collider.Raise(buffer[i]);
+                }
+                catch (Exception e)
+                {
+                    Debug.LogException(e, this);
+                }
+            }
+            Array.Clear(buffer, 0, count);
+        }
+
+        private LangevinEvent Convert(ContactEvent* from)
+        {
+            LangevinBatch batch;
+            LangevinCollider collider = null;
+            batchesById.TryGetValue(from->Batch, out batch);
+            if (!from->Collider.IsNull) collidersById.TryGetValue(from->Collider, out collider);
+            return new LangevinEvent
+            {
+                kind = from->Kind,
+                batch = batch,
+                body = from->Body,
+                collider = collider,
+                position = LangevinConversion.ToUnity(from->Position),
+                normal = LangevinConversion.ToUnity(from->Normal),
+                speed = from->Speed,
+                impulse = from->Impulse,
+            };
+        }
+    }
+}

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using LangevinRigid;
+using Unity.Collections;
+using Unity.Jobs;
+using UnityEngine;
+
+namespace LangevinUnity
+{
+    /// <summary>When a world is stepped.</summary>
+    public enum LangevinStepMode
+    {
+        /// <summary>Once a frame, by its time, at most `maximumStep`. Smooth at any frame rate.</summary>
+        Frame = 0,
+        /// <summary>In FixedUpdate, by the fixed time step: the same motion in every run.</summary>
+        Fixed = 1,
+        /// <summary>By your calls of Step.</summary>
+        Manual = 2,
+    }
+
+    /// <summary>Where a step runs.</summary>
+    public enum LangevinStepThread
+    {
+        /// <summary>In Update, and the main thread waits.</summary>
+        Main = 0,
+        /// <summary>In a job from Update to LateUpdate, beside other scripts and the physics engine.</summary>
+        Job = 1,
+    }
+
+    /// <summary>What bounds the work of a step.</summary>
+    public enum LangevinBudgetKind
+    {
+        /// <summary>Nothing.</summary>
+        None = 0,
+        /// <summary>A number of substeps of single bodies: the same motion on every machine.</summary>
+        BodySubsteps = 1,
+        /// <summary>Milliseconds on the clock.</summary>
+        Milliseconds = 2,
+    }
+
+    /// <summary>A world of falling things: steps it, and drives the batches, winds and colliders that have joined.</summary>
+    [AddComponentMenu("Langevin Rigid/Langevin World")]
+    [DefaultExecutionOrder(-50)]
+    [DisallowMultipleComponent]
+    public sealed unsafe partial class LangevinWorld : MonoBehaviour
+    {
+        private static readonly List<LangevinWorld> Enabled = new List<LangevinWorld>();
+
+        [Header("Time")]
+        [SerializeField] private LangevinStepMode stepMode = LangevinStepMode.Frame;
+        [SerializeField] private LangevinStepThread stepThread = LangevinStepThread.Main;
+        [Tooltip("2 suit leaves and paper of some centimetres at 60 Hz, 4 petals and confetti.")]
+        [SerializeField, Range(1, 32)] private int substeps = 2;
+        [Tooltip("s. A longer frame is cut to this, so that a hitch does not cost another.")]
+        [SerializeField, Range(0.001f, 1.0f)] private float maximumStep = 1.0f / 20.0f;
+
+        [Header("World")]
+        [Tooltip("Seed of all noise.")]
+        [SerializeField] private long seed = 1;
+        [Tooltip("Use Physics.gravity.")]
+        [SerializeField] private bool useSceneGravity = true;
+        [SerializeField] private Vector3 gravity = new Vector3(0.0f, -9.81f, 0.0f);
+        [Tooltip("kg/m^3. 0: each batch in the fluid that its asset was baked in.")]
+        [SerializeField, Min(0.0f)] private float fluidDensity = 0.0f;
+        [Tooltip("m^2/s, kinematic. 0: as baked.")]
+        [SerializeField, Min(0.0f)] private float fluidViscosity = 0.0f;
+
+        [Header("Work")]
+        [Tooltip("Threads of the library besides the caller's. -1: half of the processor's. Without effect on results; 0 on WebGL.")]
+        [SerializeField, Range(-1, 64)] private int workers = -1;
+        [SerializeField] private LangevinBudgetKind budget = LangevinBudgetKind.None;
+        [SerializeField, Min(0.001f)] private float budgetMilliseconds = 2.0f;
+        [SerializeField] private long budgetBodySubsteps = 100000;
+
+        private LangevinSimulation simulation;
+        private JobHandle pending;
+        private NativeArray<int> jobStatus;
+        private bool running;
+        private bool stepped;
+        private Vector3 gravitySet;
+
+        internal readonly List<LangevinMember> Members = new List<LangevinMember>();
+
+        /// <summary>The first world that was enabled, which members without a preferred one join.</summary>
+        public static LangevinWorld First { get { return Enabled.Count > 0 ? Enabled[0] : null; } }
+
+        /// <summary>What the world is to the library; null while the component is disabled, and after LangevinSimulation.DisposeAll.</summary>
+        public LangevinSimulation Simulation { get { return simulation == null || simulation.IsDisposed ? null : simulation; } }
+
+        /// <summary>When it is stepped.</summary>
+        public LangevinStepMode StepMode { get { return stepMode; } set { stepMode = value; } }
+
+        /// <summary>Where it is stepped.</summary>
+        public LangevinStepThread StepThread { get { return stepThread; } set { CompleteStep(); stepThread = value; } }
+
+        /// <summary>Substeps of a step, 1 to 65536.</summary>
+        public int Substeps { get { return substeps; } set { substeps = Mathf.Clamp(value, 1, (int)Limits.MaxSubsteps); } }
+
+        /// <summary>Seed of all noise; takes effect when the component is enabled again.</summary>
+        public long Seed { get { return seed; } set { seed = value; } }
+
+        /// <summary>Threads besides the caller's; takes effect when the component is enabled again.</summary>
+        public int Workers { get { return workers; } set { workers = value; } }
+
+        /// <summary>Gravity, m/s^2. Setting it ends the use of Physics.gravity.</summary>
+        public Vector3 Gravity
+        {
+            get { return useSceneGravity ? Physics.gravity : gravity; }
+            set { gravity = value; useSceneGravity = false; }
+        }
+
+        private void OnEnable()
+        {
+            try
+            {
+                simulation = new LangevinSimulation((ulong)seed, WorkerCount(), Gravity, fluidDensity, fluidViscosity);
+                gravitySet = Gravity;
+                ApplyBudget();
+                ApplyEvents();
+            }
+            catch (Exception e)
+            {
+                if (simulation != null) simulation.Dispose();
+                simulation = null;
+                Debug.LogException(e, this);
+                enabled = false;
+                return;
+            }
+            Enabled.Add(this);
+            LangevinMember.JoinAll(this);
+        }
+
+        // Members leave while the library's world is still there, whatever order Unity disables components in: a batch that is disabled
+        // later finds that it has no world any more, and frees only what is its own.
+        private void OnDisable()
+        {
+            Enabled.Remove(this);
+            try { CompleteStep(); }
+            catch (Exception e) { Debug.LogException(e, this); }
+            foreach (LangevinMember member in Members.ToArray())
+            {
+                try { member.Leave(); }
+                catch (Exception e) { Debug.LogException(e, member); }
+            }
+            if (simulation != null) simulation.Dispose();
+            simulation = null;
+            if (jobStatus.IsCreated) jobStatus.Dispose();
+            ForgetEvents();
+        }
+
+        private int WorkerCount()
+        {
+#if UNITY_WEBGL && !UNITY_EDITOR
+            return 0;
+#else
+            return workers >= 0 ? workers : Mathf.Max(0, SystemInfo.processorCount / 2 - 1);
+#endif
+        }
+
+        private void Update()
+        {
+            if (stepMode == LangevinStepMode.Frame) Begin(Mathf.Min(Time.deltaTime, maximumStep));
+        }
+
+        private void FixedUpdate()
+        {
+            if (stepMode == LangevinStepMode.Fixed) Begin(Time.fixedDeltaTime);
+        }
+
+        private void LateUpdate()
+        {
+            Present();
+        }
+
+        /// <summary>Steps the world now and waits, in mode Manual. `dt`: s, of any length above 0 up to `substeps` seconds.</summary>
+        public void Step(float dt)
+        {
+            Begin(dt);
+            CompleteStep();
+        }
+
+        /// <summary>Waits for a step that runs as a job. Everything in this package that touches the world calls it; call it before calls
+        /// of LangevinRigid.Native of your own.</summary>
+        public void CompleteStep()
+        {
+            if (!running) return;
+            running = false;
+            pending.Complete();
+            LangevinSimulation.Check((Status)jobStatus[0], "lr_world_step");
+            stepped = true;
+            DispatchEvents();
+        }
+
+        /// <summary>Brings batches up to date and draws them: what LateUpdate does. For mode Manual in the editor, or before a camera
+        /// of your own renders.</summary>
+        public void Present()
+        {
+            CompleteStep();
+            if (Simulation == null) return;
+            if (stepped)
+                foreach (LangevinMember member in Members) member.AfterStep(simulation);
+            stepped = false;
+            foreach (LangevinMember member in Members) member.Draw();
+        }
+
+        private void Begin(float dt)
+        {
+            CompleteStep();
+            if (Simulation == null || !(dt > 0.0f)) return;
+            Vector3 now = Gravity;
+            if (now != gravitySet)
+            {
+                Float3 g = LangevinConversion.ToLibrary(now);
+                LangevinSimulation.Check(Native.lr_world_set_gravity(simulation.Handle, &g.X), "lr_world_set_gravity");
+                gravitySet = now;
+            }
+            LangevinWind.Apply(this);
+            for (int i = 0; i < Members.Count; ++i)
+            {
+                // One member with a wrong value must not stop the others.
+                try { Members[i].BeforeStep(simulation, dt); }
+                catch (Exception e) { Debug.LogException(e, Members[i]); }
+            }
+            if (stepThread == LangevinStepThread.Main)
+            {
+                LangevinSimulation.Check(Native.lr_world_step(simulation.Handle, dt, (uint)substeps), "lr_world_step");
+                stepped = true;
+                DispatchEvents();
+                return;
+            }
+            if (!jobStatus.IsCreated) jobStatus = new NativeArray<int>(1, Unity.Collections.Allocator.Persistent);
+            var job = new LangevinStepJob { World = simulation.Handle, Dt = dt, Substeps = (uint)substeps, Status = jobStatus };
+            pending = job.Schedule();
+            running = true;
+            JobHandle.ScheduleBatchedJobs();
+        }
+
+        /// <summary>Bounds the work of each step; batches slow down by their priorities when it does not reach.</summary>
+        public void SetBudget(LangevinBudgetKind kind, float milliseconds, long bodySubsteps)
+        {
+            budget = kind;
+            budgetMilliseconds = milliseconds;
+            budgetBodySubsteps = bodySubsteps;
+            if (Simulation == null) return;
+            CompleteStep();
+            ApplyBudget();
+        }
+
+        private void ApplyBudget()
+        {
+            Budget native = LangevinRigid.Budget.Create();
+            native.Kind = (BudgetKind)budget;
+            if (budget == LangevinBudgetKind.BodySubsteps) native.BodySubsteps = (ulong)Math.Max(1L, budgetBodySubsteps);
+            if (budget == LangevinBudgetKind.Milliseconds) native.Seconds = budgetMilliseconds * 1e-3;
+            LangevinSimulation.Check(Native.lr_world_set_budget(simulation.Handle, &native), "lr_world_set_budget");
+        }
+
+#if UNITY_EDITOR
+        private void OnValidate()
+        {
+            if (Simulation != null) SetBudget(budget, budgetMilliseconds, budgetBodySubsteps);
+        }
+#endif
+
+        // With "Enter Play Mode Options" statics keep what the last session left in them.
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        private static void ResetStatics()
+        {
+            LangevinSimulation.DisposeAll();
+            Enabled.Clear();
+            LangevinMember.ForgetAll();
+        }
+    }
+}

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using LangevinRigid;
+using LangevinUnity;
+using NUnit.Framework;
+using UnityEngine;
+
+public sealed class WorldTests : Stage
+{
+    private void Storm(Action<LangevinWorld> set, out ulong hash, out LangevinWorld world)
+    {
+        var made = new GameObject("storm");
+        made.SetActive(false);
+        world = made.AddComponent<LangevinWorld>();
+        world.Workers = 0;
+        set(world);
+        made.SetActive(true);
+        LangevinWorld mine = world;
+        NewBatch(600, b =>
+        {
+            b.PreferredWorld = mine;
+            b.StartCount = 300;
+            b.Emitter.rate = 120.0f;
+            b.transform.position = new Vector3(0.0f, 20.0f, 0.0f);
+        });
+        Frames(30);
+        hash = world.Hash();
+    }
+
+    [Test]
+    public void JobsAndWorkersDoNotChangeTheMotion()
+    {
+        ulong plain, job, workers, seed;
+        LangevinWorld w;
+        Storm(s => { }, out plain, out w);
+        Storm(s => s.StepThread = LangevinStepThread.Job, out job, out w);
+        Storm(s => s.Workers = 3, out workers, out w);
+        Storm(s => s.Seed = 99, out seed, out w);
+        Assert.AreEqual(plain, job);
+        Assert.AreEqual(plain, workers);
+        Assert.AreNotEqual(plain, seed);
+        Silent();
+    }
+
+    [Test]
+    public void FixedStepsAreThoseOfFixedUpdate()
+    {
+        World.StepMode = LangevinStepMode.Fixed;
+        for (int i = 0; i < 10; ++i) ShimPlayer.FixedFrame();
+        Assert.AreEqual(0.2, World.SimulationTime, 1e-7);
+        Frames(5);
+        Assert.AreEqual(0.2, World.SimulationTime, 1e-7);
+        World.StepMode = LangevinStepMode.Frame;
+        ShimPlayer.Frame(0.01f);
+        Assert.AreEqual(0.21, World.SimulationTime, 1e-7);
+        ShimPlayer.Frame(10.0f);
+        Assert.AreEqual(0.26, World.SimulationTime, 1e-7, "a hitch is cut");
+        ShimPlayer.Frame(0.0f);
+        Assert.AreEqual(0.26, World.SimulationTime, 1e-7, "a pause is none");
+    }
+
+    [Test]
+    public void GravityFollowsThePhysicsSettings()
+    {
+        LangevinBatch batch = NewBatch(2);
+        BodyId body = batch.Spawn(Vector3.zero, Quaternion.identity);
+        Physics.gravity = new Vector3(0.0f, 0.0f, 9.81f);
+        Frames(20);
+        LangevinBodyState state;
+        batch.TryGetState(body, out state);
+        Assert.Greater(state.velocity.z, 0.1);
+        World.Gravity = new Vector3(0.0f, 9.81f, 0.0f);
+        Frames(20);
+        batch.TryGetState(body, out state);
+        Assert.Greater(state.velocity.y, 0.1);
+    }
+
+    // Whatever order Unity disables and enables components in, nothing is freed twice, and all of them find each other again.
+    [Test]
+    public void AnyOrderOfDisabling()
+    {
+        int count = 0;
+        foreach (int[] order in Permutations(new[] { 0, 1, 2, 3 }))
+            foreach (bool destroy in new[] { false, true })
+            {
+                ShimPlayer.Clear();
+                World = NewWorld();
+                LangevinBatch batch = NewBatch(50, b => { b.StartCount = 20; b.Drawing.mode = LangevinDrawMode.BatchRendererGroup; });
+                var wind = new GameObject("wind", typeof(WindZone), typeof(LangevinWind));
+                BoxCollider box = Put<BoxCollider>(Vector3.zero);
+                World.StepThread = LangevinStepThread.Job;
+                Frames(2);
+                // A step runs while the first of them goes.
+                ShimPlayer.Send(World, "Update");
+                var all = new[] { World.gameObject, batch.gameObject, wind, box.gameObject };
+                foreach (int i in order)
+                    if (destroy) UnityEngine.Object.DestroyImmediate(all[i]);
+                    else all[i].SetActive(false);
+                Assert.AreEqual(0, LangevinSimulation.LivingCount);
+                ++count;
+                if (destroy) continue;
+                foreach (int i in order) all[i].SetActive(true);
+                Frames(3);
+                Assert.AreEqual(20L, World.BodyCount);
+                Assert.AreEqual(1ul, World.Simulation.Info().ColliderCount);
+                Assert.IsTrue(World.SampleWind(Vector3.zero).magnitude > 0.5f);
+            }
+        Assert.AreEqual(48, count);
+        Silent();
+    }
+
+    private static IEnumerable<int[]> Permutations(int[] of)
+    {
+        if (of.Length == 1) return new[] { of };
+        return of.SelectMany(first => Permutations(of.Where(i => i != first).ToArray()).Select(rest => new[] { first }.Concat(rest).ToArray()));
+    }
+
+    [Test]
+    public void EnterPlayModeWithoutDomainReload()
+    {
+        LangevinBatch batch = NewBatch(10, b => b.StartCount = 5);
+        Frames(2);
+        LangevinInstances left = batch.Instances;
+        ShimPlayer.DropScene();
+        Assert.AreEqual(1, LangevinSimulation.LivingCount, "statics outlive the session");
+        ShimPlayer.EnterPlayModeWithoutReload(typeof(LangevinWorld).Assembly);
+        Assert.AreEqual(0, LangevinSimulation.LivingCount);
+        Assert.IsNull(LangevinWorld.First);
+        left.Dispose();
+        World = NewWorld();
+        NewBatch(10, b => b.StartCount = 7);
+        Frames(2);
+        Assert.AreEqual(7L, World.BodyCount);
+        Assert.IsTrue(LangevinWorld.First == World);
+        Silent();
+    }
+
+    [Test]
+    public void MembersChooseTheirWorld()
+    {
+        LangevinWorld second = NewWorld();
+        LangevinBatch first = NewBatch(5, b => b.StartCount = 1);
+        LangevinBatch preferred = NewBatch(5, b => { b.StartCount = 2; b.PreferredWorld = second; });
+        LangevinBatch child = NewBatch(5, b => { b.StartCount = 2; b.transform.SetParent(second.transform); });
+        Assert.IsTrue(first.World == World);
+        Assert.IsTrue(preferred.World == second);
+        Assert.IsTrue(child.World == second);
+        Assert.AreEqual(1L, World.BodyCount);
+        Assert.AreEqual(4L, second.BodyCount);
+        Assert.Throws<ArgumentException>(() => first.SetMeets(preferred, true));
+        preferred.SetMeets(child, true);
+    }
+
+    [Test]
+    public void WithoutAWorldThereAreErrorsThatHelp()
+    {
+        UnityEngine.Object.DestroyImmediate(World.gameObject);
+        LangevinBatch batch = NewBatch(5);
+        var e = Assert.Throws<InvalidOperationException>(() => batch.Spawn(Vector3.zero, Quaternion.identity));
+        Assert.IsTrue(e.Message.Contains("in no world"));
+        World = NewWorld();
+        batch.Spawn(Vector3.zero, Quaternion.identity);
+        World.enabled = false;
+        Assert.Throws<InvalidOperationException>(() => World.Hash());
+    }
+
+    [Test]
+    public void EventsArriveWithTheirBatchAndCollider()
+    {
+        BoxCollider floor = Put<BoxCollider>(new Vector3(0.0f, -0.5f, 0.0f), b => b.size = new Vector3(50.0f, 1.0f, 50.0f));
+        LangevinBatch batch = NewBatch(20);
+        World.SetEvents(1000, (ContactEvents)uint.MaxValue);
+        var seen = new List<LangevinEvent>();
+        int byBatch = 0, byCollider = 0, byInspector = 0;
+        World.Happened += seen.Add;
+        World.OnEvent.AddListener(e => ++byInspector);
+        batch.Happened += e => ++byBatch;
+        floor.GetComponent<LangevinCollider>().Happened += e => ++byCollider;
+        for (int i = 0; i < 10; ++i) batch.Spawn(new Vector3(i - 5, 0.3f, 3.0f), Quaternion.Euler(90.0f, 0.0f, 0.0f));
+        Frames(240);
+        LangevinEvent begin = seen.First(e => e.kind == ContactEventKind.ContactBegin);
+        Assert.IsTrue(begin.batch == batch && begin.collider == floor.GetComponent<LangevinCollider>());
+        Assert.AreEqual(0.0, begin.position.y, 0.02);
+        Assert.AreEqual(3.0, begin.position.z, 1.0);
+        Near(Vector3.up, begin.normal, 0.01);
+        Assert.Greater(seen.Count(e => e.kind == ContactEventKind.BodyLanded), 7.0);
+        Assert.AreEqual(seen.Count, byBatch);
+        Assert.AreEqual(seen.Count, byInspector);
+        Assert.AreEqual(seen.Count(e => e.collider != null), byCollider);
+        Assert.AreEqual(0L, World.LostEvents);
+        Silent();
+        // A handler that throws is reported, and others get theirs.
+        World.Happened += e => { throw new InvalidOperationException("handler"); };
+        int before = seen.Count;
+        World.WakeBox(new Bounds(Vector3.zero, Vector3.one * 20.0f));
+        Frames(2);
+        Assert.Greater(seen.Count, before);
+        Assert.Greater(Complaints("handler"), 0);
+    }
+
+    [Test]
+    public void HandlersMayChangeTheWorld()
+    {
+        Put<BoxCollider>(new Vector3(0.0f, -0.5f, 0.0f), b => b.size = new Vector3(50.0f, 1.0f, 50.0f));
+        LangevinBatch batch = NewBatch(20);
+        World.SetEvents(100, ContactEvents.Begin);
+        World.Happened += e =>
+        {
+            batch.Despawn(e.body);
+            if (batch.Count < 5) batch.Spawn(new Vector3(0.0f, 5.0f, 0.0f), Quaternion.identity);
+        };
+        for (int i = 0; i < 5; ++i) batch.Spawn(new Vector3(i, 0.1f, 0.0f), Quaternion.identity);
+        Frames(40);
+        Assert.AreEqual(5, batch.Count);
+        Silent();
+    }
+
+    [Test]
+    public void SnapshotsPutBackWhatWas()
+    {
+        LangevinBatch batch = NewBatch(50, b => b.StartCount = 30);
+        Frames(10);
+        byte[] saved = World.SaveSnapshot();
+        ulong then = World.Hash();
+        Matrix4x4 m = batch.Instances.Matrices[3];
+        Frames(10);
+        Assert.AreNotEqual(then, World.Hash());
+        World.RestoreSnapshot(saved);
+        Assert.AreEqual(then, World.Hash());
+        World.Present();
+        Near(m.MultiplyPoint3x4(Vector3.one), batch.Instances.Matrices[3].MultiplyPoint3x4(Vector3.one), 0.0);
+        var e = Assert.Throws<LangevinException>(() => World.RestoreSnapshot(new byte[10]));
+        Assert.AreEqual(Status.SnapshotFormat, e.Status);
+    }
+
+    [Test]
+    public void BudgetsAndLevelsOfDetail()
+    {
+        LangevinBatch near = NewBatch(100, b => b.StartCount = 100);
+        LangevinBatch far = NewBatch(100, b => b.StartCount = 100);
+        Frames(1);
+        Assert.AreEqual(400ul, World.LastStep().BodySubsteps);
+        far.Divisor = 2;
+        far.Apply();
+        Frames(1);
+        Assert.AreEqual(300ul, World.LastStep().BodySubsteps);
+        World.SetBudget(LangevinBudgetKind.BodySubsteps, 0.0f, 100);
+        Frames(2);
+        Assert.IsTrue(World.LastStep().BodySubsteps <= 200ul);
+        World.SetBudget(LangevinBudgetKind.None, 0.0f, 0);
+        far.Divisor = 1;
+        far.Apply();
+        Frames(3);
+        Assert.AreEqual(400ul, World.LastStep().BodySubsteps);
+        Assert.AreEqual(100, near.Count);
+    }
+
+    [Test]
+    public void RaysHitBodiesWhereTheyAre()
+    {
+        LangevinBatch batch = NewBatch(5);
+        BodyId body = batch.Spawn(new Vector3(2.0f, 5.0f, 3.0f), Quaternion.Euler(90.0f, 0.0f, 0.0f));
+        LangevinRayHit hit;
+        Assert.IsTrue(World.Raycast(new Vector3(2.0f, 10.0f, 3.0f), Vector3.down, 100.0f, out hit));
+        Assert.AreEqual(body, hit.body);
+        Assert.AreEqual(5.0, hit.distance, 0.05);
+        Assert.AreEqual(3.0, hit.position.z, 1e-4);
+        Assert.IsFalse(World.Raycast(new Vector3(2.0f, 10.0f, -3.0f), Vector3.down, 100.0f, out hit));
+        batch.SetRest(body, true);
+        Assert.AreEqual(0, World.WakeBox(new Bounds(new Vector3(2.0f, 5.0f, -3.0f), Vector3.one)));
+        Assert.AreEqual(1, World.WakeBox(new Bounds(new Vector3(2.0f, 5.0f, 3.0f), Vector3.one)));
+    }
+}

@@ -1,0 +1,61 @@
+// The level's collision in a world of the library: what is there, and what moves.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "CoreMinimal.h"
+#include "LangevinShapes.h"
+#include "UObject/WeakObjectPtr.h"
+
+#include <langevin_rigid.h>
+
+class ULangevinSettings;
+class ULevel;
+class UPrimitiveComponent;
+
+class FLangevinColliders {
+public:
+    FLangevinColliders(lr_world* InWorld, const FVector& InOrigin, const ULangevinSettings& InSettings);
+
+    /** Static collision of a level that blocks. How many colliders. */
+    int32 AddLevel(const ULevel& Level);
+    void RemoveLevel(const ULevel& Level);
+
+    /** A component, whatever its mobility and channels. bFollow: it moves, and its colliders with it. */
+    int32 AddComponent(UPrimitiveComponent& Component, bool bFollow);
+    bool RemoveComponent(const UPrimitiveComponent& Component);
+
+    bool AddPlane(const FVector& Point, const FVector& Normal, float Friction, float Restitution);
+
+    /** Before a step: moves what follows a component over the step, and removes what has lost its component. */
+    void Update();
+
+    /** The component that a collider is of; null for planes. */
+    UPrimitiveComponent* Find(lr_collider Collider) const;
+
+    int32 Num() const;
+
+private:
+    struct FPart {
+        lr_collider Collider = 0;
+        FTransform Local;
+        bool bUpright = false;
+    };
+    struct FEntry {
+        TWeakObjectPtr<UPrimitiveComponent> Component;
+        const ULevel* Level = nullptr; // compared only
+        FTransform Last;
+        TArray<FPart> Parts;
+        bool bFollow = false;
+    };
+
+    bool IsWanted(const UPrimitiveComponent& Component) const;
+    int32 AddEntry(UPrimitiveComponent& Component, const ULevel* Level, bool bFollow,
+                   const TArray<FLangevinShape>& Shapes);
+    void Place(const FPart& Part, const FTransform& Frame, float* Position, float* Orientation) const;
+    void Destroy(const FEntry& Entry);
+
+    lr_world* World;
+    FVector Origin;
+    const ULangevinSettings& Settings;
+    TArray<FEntry> Entries;
+};

@@ -1,0 +1,38 @@
+// What the engine lends to a world of the library: memory, log, and tasks.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "CoreMinimal.h"
+#include "Tasks/Task.h"
+
+#include <langevin_rigid.h>
+
+namespace LangevinHost {
+/** FMemory, so that the world's memory shows up in the engine's own statistics. */
+lr_allocator Allocator();
+
+/** lr_log_fn: to LogLangevinRigid. */
+void Log(void* User, int32 Level, const char* Message);
+
+/** Logs a failed call, with what was being done. Whether the status is LR_OK. */
+bool Check(lr_status Status, const TCHAR* What);
+} // namespace LangevinHost
+
+/** lr_job_system on UE::Tasks. One for each world, which it outlives: a world's rounds of tasks never overlap. */
+class FLangevinJobs {
+public:
+    lr_job_system Callbacks();
+
+    /** Threads besides the caller's that a step can have. */
+    static uint32 WorkerCount();
+
+    /** Tasks launched so far. */
+    uint64 GetLaunched() const { return Launched; }
+
+private:
+    static void* Enqueue(void* User, lr_task_fn Run, void* Task, uint32 Count);
+    static void Finish(void* User, void* Token);
+
+    TArray<UE::Tasks::FTask> Tasks;
+    uint64 Launched = 0;
+};

@@ -1,0 +1,40 @@
+// The level's wind sources in a world of the library.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "CoreMinimal.h"
+#include "LangevinPointWind.h"
+#include "UObject/WeakObjectPtr.h"
+
+class ULangevinSettings;
+class UWindDirectionalSourceComponent;
+class UWorld;
+
+class FLangevinWind {
+public:
+    FLangevinWind(lr_world* InWorld, const FVector& InOrigin, const ULangevinSettings& InSettings);
+    ~FLangevinWind();
+
+    /** Wind besides that of the level's sources, cm/s. */
+    void SetExtra(const FVector& Velocity) { Extra = Velocity; }
+
+    /** Before a step. Sources are looked for twice a second, and read every time. */
+    void Update(const UWorld& Level, float DeltaSeconds);
+
+private:
+    void Find(const UWorld& Level);
+    void SetGusts(const FVector& Direction, float Speed);
+    void AddTurbulence();
+
+    lr_world* World;
+    FVector Origin;
+    const ULangevinSettings& Settings;
+    FVector Extra = FVector::ZeroVector;
+    TArray<TWeakObjectPtr<UWindDirectionalSourceComponent>> Sources;
+    float UntilSearch = 0.0f;
+    lr_wind_source Gusts = 0;
+    FVector GustDirection = FVector::ZeroVector;
+    float GustSpeed = 0.0f;
+    TArray<FLangevinPointWind> Points;
+    LangevinPointWind::FField Field = {nullptr, 0};
+};

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "Components/InstancedStaticMeshComponent.h"
+#include "CoreMinimal.h"
+#include "LangevinEvents.h"
+#include "Templates/SharedPointer.h"
+
+#include "LangevinBatchComponent.generated.h"
+
+class ULangevinAsset;
+class ULangevinWorldSubsystem;
+struct lr_world;
+
+UENUM(BlueprintType)
+enum class ELangevinLoads : uint8 {
+    /** What the library's version takes for the best. */
+    Default = 0,
+    /** Gravity, buoyancy and added mass only. */
+    None = 1,
+    /** The paper's turbulent loads. */
+    Langevin = 2,
+    /** Quasi-steady drag and lift in a turbulent fluid. */
+    Aerodynamic = 3,
+};
+
+UENUM(BlueprintType)
+enum class ELangevinEmitterShape : uint8 {
+    Point = 0,
+    Box = 1,
+    Sphere = 2,
+    /** In the component's XY plane. */
+    Disc = 3,
+};
+
+/** What a batch's bodies are doing, as it was when it was taken: for other threads, such as Niagara's. */
+struct LANGEVINRIGID_API FLangevinSnapshot {
+    TArray<FVector> Locations;    // cm, world: centres of mass
+    TArray<FQuat4f> Rotations;    // of the mesh
+    TArray<FVector3f> Velocities; // cm/s, world
+    TArray<FVector3f> Spins;      // rad/s, world
+    TArray<float> Ages;           // s
+    TArray<float> Scales;
+    int32 AwakeCount = 0; // the first of them move, the others lie
+    uint64 Frame = 0;
+
+    int32 Num() const { return Locations.Num(); }
+};
+
+/**
+ * All bodies of one asset, drawn as instances of the component's static mesh. Give it the mesh from which the asset was baked, and
+ * press play. Instances are written by the subsystem; do not add or remove them by hand.
+ */
+UCLASS(ClassGroup = "Langevin Rigid", meta = (BlueprintSpawnableComponent))
+class LANGEVINRIGID_API ULangevinBatchComponent : public UInstancedStaticMeshComponent {
+    GENERATED_BODY()
+
+public:
+    ULangevinBatchComponent(const FObjectInitializer& ObjectInitializer);
+
+    /** What falls: a .lrb file in the content browser. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid")
+    TObjectPtr<ULangevinAsset> Asset;
+
+    /** The most bodies at a time; memory for all is taken when play begins. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", meta = (ClampMin = "1"))
+    int32 Capacity = 1000;
+
+    /** Bodies at the beginning, from the emitter. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", meta = (ClampMin = "0"))
+    int32 InitialCount = 0;
+
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", AdvancedDisplay)
+    ELangevinLoads Loads = ELangevinLoads::Default;
+
+    /** Stepped once where others are stepped so often; for what is far away. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", AdvancedDisplay,
+              meta = (ClampMin = "1", ClampMax = "1024"))
+    int32 RateDivisor = 1;
+
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
+    ELangevinEmitterShape EmitterShape = ELangevinEmitterShape::Box;
+
+    /** cm, half extents along the component's axes, which the emitter moves and turns with. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
+    FVector EmitterExtent = FVector(100.0, 100.0, 100.0);
+
+    /** Births a second. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter", meta = (ClampMin = "0.0"))
+    float EmitterRate = 0.0f;
+
+    /** cm/s, world, at birth. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
+    FVector InitialVelocity = FVector::ZeroVector;
+
+    /** rad/s, at birth, about any axis. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter", meta = (ClampMin = "0.0"))
+    float InitialSpin = 0.0f;
+
+    /** Smallest and largest size, 1: as baked. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
+    FVector2D ScaleRange = FVector2D(1.0, 1.0);
+
+    /** s; 0: for ever. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends", meta = (ClampMin = "0.0"))
+    float MaxAge = 0.0f;
+
+    /** Bodies end that fall below KillHeight. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends")
+    bool bKillBelow = false;
+
+    /** cm, world. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends", meta = (EditCondition = "bKillBelow"))
+    double KillHeight = -10000.0;
+
+    /** What ends begins anew in the emitter: a storm that never stops. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends")
+    bool bRespawn = false;
+
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Contact")
+    bool bCollide = true;
+
+    /** Bodies of this batch meet each other and lie on each other in heaps. Costs much more. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Contact")
+    bool bCollideWithEachOther = false;
+
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Contact", meta = (ClampMin = "0.0", ClampMax = "10.0"))
+    float Friction = 0.5f;
+
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Contact", meta = (ClampMin = "0.0", ClampMax = "1.0"))
+    float Restitution = 0.1f;
+
+    /** Factors on the loads, for art. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Art", meta = (ClampMin = "0.0", ClampMax = "100.0"))
+    float DragGain = 1.0f;
+
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Art", meta = (ClampMin = "0.0", ClampMax = "100.0"))
+    float LiftGain = 1.0f;
+
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Art", meta = (ClampMin = "0.0", ClampMax = "100.0"))
+    float TurbulenceGain = 1.0f;
+
+    /** Makes the batch now, if it is not there yet; BeginPlay does. For components whose asset is set later. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    bool BeginBatch();
+
+    /** Ends the batch with all its bodies. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    void EndBatch();
+
+    /** Bodies at these places of the mesh, all or none. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    TArray<FLangevinBody> SpawnBodies(const TArray<FTransform>& Transforms, FVector Velocity);
+
+    /** Bodies from the emitter, all or none. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    bool EmitBodies(int32 Count);
+
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    bool DestroyBodies(const TArray<FLangevinBody>& Bodies);
+
+    /** Transform: of the mesh, world. cm/s and rad/s, world. False for a body that is no more. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    bool GetBodyState(FLangevinBody Body, FTransform& Transform, FVector& Velocity, FVector& Spin,
+                      bool& bResting) const;
+
+    /** kg cm/s, at the centre of mass, or at Location if bAtLocation. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    bool AddImpulseToBody(FLangevinBody Body, FVector Impulse, FVector Location, bool bAtLocation);
+
+    /** cm/s^2 on all bodies of the batch, until changed. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    bool SetAcceleration(FVector Acceleration);
+
+    UFUNCTION(BlueprintPure, Category = "Langevin Rigid")
+    int32 GetBodyCount() const;
+
+    /** Those that are not at rest. */
+    UFUNCTION(BlueprintPure, Category = "Langevin Rigid")
+    int32 GetAwakeCount() const;
+
+    /** The state of all bodies, copied once a step however often it is asked for. Null without a batch. Game thread. */
+    TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> GetSnapshot() const;
+
+    /** lr_batch for langevin_rigid.h; 0 without a batch. */
+    uint32 GetLibraryBatch() const { return Batch; }
+
+    /** Instances that the last write touched. */
+    int32 GetLastWritten() const { return LastWritten; }
+
+    virtual void BeginPlay() override;
+    virtual void EndPlay(const EEndPlayReason::Type EndPlayReason) override;
+    virtual FBoxSphereBounds CalcBounds(const FTransform& LocalToWorld) const override;
+
+    /** The subsystem's: before a step, and after one. */
+    void PrepareStep();
+    void WriteInstances(double AheadSeconds);
+    void WriteAllInstances();
+
+private:
+    lr_world* LibraryWorld() const;
+    bool ApplyRules();
+    bool ApplyEmitter();
+    bool ApplyContact();
+    void SetInstanceCount(int32 Count);
+    void GrowBounds(int32 First, int32 Count, bool bAnew);
+
+    UPROPERTY(Transient)
+    TObjectPtr<ULangevinWorldSubsystem> Subsystem;
+
+    uint32 Batch = 0;
+    FTransform EmitterPlace;
+    FVector MeshOrigin = FVector::ZeroVector;
+    TArray<float> Records;
+    TArray<FTransform> Transforms;
+    FTransform WrittenFrame;
+    uint64 WrittenRevision = 0;
+    int32 WrittenAwake = 0;
+    int32 LastWritten = 0;
+    bool bWriteAll = true;
+    FBox BodyBounds = FBox(ForceInit);
+    uint64 StepCount = 0;
+    mutable TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> Snapshot;
+};

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "CoreMinimal.h"
+#include "Engine/DeveloperSettings.h"
+
+#include "LangevinSettings.generated.h"
+
+UENUM(BlueprintType)
+enum class ELangevinStepping : uint8 {
+    /** One step a frame, as long as the frame. */
+    Frame,
+    /** Steps of FixedStep, as many as have come due: the same motion at any frame rate, and in replays. */
+    Fixed,
+};
+
+/** Project Settings > Plugins > Langevin Rigid. Read when a world begins. */
+UCLASS(Config = Game, DefaultConfig, meta = (DisplayName = "Langevin Rigid"))
+class LANGEVINRIGID_API ULangevinSettings : public UDeveloperSettings {
+    GENERATED_BODY()
+
+public:
+    virtual FName GetCategoryName() const override { return FName(TEXT("Plugins")); }
+
+    UPROPERTY(Config, EditAnywhere, Category = "Time")
+    ELangevinStepping Stepping = ELangevinStepping::Frame;
+
+    /** s, of one step where Stepping is Fixed. */
+    UPROPERTY(Config, EditAnywhere, Category = "Time", meta = (ClampMin = "0.001", ClampMax = "0.1"))
+    float FixedStep = 1.0f / 60.0f;
+
+    /** Steps in a frame at most; time beyond them is lost, so that a slow frame does not make the next one slower. */
+    UPROPERTY(Config, EditAnywhere, Category = "Time", meta = (ClampMin = "1", ClampMax = "32"))
+    int32 MaxStepsPerFrame = 4;
+
+    /** s: a step is cut into substeps no longer than this. 1/120 suits leaves of some centimetres, 1/240 petals and confetti. */
+    UPROPERTY(Config, EditAnywhere, Category = "Time", meta = (ClampMin = "0.0005", ClampMax = "0.1"))
+    float LongestSubstep = 1.0f / 120.0f;
+
+    /** s: longer frames are taken to be this long. */
+    UPROPERTY(Config, EditAnywhere, Category = "Time", meta = (ClampMin = "0.01", ClampMax = "1.0"))
+    float LongestFrame = 0.1f;
+
+    /** Between fixed steps, draw bodies moved on with their velocities. */
+    UPROPERTY(Config, EditAnywhere, Category = "Time")
+    bool bSmoothFixedSteps = true;
+
+    /** Of all that is random. The same seed gives the same fall. */
+    UPROPERTY(Config, EditAnywhere, Category = "Simulation")
+    int64 Seed = 0;
+
+    /** Step on the engine's worker threads. Results are the same either way. */
+    UPROPERTY(Config, EditAnywhere, Category = "Simulation")
+    bool bUseEngineTasks = true;
+
+    /** cm: the point of the level where the simulation has its origin. Single precision is 1 mm at 8 km from it. */
+    UPROPERTY(Config, EditAnywhere, Category = "Simulation")
+    FVector Origin = FVector::ZeroVector;
+
+    /** ms that a step may take; bodies that are far or of low priority are then stepped less often. 0: as long as it takes.
+        With a budget motion is no longer the same on every machine. */
+    UPROPERTY(Config, EditAnywhere, Category = "Simulation", meta = (ClampMin = "0.0"))
+    float BudgetMilliseconds = 0.0f;
+
+    /** Static collision of the level becomes colliders when play begins, and when levels stream in. */
+    UPROPERTY(Config, EditAnywhere, Category = "Collision")
+    bool bCollideWithLevel = true;
+
+    /** Landscapes too, as heightfields. */
+    UPROPERTY(Config, EditAnywhere, Category = "Collision")
+    bool bCollideWithLandscapes = true;
+
+    /** Meshes without simple collision, by their triangles (needs Allow CPU Access in packaged games). */
+    UPROPERTY(Config, EditAnywhere, Category = "Collision")
+    bool bUseComplexCollision = true;
+
+    /** Components that carry this tag are left out. */
+    UPROPERTY(Config, EditAnywhere, Category = "Collision")
+    FName IgnoreTag = FName(TEXT("LangevinIgnore"));
+
+    /** Contacts and landings of a step that are told to OnContactEvents; 0: none, which saves memory. */
+    UPROPERTY(Config, EditAnywhere, Category = "Collision", meta = (ClampMin = "0"))
+    int32 MaxContactEvents = 0;
+
+    /** Directional wind sources of the level blow on bodies. */
+    UPROPERTY(Config, EditAnywhere, Category = "Wind")
+    bool bUseWindSources = true;
+
+    /** m/s of a wind source whose Speed is 1: the engine gives it no unit. */
+    UPROPERTY(Config, EditAnywhere, Category = "Wind", meta = (ClampMin = "0.0", ClampMax = "1000.0"))
+    float WindSpeedScale = 10.0f;
+
+    /** m/s, root mean square of the air's own turbulence; 0: none. */
+    UPROPERTY(Config, EditAnywhere, Category = "Wind", meta = (ClampMin = "0.0", ClampMax = "100.0"))
+    float TurbulenceSpeed = 0.0f;
+
+    /** cm, size of its largest eddies. */
+    UPROPERTY(Config, EditAnywhere, Category = "Wind", meta = (ClampMin = "1.0"))
+    float TurbulenceSize = 200.0f;
+};

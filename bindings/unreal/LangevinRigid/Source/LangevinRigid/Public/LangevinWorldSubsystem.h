@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "CoreMinimal.h"
+#include "LangevinEvents.h"
+#include "Subsystems/WorldSubsystem.h"
+#include "Templates/UniquePtr.h"
+
+#include "LangevinWorldSubsystem.generated.h"
+
+class FLangevinColliders;
+class FLangevinJobs;
+class FLangevinWind;
+class ULangevinBatchComponent;
+class ULevel;
+class UPrimitiveComponent;
+struct lr_world;
+
+/** One world of the library for each game world. It steps after actors and components have ticked, and then writes the
+    instances of all batches. */
+UCLASS()
+class LANGEVINRIGID_API ULangevinWorldSubsystem : public UTickableWorldSubsystem {
+    GENERATED_BODY()
+
+public:
+    ULangevinWorldSubsystem();
+    ULangevinWorldSubsystem(FVTableHelper& Helper); // the generated one would need what the pointers below point to
+    virtual ~ULangevinWorldSubsystem() override;
+
+    virtual void Initialize(FSubsystemCollectionBase& Collection) override;
+    virtual void Deinitialize() override;
+    virtual void OnWorldBeginPlay(UWorld& InWorld) override;
+    virtual void Tick(float DeltaTime) override;
+    virtual TStatId GetStatId() const override;
+
+    /** Contacts, landings and ends of each step; Max Contact Events of the project settings says how many. */
+    UPROPERTY(BlueprintAssignable, Category = "Langevin Rigid")
+    FLangevinContactEvents OnContactEvents;
+
+    /** Stops time for all bodies, and nothing else. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    void SetPaused(bool bInPaused);
+
+    /** Wind besides that of the level's sources. cm/s. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Wind")
+    void SetWind(FVector Velocity);
+
+    /** The velocity of the air at a point, of all that blows there. cm/s. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Wind")
+    FVector SampleWind(FVector Location) const;
+
+    /** All behind the plane is solid, without bounds. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Collision")
+    bool AddPlane(FVector Point, FVector Normal, float Friction = 0.5f, float Restitution = 0.2f);
+
+    /** Bodies meet the collision of this component; where it moves, give bFollow. Returns the number of its parts. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Collision")
+    int32 AddCollider(UPrimitiveComponent* Component, bool bFollow);
+
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Collision")
+    bool RemoveCollider(UPrimitiveComponent* Component);
+
+    UFUNCTION(BlueprintPure, Category = "Langevin Rigid|Collision")
+    int32 GetColliderCount() const;
+
+    /** Wakes bodies at rest in a box: footsteps, explosions. Returns how many. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
+    int32 WakeBox(FVector Min, FVector Max);
+
+    /** The state of all bodies, wind and colliders, for saved games, replays and roll-back. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
+    bool SaveState(TArray<uint8>& State) const;
+
+    /** Puts a state back. Its batches must be there, created in the same order from the same assets. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
+    bool RestoreState(const TArray<uint8>& State);
+
+    /** Equal where the state is: to find where two machines part. */
+    UFUNCTION(BlueprintPure, Category = "Langevin Rigid|State")
+    int64 GetStateHash() const;
+
+    /** s of simulated time. */
+    UFUNCTION(BlueprintPure, Category = "Langevin Rigid")
+    double GetSimulatedTime() const;
+
+    UFUNCTION(BlueprintPure, Category = "Langevin Rigid")
+    int32 GetBodyCount() const;
+
+    /** For everything that has no function here: langevin_rigid.h. Game thread, between ticks. Null without the library. */
+    lr_world* GetLibraryWorld() const { return World; }
+
+    FVector GetOrigin() const { return Origin; }
+
+    /** Tasks that steps have given to the engine so far. */
+    uint64 GetLaunchedTasks() const;
+
+    void RegisterBatch(ULangevinBatchComponent& Batch);
+    void UnregisterBatch(ULangevinBatchComponent& Batch);
+
+protected:
+    virtual bool DoesSupportWorldType(const EWorldType::Type WorldType) const override;
+
+private:
+    void Step(float Seconds);
+    void TellEvents();
+    void OnLevelAdded(ULevel* Level, UWorld* InWorld);
+    void OnLevelRemoved(ULevel* Level, UWorld* InWorld);
+
+    lr_world* World = nullptr;
+    TUniquePtr<FLangevinJobs> Jobs;
+    TUniquePtr<FLangevinColliders> Colliders;
+    TUniquePtr<FLangevinWind> Wind;
+    FVector Origin = FVector::ZeroVector;
+    double Due = 0.0; // s of frames that no fixed step has made up for yet
+    bool bPaused = false;
+    bool bToldLost = false;
+    FDelegateHandle LevelAdded;
+    FDelegateHandle LevelRemoved;
+
+    UPROPERTY(Transient)
+    TArray<TObjectPtr<ULangevinBatchComponent>> Batches;
+};

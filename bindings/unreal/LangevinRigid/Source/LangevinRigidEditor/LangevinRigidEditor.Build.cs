@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+using UnrealBuildTool;
+
+public class LangevinRigidEditor : ModuleRules
+{
+	public LangevinRigidEditor(ReadOnlyTargetRules Target) : base(Target)
+	{
+		PCHUsage = PCHUsageMode.UseExplicitOrSharedPCHs;
+
+		PrivateDependencyModuleNames.AddRange(new string[]
+		{
+			"Core", "CoreUObject", "Engine", "UnrealEd", "AssetDefinition", "LangevinRigid"
+		});
+	}
+}

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "Modules/ModuleManager.h"
+
+IMPLEMENT_MODULE(FDefaultModuleImpl, LangevinRigidEditor)

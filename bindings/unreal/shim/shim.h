@@ -1,0 +1,11 @@
+// All of the shim, and what tests may ask of it besides. SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor.h"
+#include "niagara.h"
+
+#include <string>
+#include <vector>
+
+/** Lines logged since the last call: "Category: Verbosity: text". */
+std::vector<std::string> ShimTakeLog();

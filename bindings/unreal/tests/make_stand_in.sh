@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# An install prefix with a library that exports all functions of the header and does nothing, for packaging tests where no
+# library was built: make_stand_in.sh Win64|LinuxArm64 PREFIX OUT
+# SPDX-License-Identifier: MIT
+set -euo pipefail
+platform="$1" prefix="$2" out="$3"
+mkdir -p "$out/bin" "$out/lib" "$out/include"
+cp "$prefix/include/langevin_rigid.h" "$out/include/"
+# The version is the header's; the other functions are never called.
+grep -oE '\blr_[a-z0-9_]+\(' "$prefix/include/langevin_rigid.h" | tr -d '(' | sort -u >"$out/names.txt"
+exported="$(grep -A1 -oE 'LR_API [a-z0-9_* ]*\blr_[a-z0-9_]+\(' "$prefix/include/langevin_rigid.h" | grep -oE 'lr_[a-z0-9_]+\(' | tr -d '(' | sort -u)"
+{
+    for name in $exported; do
+        if [[ $platform == Win64 ]]; then export='__declspec(dllexport)'; else export=; fi
+        if [[ $name == lr_version ]]; then echo "$export unsigned $name(void) { return 1u << 12; }"; else echo "$export int $name(void) { return -18; }"; fi
+    done
+} >"$out/stand_in.c"
+if [[ $platform == Win64 ]]; then
+    x86_64-w64-mingw32-gcc -shared -s "$out/stand_in.c" -o "$out/bin/liblangevin_rigid.dll" -Wl,--out-implib,"$out/lib/liblangevin_rigid.dll.a"
+else
+    aarch64-linux-gnu-gcc -shared -fPIC -s "$out/stand_in.c" -o "$out/lib/liblangevin_rigid.so.0.1.0" -Wl,-soname,liblangevin_rigid.so.0
+    ln -sf liblangevin_rigid.so.0.1.0 "$out/lib/liblangevin_rigid.so"
+fi

@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""LangevinRigid.uplugin against the folder it lies in: test_uplugin.py PLUGIN"""
+import json
+import re
+import sys
+from pathlib import Path
+
+plugin = Path(sys.argv[1])
+descriptor = json.loads((plugin / "LangevinRigid.uplugin").read_text())
+assert descriptor["FileVersion"] == 3
+platforms = set(descriptor["SupportedTargetPlatforms"])
+names = {module["Name"] for module in descriptor["Modules"]}
+rules = {path.name[:-len(".Build.cs")] for path in plugin.glob("Source/*/*.Build.cs")}
+assert names == rules, (names, rules)
+for module in descriptor["Modules"]:
+    folder = plugin / "Source" / module["Name"]
+    assert set(module["PlatformAllowList"]) <= platforms
+    sources = "".join(p.read_text() for p in folder.rglob("*.cpp"))
+    assert re.search(rf"IMPLEMENT_MODULE\(\w+, {module['Name']}\)", sources), module["Name"]
+    assert ("Editor" in module["Name"]) == (module["Type"] == "Editor")
+    # A runtime module that needs an editor module cannot be packaged.
+    needed = set(re.findall(r'"(\w+)"', (folder / f"{module['Name']}.Build.cs").read_text()))
+    if module["Type"] == "Runtime":
+        assert not needed & {"UnrealEd", "AssetDefinition", "LangevinRigidEditor"}, module["Name"]
+header = (plugin / "Source/ThirdParty/LangevinRigidLibrary/include/langevin_rigid.h").read_text()
+version = ".".join(re.search(rf"#define LR_VERSION_{part} (\d+)", header).group(1) for part in ("MAJOR", "MINOR", "PATCH"))
+assert descriptor["VersionName"] == version, (descriptor["VersionName"], version)
+uses_niagara = any('"Niagara"' in path.read_text() for path in plugin.glob("Source/*/*.Build.cs"))
+assert uses_niagara == any(p["Name"] == "Niagara" for p in descriptor["Plugins"])
+print(f"{len(names)} modules, version {version}")

@@ -1,0 +1,175 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# A package as a new user has it: unpacked in an empty folder, looked through, compiled against in each way that its README names,
+# and run with nothing of this tree in sight.
+#   packaging/check_package.sh ARCHIVE
+set -euo pipefail
+archive=$(realpath "${1:?which archive}")
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source packaging/platforms.sh
+root=$PWD
+name=$(basename "$archive")
+name=${name%.tar.xz}
+name=${name%.zip}
+select_platform "${name#langevin_rigid-*-}"
+work=$root/build/packaging/check/$name
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work"
+export WINEDEBUG=${WINEDEBUG:--all}
+unset LD_LIBRARY_PATH PKG_CONFIG_PATH CMAKE_PREFIX_PATH
+
+passed=0 failed=0
+check() { # what, command
+    if "${@:2}" >"$work/check.log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $1"
+        head -n 20 "$work/check.log" | sed 's/^/    /'
+    fi
+}
+finish() {
+    echo "package $name: $passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+}
+
+unpack() { case $archive in *.zip) unzip -q "$archive" ;; *) tar xf "$archive" ;; esac; }
+check "unpacks" unpack
+one_folder() { [ "$(ls -A | grep -vx check.log)" = "$name" ]; }
+check "unpacks into one folder of its name" one_folder
+cd "$name" || { finish; exit 1; }
+prefix=$PWD
+
+# What is inside.
+check "checksums" sha256sum --quiet --strict -c SHA256SUMS
+all_summed() { diff <(find . -type f ! -name SHA256SUMS -printf '%P\n' | sort) <(sed 's/^[0-9a-f]*  //' SHA256SUMS | sort); }
+check "every file has a checksum" all_summed
+expected=(README.md LICENSE THIRD_PARTY.md include/langevin_rigid.h "$library" "bin/lr_bake$exe" samples/hello.c
+    lib/cmake/langevin_rigid/langevin_rigid-config.cmake lib/pkgconfig/langevin_rigid.pc assets/leaf.lrb assets/leaf.obj)
+[ "$platform" != windows-x64 ] || expected+=(lib/langevin_rigid.lib lib/langevin_rigid.def lib/liblangevin_rigid.dll.a)
+for file in "${expected[@]}"; do check "has $file" test -s "$file"; done
+check "the header is the tree's" cmp include/langevin_rigid.h "$root/include/langevin_rigid.h"
+licences() { # each of the table is there and says something; none is there without being in it or named by one
+    local file
+    grep -o 'licences/[a-z0-9-]*\.txt' THIRD_PARTY.md | sort -u >"$work/named"
+    [ "$(wc -l <"$work/named")" -ge 12 ] || { echo "only $(wc -l <"$work/named") in THIRD_PARTY.md"; return 1; }
+    while read -r file; do
+        [ "$(wc -c <"$file")" -ge 300 ] || { echo "$file: missing or empty"; return 1; }
+        grep -qiE 'licen[sc]e|copyright' "$file" || { echo "$file: no terms in it"; return 1; }
+    done <"$work/named"
+    grep -ohE '/usr/share/common-licenses/[A-Za-z0-9.-]*[A-Za-z0-9]' licences/*.txt | sed 's|.*/||' | sort -u | while read -r file; do
+        [ -s "licences/$file.txt" ] || { echo "licences/$file.txt is missing, to which others refer"; exit 1; }
+    done
+}
+check "licences of all that it carries" licences
+no_paths() { # of the machine that built, in any file
+    local bad
+    bad=$(grep -rlaF -e "$root" -e build/packaging . || true)
+    [ -z "$bad" ] || { echo "$bad"; grep -raohE "[[:print:]]*($root|build/packaging)[[:print:]]*" $bad | head -n 5; return 1; }
+}
+check "no folders of the machine that built it" no_paths
+
+# What it needs and what it exports.
+if [ "$platform" = windows-x64 ]; then
+    exports() {
+        x86_64-w64-mingw32-objdump -p "$library" |
+            sed -n '/Ordinal\/Name Pointer/,/^$/p' | sed -n 's/^[[:space:]]*\[ *[0-9]*\] //p' | sort
+    }
+    needs() { x86_64-w64-mingw32-objdump -p "$1" | sed -n 's/.*DLL Name: //p' | sort -u; }
+    system='^(KERNEL32|msvcrt|SHELL32|ADVAPI32|USER32)\.dll$'
+else
+    exports() { nm -D --defined-only "$library" | awk '$2 != "A" { sub(/@.*/, "", $3); print $3 }' | sort; }
+    needs() { readelf -d "$1" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p' | sort -u; }
+    system='^(libc\.so\.6|libm\.so\.6|libpthread\.so\.0|ld-linux-(x86-64|aarch64)\.so\.[12])$'
+fi
+same_exports() { diff <(sort "$root/tests/api/exports.txt") <(exports); }
+check "exports the header's functions and nothing else" same_exports
+only_system() { local others; others=$(needs "$1" | grep -vE "$system" || true); [ -z "$others" ] || { echo "$others"; return 1; }; }
+check "the library needs the system's C library alone" only_system "$library"
+check "lr_bake needs the system's C library alone" only_system "bin/lr_bake$exe"
+if [ "$platform" != windows-x64 ]; then
+    stated() { grep -q "needs glibc $("$root/packaging/glibc_floor.sh" "$library") or later and nothing else; lr_bake needs glibc $(
+        "$root/packaging/glibc_floor.sh" bin/lr_bake) or later" README.md; }
+    check "README says which glibc" stated
+    at_most() { [ "$(printf '%s\n' "$2" "$("$root/packaging/glibc_floor.sh" "$1")" | sort -V | tail -n 1)" = "$2" ]; }
+    check "the library runs on glibc 2.17" at_most "$library" 2.17
+    check "lr_bake runs on glibc 2.31" at_most bin/lr_bake 2.31
+    no_rpath() { ! readelf -d "$library" "bin/lr_bake" | grep -E 'RPATH|RUNPATH|TEXTREL'; }
+    check "no run path and no text relocations" no_rpath
+fi
+
+# As its README says, each from another folder and from a copy that was moved.
+mv "$prefix" "$work/moved there"
+prefix="$work/moved there"
+cd "$work"
+case $platform in
+linux-x64) compiler=(cc) ;;
+linux-arm64) compiler=(aarch64-linux-gnu-gcc) ;;
+windows-x64) compiler=(x86_64-w64-mingw32-gcc-posix) ;;
+esac
+run() { # program
+    (cd "$(dirname "$1")" && env -i HOME="$HOME" PATH=/usr/bin:/bin WINEDEBUG="$WINEDEBUG" WINEPREFIX="${WINEPREFIX:-$HOME/.wine}" "${runner[@]}" "$1")
+}
+says_hash() { # program; all ways must move the bodies alike, on every platform
+    run "$1" >"$1.txt" && grep -E '^state [0-9a-f]{16} after 2 s' "$1.txt" | tr -d '\r' >"$1.hash"
+}
+warnings=(-std=c99 -Wall -Wextra -Wpedantic -Werror)
+beside() { [ "$platform" != windows-x64 ] || cp "$prefix/bin/langevin_rigid.dll" "$1"; }
+mkdir plain pkg-config
+by_hand() {
+    "${compiler[@]}" "${warnings[@]}" -I"$prefix/include" "$prefix/samples/hello.c" -L"$prefix/lib" -llangevin_rigid \
+        -Wl,-rpath,"$prefix/lib" -o "plain/hello$exe" && beside plain
+}
+check "hello.c by hand" by_hand
+check "and it runs" says_hash "$work/plain/hello$exe"
+by_pkg_config() {
+    local flags
+    flags=$(PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig" pkg-config --cflags --libs langevin_rigid) || return 1
+    eval "set -- $flags"
+    "${compiler[@]}" "${warnings[@]}" "$prefix/samples/hello.c" "$@" -Wl,-rpath,"$prefix/lib" -o "pkg-config/hello$exe" && beside pkg-config
+}
+check "hello.c by pkg-config" by_pkg_config
+check "and it runs" says_hash "$work/pkg-config/hello$exe"
+by_cmake() {
+    # Debian's toolchain files look for packages in CMAKE_FIND_ROOT_PATH alone.
+    cmake -S "$prefix/samples" -B cmake "${toolchain[@]}" "-DCMAKE_PREFIX_PATH=$prefix" "-DCMAKE_FIND_ROOT_PATH=$prefix" \
+        -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF && cmake --build cmake
+}
+check "hello.c by CMake" by_cmake
+check "and it runs" says_hash "$work/cmake/hello$exe"
+if [ "$platform" = windows-x64 ] && command -v clang-14 >/dev/null && command -v lld-link >/dev/null; then
+    mkdir microsoft
+    by_lld() { # Microsoft's form of import library; MinGW's start-up code stands in for theirs
+        "${compiler[@]}" -c -std=c99 -I"$prefix/include" "$prefix/samples/hello.c" -o microsoft/hello.o &&
+            "${compiler[@]}" microsoft/hello.o "$prefix/lib/langevin_rigid.lib" -o microsoft/hello.exe && beside microsoft
+    }
+    check "hello.c with langevin_rigid.lib" by_lld
+    check "and it runs" says_hash "$work/microsoft/hello.exe"
+fi
+# Held, as tests/determinism/golden.txt is; after a change of motion: LR_HOLD=1 packaging/check_package.sh ARCHIVE
+[ -z "${LR_HOLD:-}" ] || cp plain/*.hash "$root/packaging/hello.hash"
+same_hash() { [ "$(sort -u ./*/hello*.hash | wc -l)" = 1 ] && diff <(sort -u ./*/hello*.hash) "$root/packaging/hello.hash"; }
+check "the bits of packaging/hello.hash, whichever way" same_hash
+
+# The baker: the same bytes from the moved copy, in a folder with a name that is not ASCII, and faults with numbers.
+mkdir "bäked 葉"
+bake() { (cd "$work" && env -i HOME="$HOME" PATH=/usr/bin:/bin WINEDEBUG="$WINEDEBUG" WINEPREFIX="${WINEPREFIX:-$HOME/.wine}" LC_ALL=C.UTF-8 "${runner[@]}" "$prefix/bin/lr_bake$exe" "$@"); }
+check "lr_bake bakes a mesh" bake mesh "moved there/assets/leaf.obj" -o "bäked 葉/葉.lrb" --density 350 --quiet
+check "the bytes that are in the package" cmp "bäked 葉/葉.lrb" "$prefix/assets/leaf.lrb"
+check "lr_bake reads it again" bake check "bäked 葉/葉.lrb"
+"$root/packaging/write_meshes.py" meshes
+draco=$root/build/packaging/sources/draco/testdata/Box/glTF_Binary/Box_Draco.glb
+[ ! -f "$draco" ] || cp "$draco" meshes/draco.glb # a cube of 1 m, compressed
+weighs() { # mesh of 1 m^3: 500 kg at 500 kg/m^3
+    bake mesh "meshes/$1" -o "meshes/$1.lrb" --unit m --density 500 --quiet && bake info "meshes/$1.lrb" --json | tee -a /dev/stderr |
+        python3 -c 'import json, sys; m = json.load(sys.stdin)["mass"]; sys.exit(not abs(m - 500) < 1e-3)'
+}
+for mesh in meshes/*; do check "lr_bake reads $(basename "$mesh")" weighs "$(basename "$mesh")"; done
+wrong_usage() { local status=0; bake mesh || status=$?; [ "$status" -eq 2 ]; } # by exceptions, through the unwinder that it carries
+check "lr_bake ends wrong usage with 2" wrong_usage
+refuses() { ! bake mesh no_such.obj -o x.lrb --density 350 2>refused.txt && grep -q 101 refused.txt && [ ! -e x.lrb ]; }
+check "lr_bake says by number what is wrong" refuses
+for asset in "$prefix"/assets/*.lrb; do check "$(basename "$asset") is sound" bake check "moved there/assets/$(basename "$asset")"; done
+finish

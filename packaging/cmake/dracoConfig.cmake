@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: MIT
+#
+# As Debian's: assimp links what DRACO_LIBRARIES names.
+get_filename_component(prefix_of_this "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
+if(NOT TARGET draco::draco)
+    add_library(draco::draco STATIC IMPORTED)
+    set_target_properties(draco::draco PROPERTIES
+        IMPORTED_LOCATION "${prefix_of_this}/lib/libdraco.a" INTERFACE_INCLUDE_DIRECTORIES "${prefix_of_this}/include")
+endif()
+set(DRACO_LIBRARIES draco::draco)

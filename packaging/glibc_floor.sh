@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# The oldest glibc that has all that these files ask for: the highest version among their dynamic symbols.
+#   packaging/glibc_floor.sh FILE...
+set -euo pipefail
+for file; do readelf --dyn-syms --wide "$file"; done |
+    sed -n 's/.*UND .*@GLIBC_\([0-9.]*\).*/\1/p' | sort -uV | tail -n 1

@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# One platform's archive, from what packaging/build_library.sh has built.
+#   packaging/make_bundle.sh PLATFORM OUT
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source packaging/platforms.sh
+
+select_platform "${1:?which platform}"
+out=${2:?which folder}
+folder=$(platform_folder "$platform")
+version=$(sed -n 's/^project(langevin_rigid VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+name=langevin_rigid-$version-$platform
+stage=$folder/stage/$name
+rm -rf "$folder/stage"
+mkdir -p "$stage"
+
+for component in runtime bake; do
+    cmake --install "$folder/build" --prefix "$stage" --component "$component" --strip >"$folder/install.log"
+done
+if [ "$platform" = windows-x64 ]; then
+    # For Microsoft's linker and LLVM's: an import library in their form, and what others can be made from.
+    {
+        echo "LIBRARY langevin_rigid.dll"
+        echo EXPORTS
+        sed 's/^/    /' tests/api/exports.txt
+    } >"$stage/lib/langevin_rigid.def"
+    dlltool=$(command -v llvm-dlltool || command -v llvm-dlltool-14) ||
+        { echo "windows-x64 needs llvm-dlltool: scripts/setup.sh package windows" >&2; exit 3; }
+    "$dlltool" -m i386:x86-64 -d "$stage/lib/langevin_rigid.def" -l "$stage/lib/langevin_rigid.lib"
+fi
+
+mkdir -p "$stage/samples" "$stage/assets"
+cp samples/hello.c "$stage/samples/"
+cp packaging/sample.cmake "$stage/samples/CMakeLists.txt"
+# Baked by the very program in the package, as assets/README.md says.
+export WINEDEBUG=${WINEDEBUG:--all}
+bake() { # asset, mesh, options
+    "${runner[@]}" "$stage/bin/lr_bake$exe" mesh "assets/$2.obj" -o "$stage/assets/$1.lrb" "${@:3}" --quiet
+}
+bake leaf leaf --density 350
+bake leaf_maple leaf_maple --density 350
+bake petal petal --density 700
+bake confetti confetti --density 800
+bake paper_plane paper_plane_surface --sheet --thickness 0.0001 --areal-density 0.08 --mass-from assets/paper_plane_layers.obj
+for mesh in leaf leaf_maple petal confetti paper_plane; do cp "assets/$mesh.obj" "$stage/assets/"; done
+cp assets/README.md "$stage/assets/"
+
+# Each binding in the form that its users install: what its own package.py makes, or its files without its tests.
+mkdir -p "$stage/bindings"
+for binding in bindings/*/; do
+    binding=$(basename "$binding")
+    [ -d "bindings/$binding" ] || continue
+    case $binding in generator | web) continue ;; esac # a tool of this tree; a platform of its own
+    if [ -f "bindings/$binding/package.py" ]; then
+        python3 "bindings/$binding/package.py" --native "$stage" --out "$stage/bindings/$binding" >"$folder/$binding.log" 2>&1 ||
+            { cat "$folder/$binding.log" >&2; echo "bindings/$binding could not be packaged" >&2; exit 1; }
+    else
+        git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/(tests|shim)/|/(test|wheel)\.sh$" |
+            xargs -0 -r cp --parents -t "$stage"
+    fi
+done
+rmdir --ignore-fail-on-non-empty "$stage/bindings"
+
+cp LICENSE "$stage/"
+rm -rf "$stage/share"
+python3 packaging/third_party.py --platform "$platform" --sources build/packaging/sources --out "$stage"
+floor=()
+case $platform in
+linux-*)
+    floor=(--library-floor "$(packaging/glibc_floor.sh "$stage/$library")"
+        --baker-floor "$(packaging/glibc_floor.sh "$stage/bin/lr_bake")")
+    ;;
+esac
+python3 packaging/package_readme.py --platform "$platform" --version "$version" --stage "$stage" "${floor[@]}" \
+    --docs docs/packages.md
+packaging/write_archive.sh "$folder/stage" "$name" "$out/$name.$suffix"

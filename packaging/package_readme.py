@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""README.md of a package, with what was measured of its files; the same numbers go into the table of docs/packages.md.
+
+    package_readme.py --platform linux-x64 --version 0.1.0 --stage STAGE --docs docs/packages.md
+        [--library-floor 2.17 --baker-floor 2.30]
+"""
+import argparse
+import re
+import sys
+from pathlib import Path
+
+NAMES = {"linux-x64": "Linux on x86-64", "linux-arm64": "Linux on 64-bit ARM", "windows-x64": "Windows 10 or later on x86-64"}
+LIBRARY = {"windows-x64": "bin/langevin_rigid.dll"}
+BEGIN, END = "<!-- measured by scripts/package.sh -->", "<!-- end -->"
+
+
+def floor_of_linux(options) -> str:
+    return (f"The library needs glibc {options.library_floor} or later and nothing else; lr_bake needs glibc {options.baker_floor} or later. "
+            "Both were measured by the versions of the symbols that they ask for.")
+
+
+def read_me(options) -> str:
+    windows = options.platform.startswith("windows")
+    exe = ".exe" if windows else ""
+    library = LIBRARY.get(options.platform, "lib/liblangevin_rigid.so")
+    bindings = sorted(p.name for p in (options.stage / "bindings").glob("*")) if (options.stage / "bindings").is_dir() else []
+    needs = ("It needs Windows' own DLLs and nothing else; any x86-64 processor will do, and AVX2 and AVX-512 are used where they are."
+             if windows else floor_of_linux(options))
+    cc = (r"cl /std:c11 /I include samples\hello.c lib\langevin_rigid.lib" "\n"
+          "    gcc -Iinclude samples/hello.c -Llib -llangevin_rigid -o hello.exe" if windows else
+          "cc -std=c99 -Iinclude samples/hello.c -Llib -llangevin_rigid -Wl,-rpath,$PWD/lib -o hello && ./hello")
+    run = ("`langevin_rigid.dll` has to lie beside the program, or in a folder of PATH."
+           if windows else "Ship `liblangevin_rigid.so.0` beside your program and link that with `-Wl,-rpath,'$ORIGIN'`.")
+    rows = [("include/langevin_rigid.h", "the whole API: units, ownership, errors and threads of every function"),
+            (library, "the library; it exports the functions of that header and nothing else")]
+    if windows:
+        rows += [("lib/langevin_rigid.lib", "import library for Microsoft's linker and LLVM's"),
+                 ("lib/liblangevin_rigid.dll.a", "import library for MinGW"),
+                 ("lib/langevin_rigid.def", "its exports, for other linkers")]
+    rows += [("lib/cmake, lib/pkgconfig", "for CMake and pkg-config; the folder may be moved anywhere"),
+             (f"bin/lr_bake{exe}", "makes assets of meshes and leaf textures"),
+             ("assets", "baked meshes (.lrb) and what they were made of (.obj)"),
+             ("samples/hello.c", "the first falling bodies")]
+    if bindings:
+        rows.append(("bindings", ", ".join(bindings)))
+    rows += [("LICENSE, THIRD_PARTY.md, licences", "terms, of this and of what of others is inside"),
+             ("SHA256SUMS", "`sha256sum -c SHA256SUMS` checks every file")]
+    table = "\n".join(f"| `{name}` | {what} |" for name, what in rows)
+    return f"""# Langevin Rigid {options.version} for {NAMES[options.platform]}
+
+Leaves, paper, petals and confetti that flutter, glide and tumble, by the thousand or the million, on the CPU, with the same bits on every
+machine. {needs}
+
+| | |
+|---|---|
+{table}
+
+## First bodies
+
+In this folder:
+
+    {cc}
+
+{run} With CMake:
+
+    cmake -S samples -B build -DCMAKE_PREFIX_PATH={"%CD%" if windows else "$PWD"}
+    cmake --build build
+
+In your own `CMakeLists.txt`: `find_package(langevin_rigid 0.1 CONFIG REQUIRED)` and
+`target_link_libraries(yours PRIVATE langevin_rigid::langevin_rigid)`. With pkg-config:
+`PKG_CONFIG_PATH=lib/pkgconfig pkg-config --cflags --libs langevin_rigid`.
+
+## A body of your own
+
+    bin{chr(92) if windows else "/"}lr_bake{exe} mesh assets/leaf.obj -o leaf.lrb --density 350
+
+It reads OBJ, PLY, STL, glTF, FBX and Collada; `lr_bake --help` has the rest. The file goes to `lr_asset_load_file`.
+
+## Trouble
+
+- *lr_version is not that of the header*: an older library is found first. Compare `lr_version()` with `LR_VERSION_*` when you load it.
+- *LR_ERROR_ASSET_VERSION*: the asset was baked by a newer lr_bake than the library is.
+{"- *The specified module could not be found*: the DLL lies neither beside the program nor in PATH." if windows else "- *cannot open shared object file*: the program was linked without `-rpath` and the library is in no folder of the system."}
+{"- *LNK1107 or unresolved symbols with MinGW's import library*: give Microsoft's linker `lib/langevin_rigid.lib`." if windows else "- *version GLIBC_... not found*: the system's glibc is older than said above (`ldd --version`)."}
+"""
+
+
+def megabytes(path: Path) -> str:
+    return f"{path.stat().st_size / 1e6:.1f} MB"
+
+
+def note_in_docs(options) -> None:
+    text = options.docs.read_text(encoding="utf-8")
+    match = re.search(re.escape(BEGIN) + r"\n(.*?)" + re.escape(END), text, re.S)
+    if not match:
+        sys.exit(f"package_readme.py: {options.docs} has no table between {BEGIN} and {END}")
+    rows = {line.split("|")[1].strip(): line for line in match.group(1).splitlines()[2:]}
+    library = options.stage / LIBRARY.get(options.platform, "lib/liblangevin_rigid.so")
+    baker = options.stage / ("bin/lr_bake.exe" if options.platform.startswith("windows") else "bin/lr_bake")
+    rows[options.platform] = (f"| {options.platform} | {options.library_floor or '-'} | {options.baker_floor or '-'} "
+                              f"| {megabytes(library)} | {megabytes(baker)} |")
+    table = ["| platform | glibc of the library | glibc of lr_bake | library | lr_bake |", "|---|---|---|---|---|",
+             *(rows[key] for key in sorted(rows))]
+    new = text[:match.start(1)] + "\n".join(table) + "\n" + text[match.end(1):]
+    if new != text:
+        options.docs.write_text(new, encoding="utf-8")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--platform", required=True, choices=sorted(NAMES))
+    parser.add_argument("--version", required=True)
+    parser.add_argument("--stage", required=True, type=Path)
+    parser.add_argument("--docs", required=True, type=Path)
+    parser.add_argument("--library-floor")
+    parser.add_argument("--baker-floor")
+    options = parser.parse_args()
+    (options.stage / "README.md").write_text(read_me(options), encoding="utf-8")
+    note_in_docs(options)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# The package for the web is what bindings/web builds, with its licences; here it gets header, checksums and archive.
+#   packaging/package_wasm.sh OUT
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+out=${1:?which folder}
+if [ ! -x bindings/web/build.sh ]; then
+    echo "SKIPPED: wasm, for want of bindings/web in this tree"
+    exit 0
+fi
+version=$(sed -n 's/^project(langevin_rigid VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+name=langevin_rigid-$version-wasm
+stage=$PWD/build/packaging/wasm/stage
+bindings/web/build.sh
+rm -rf "$stage"
+mkdir -p "$stage"
+cp -R build/web/package "$stage/$name"
+for file in langevin_rigid.wasm langevin_rigid.mjs package.json; do
+    [ -s "$stage/$name/$file" ] || { echo "bindings/web/build.sh made no build/web/package/$file" >&2; exit 1; }
+done
+cp LICENSE include/langevin_rigid.h "$stage/$name/"
+packaging/write_archive.sh "$stage" "$name" "$out/$name.tar.xz"

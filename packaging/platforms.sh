@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+#
+# What is known of each platform. Sourced by the other scripts of packages.
+
+# Sets how a platform's programs are made and run, from the top of the tree; fails where a tool is missing and says which.
+select_platform() { # platform
+    platform=$1
+    toolchain=() runner=() tools=(cmake ninja flatc)
+    exe= suffix=tar.xz library=lib/liblangevin_rigid.so.0.1.0
+    case $platform in
+    linux-x64) tools+=(gcc g++ readelf objdump) ;;
+    linux-arm64)
+        toolchain=(-DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64-linux-gnu.cmake")
+        runner=(qemu-aarch64-static -L /usr/aarch64-linux-gnu)
+        tools+=(aarch64-linux-gnu-g++ qemu-aarch64-static readelf)
+        ;;
+    windows-x64)
+        toolchain=(-DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/x86_64-w64-mingw32.cmake")
+        runner=("$(find_wine)")
+        tools+=(x86_64-w64-mingw32-g++-posix x86_64-w64-mingw32-objdump "${runner[0]}" zip)
+        exe=.exe suffix=zip library=bin/langevin_rigid.dll
+        ;;
+    *)
+        echo "no such platform: $platform (linux-x64, windows-x64, linux-arm64, wasm)" >&2
+        return 2
+        ;;
+    esac
+    local tool missing=()
+    for tool in "${tools[@]}"; do command -v "$tool" >/dev/null || missing+=("$tool"); done
+    [ ${#missing[@]} -eq 0 ] || { echo "$platform needs ${missing[*]}: scripts/setup.sh package $(setup_word "$platform")" >&2; return 3; }
+}
+
+# Debian has it outside the path.
+find_wine() {
+    local candidate
+    for candidate in wine64 /usr/lib/wine/wine64 wine; do command -v "$candidate" && return; done
+    echo wine64
+}
+
+setup_word() { # platform
+    case $1 in windows-*) echo windows ;; *-arm64) echo arm64 ;; esac
+}
+
+platform_folder() { echo "$PWD/build/packaging/$1"; }

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# The tests of the tree, built by MinGW against the DLL and run by Wine: API tests and all of determinism's, with the held hashes on
+# each instruction set that this processor has. Longer than CI's step, which checks the package alone.
+#   packaging/test_windows.sh
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source packaging/platforms.sh
+if ! (select_platform windows-x64); then
+    echo "SKIPPED: windows-x64, for want of the tools above"
+    exit 0
+fi
+select_platform windows-x64
+export WINEDEBUG=${WINEDEBUG:--all}
+packaging/build_dependencies.sh windows-x64
+packaging/build_library.sh windows-x64 --tests
+bin=$(platform_folder windows-x64)/build/bin
+passed=0 failed=0
+run() { # program, arguments of doctest
+    local log=$bin/$1.log start=$SECONDS
+    if "${runner[@]}" "$bin/$1.exe" "${@:2}" >"$log" 2>&1; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+    printf '%s: %s, %d s\n' "$1" "$(grep -a 'test cases:' "$log" | sed 's/\x1b\[[0-9;]*m//g; s/^\[doctest\] //' | tr -d '\r')" $((SECONDS - start))
+    grep -a -E -A6 'ERROR|FATAL' "$log" | head -n 60 || true
+}
+run tests_determinism --no-colors
+run tests_api --no-colors
+echo "windows tests: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# FOLDER/NAME as an archive with SHA256SUMS in it, whose bytes depend on names and contents alone.
+#   packaging/write_archive.sh FOLDER NAME FILE.tar.xz|FILE.zip
+set -euo pipefail
+folder=${1:?} name=${2:?} file=${3:?}
+export LC_ALL=C TZ=UTC
+epoch=${SOURCE_DATE_EPOCH:?}
+cd "$folder"
+(
+    cd "$name"
+    find . -type f ! -name SHA256SUMS -printf '%P\0' | sort -z | xargs -0 sha256sum >SHA256SUMS
+    find . -type d -exec chmod 755 '{}' +
+    find . -type f -exec chmod u=rwX,go=rX '{}' +
+)
+find "$name" -exec touch --no-dereference --date="@$epoch" '{}' +
+rm -f "$file"
+case $file in
+*.zip) find "$name" ! -type d | sort | zip -q -X -9 "$file" -@ ;;
+*)
+    tar --create --sort=name --format=gnu --owner=0 --group=0 --numeric-owner --mtime="@$epoch" "$name" |
+        xz -9 --threads=1 >"$file"
+    ;;
+esac
+(cd "$(dirname "$file")" && sha256sum "$(basename "$file")" >"$(basename "$file").sha256")
+echo "$file: $(stat -c %s "$file") bytes"

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Debian's sources of libraries, with Debian's patches, from where this machine gets its packages; apt checks their signatures.
+#   scripts/debian_source.sh DIRECTORY NAME...     unpacked as DIRECTORY/NAME; nothing to do for those that are there
+# DIRECTORY/versions says which they are. apt's own lists stay as they are.
+set -euo pipefail
+folder=$1
+shift
+mkdir -p "$folder"
+folder=$(cd "$folder" && pwd)
+names=()
+for name in "$@"; do [ -e "$folder/$name/debian/changelog" ] || names+=("$name"); done
+[ ${#names[@]} -gt 0 ] || exit 0
+for tool in apt-get dpkg-source; do
+    command -v "$tool" >/dev/null || { echo "sources of ${names[*]}: no $tool here: Debian's dpkg-dev has it" >&2; exit 1; }
+done
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$work/parts" "$work/lists/partial" "$work/cache/archives/partial" "$work/unpacked"
+# The machine's own lists, which mostly name no sources, asked for sources.
+for list in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
+    to=$work/parts/$(basename "$list")
+    case $list in
+    *.list) [ ! -e "$list" ] || sed -n 's/^deb[[:space:]]/deb-src /p' "$list" >"$to" ;;
+    *.sources) sed 's/^Types:.*/Types: deb-src/' "$list" >"$to" ;;
+    esac
+done
+options=(-qq -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$work/parts" -o "Dir::State::lists=$work/lists"
+    -o "Dir::Cache=$work/cache" -o APT::Sandbox::User=root)
+cd "$work/unpacked"
+fetch() { # what apt is asked for
+    apt-get "${options[@]}" "$@" >>"$work/log" 2>&1 || { tail -n 20 "$work/log" >&2; exit 1; }
+}
+fetch update
+fetch source --only-source "${names[@]}"
+for name in "${names[@]}"; do
+    found=("$name"-*/)
+    [ ${#found[@]} -eq 1 ] && [ -d "${found[0]}" ] || { echo "sources of $name did not come as one folder" >&2; exit 1; }
+    rm -rf "${folder:?}/$name"
+    mv "${found[0]%/}" "$folder/$name"
+done
+for each in "$folder"/*/debian/changelog; do
+    name=$(basename "$(dirname "$(dirname "$each")")")
+    printf '%s %s\n' "$name" "$(dpkg-parsechangelog -l "$each" -S Version)"
+done | sort >"$folder/versions"
+cat "$folder/versions"

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# Packages for people who build nothing: library, header, baker, bindings, assets and licences in one archive for each platform.
+#   scripts/package.sh [linux-x64|windows-x64|linux-arm64|wasm|all ...] [--out DIR]     default: linux-x64, into build/packages
+# What it needs is installed by scripts/setup.sh package [windows] [arm64]; sources of dependencies are fetched once, from Debian.
+# The same commit gives the same bytes. docs/packages.md
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source packaging/platforms.sh
+
+out=build/packages
+wanted=()
+while [ $# -gt 0 ]; do
+    case $1 in
+    --out) out=${2:?--out DIR}; shift ;;
+    all) wanted=(linux-x64 windows-x64 linux-arm64 wasm) ;;
+    -h | --help) sed -n '4,9s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
+    *) wanted+=("$1") ;;
+    esac
+    shift
+done
+[ ${#wanted[@]} -gt 0 ] || wanted=(linux-x64)
+mkdir -p "$out"
+out=$(realpath "$out")
+
+# Of the last commit, not of the clock: it is in the archives.
+export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 0)} TZ=UTC LC_ALL=C
+umask 022
+
+for name in "${wanted[@]}"; do
+    start=$SECONDS
+    if [ "$name" = wasm ]; then
+        packaging/package_wasm.sh "$out"
+    else
+        select_platform "$name"
+        packaging/build_dependencies.sh "$name"
+        packaging/build_library.sh "$name"
+        packaging/make_bundle.sh "$name" "$out"
+    fi
+    echo "$name: $((SECONDS - start)) s"
+done
