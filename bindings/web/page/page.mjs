@@ -8,7 +8,7 @@ import { assetOf, Storm } from './storm.mjs';
 const element = (id) => document.getElementById(id);
 const given = new URLSearchParams(location.search);
 const settings = {
-  model: models[given.get('model')] ? given.get('model') : 'leaf', count: Number(given.get('count')) || 10000, wind: Number(given.get('wind') ?? 1.5),
+  model: models[given.get('model')] ? given.get('model') : 'leaf', count: Number(given.get('count')) || 5000, wind: Number(given.get('wind') ?? 1.5),
   gusts: Number(given.get('gusts') ?? 1), direction: Number(given.get('direction') ?? 20),
 };
 const camera = { yaw: 0.5, pitch: 0.16, distance: 1.7 };
