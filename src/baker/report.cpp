@@ -102,7 +102,13 @@ Json make_json(const AssetData& a) {
     return j;
 }
 
-__attribute__((format(printf, 2, 3))) void line(std::string& text, const char* format, ...) {
+#if defined(__MINGW32__) // whose printf is Microsoft's by name, and C's with libstdc++
+#define LR_PRINTF gnu_printf
+#else
+#define LR_PRINTF printf
+#endif
+
+__attribute__((format(LR_PRINTF, 2, 3))) void line(std::string& text, const char* format, ...) {
     char buffer[512];
     va_list arguments;
     va_start(arguments, format);
