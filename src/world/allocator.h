@@ -36,10 +36,9 @@ public:
     bool allocate(Allocator& from, uint64_t count) {
         reset();
         if (count == 0) return true;
-        if (count > SIZE_MAX / sizeof(T))
-            return false; // NOLINT(bugprone-sizeof-expression): where addresses have 32 bits
-        data_ = static_cast<T*>(
-            from.allocate(static_cast<size_t>(count) * sizeof(T))); // NOLINT(bugprone-sizeof-expression): pointers too
+        constexpr size_t size_of_one = sizeof(T); // NOLINT(bugprone-sizeof-expression): pointers too
+        if (count > SIZE_MAX / size_of_one) return false;
+        data_ = static_cast<T*>(from.allocate(static_cast<size_t>(count) * size_of_one));
         if (!data_) return false;
         allocator_ = &from;
         size_ = static_cast<size_t>(count);
