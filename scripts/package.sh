@@ -28,14 +28,19 @@ out=$(realpath "$out")
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 0)} TZ=UTC LC_ALL=C
 umask 022
 
+say() { printf '[%d:%02d] %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*"; }
 for name in "${wanted[@]}"; do
     start=$SECONDS
     if [ "$name" = wasm ]; then
+        say "$name: library for WebAssembly (the first time some 3 minutes)"
         packaging/package_wasm.sh "$out"
     else
         select_platform "$name"
+        say "$name: the libraries that it carries (the first time some 4 minutes of two cores)"
         packaging/build_dependencies.sh "$name"
+        say "$name: library and lr_bake (some 6)"
         packaging/build_library.sh "$name"
+        say "$name: bindings, assets, licences, archive"
         packaging/make_bundle.sh "$name" "$out"
     fi
     echo "$name: $((SECONDS - start)) s"
