@@ -51,7 +51,7 @@ built() { cp "$folder/dependencies.build/$1" "$prefix/$2"; } # of a library that
 
 build compression packaging/cmake/compression install "-DZLIB_SOURCE=$sources/zlib"
 build libpng "$sources/libpng1.6" install -DPNG_SHARED=OFF -DPNG_TESTS=OFF -DPNG_EXECUTABLES=OFF
-build libccd "$sources/libccd" install -DCCD_DOUBLE=ON -DLIBM_LIBRARY=m -DBUILD_TESTING=OFF
+build libccd "$sources/libccd" install -DCCD_DOUBLE=ON -DLIBM_LIBRARY:STRING=-lm -DBUILD_TESTING=OFF
 build highway "$sources/highway" install -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF \
     -DHWY_FORCE_STATIC_LIBS=ON -DHWY_SYSTEM_GTEST=OFF
 build draco "$sources/draco" draco_static -DDRACO_TESTS=OFF -DDRACO_TRANSCODER_SUPPORTED=OFF
