@@ -171,5 +171,47 @@ wrong_usage() { local status=0; bake mesh || status=$?; [ "$status" -eq 2 ]; } #
 check "lr_bake ends wrong usage with 2" wrong_usage
 refuses() { ! bake mesh no_such.obj -o x.lrb --density 350 2>refused.txt && grep -q 101 refused.txt && [ ! -e x.lrb ]; }
 check "lr_bake says by number what is wrong" refuses
+# The bindings, with the library and the baker that are in the package.
+held=$(cat "$root/packaging/hello.hash")
+for page in "$prefix"/bindings/*/; do check "docs for $(basename "$page")" test -s "$prefix/docs/integration/$(basename "$page").md"; done
+check "Unity's package" test -s "$prefix/bindings/unity/com.langevin.rigid/package.json"
+unity_carries() { find "$prefix/bindings/unity/com.langevin.rigid/Runtime/Plugins" -type f ! -name '*.meta' -exec cmp {} "$prefix/$library" \; ; }
+[ "$platform" = linux-arm64 ] || check "and the library is in it" unity_carries
+check "Unreal's plugin" test -s "$(find "$prefix/bindings/unreal" -name LangevinRigid.uplugin)"
+if [ "$platform" != linux-arm64 ]; then
+    addon=$prefix/bindings/godot/addons/langevin_rigid
+    check "Godot's addon" test -s "$addon/langevin_rigid.gdextension"
+    godot_whole() { # all that the extension file names for this platform
+        local key=linux file files
+        [ "$platform" != windows-x64 ] || key=windows
+        files=$(grep -ohE "bin/${key}_x86_64/[A-Za-z0-9_.]+" "$addon/langevin_rigid.gdextension" | sort -u)
+        [ -n "$files" ] || return 1
+        for file in $files; do [ -s "$addon/$file" ] || { echo "no $file"; return 1; }; done
+    }
+    check "with what its .gdextension names" godot_whole
+fi
+if [ "$platform" = linux-x64 ]; then
+    addon_loads() { (cd "$addon/bin/linux_x86_64" && ! ldd ./langevin_rigid_godot.so | grep 'not found'); }
+    check "and it finds its library" addon_loads
+    if /usr/bin/python3 -c 'import numpy, pip' 2>/dev/null; then
+        by_wheel() {
+            /usr/bin/python3 -m pip install --quiet --no-index --no-deps --target wheel "$prefix"/bindings/python/*.whl &&
+                (cd wheel && env -i PATH=/usr/bin:/bin PYTHONPATH="$PWD" /usr/bin/python3 "$prefix/bindings/python/samples/hello.py") | grep -qx "$held.*"
+        }
+        check "Python's wheel, with the same bits" by_wheel
+    else
+        echo "SKIPPED: the wheel, for want of python3-numpy and python3-pip"
+    fi
+    if command -v mcs >/dev/null; then
+        by_mono() {
+            mkdir mono && find "$prefix/bindings/csharp/src" -name '*.cs' -print0 |
+                xargs -0 mcs -nologo -unsafe -langversion:latest -out:mono/hello.exe "$prefix/bindings/csharp/samples/Hello.cs" &&
+                LD_LIBRARY_PATH="$prefix/lib" mono mono/hello.exe | grep -qx "$held.*"
+        }
+        check "C#, with the same bits" by_mono
+    else
+        echo "SKIPPED: C#, for want of mono-mcs"
+    fi
+fi
 for asset in "$prefix"/assets/*.lrb; do check "$(basename "$asset") is sound" bake check "moved there/assets/$(basename "$asset")"; done
 finish

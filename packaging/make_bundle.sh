@@ -57,11 +57,26 @@ for binding in bindings/*/; do
         python3 "bindings/$binding/package.py" --native "$stage" --out "$stage/bindings/$binding" >"$folder/$binding.log" 2>&1 ||
             { cat "$folder/$binding.log" >&2; echo "bindings/$binding could not be packaged" >&2; exit 1; }
     else
-        git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/(tests|shim)/|/(test|wheel)\.sh$" |
+        git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/(tests|shim)/|/(test|wheel)\.sh$|/\.gitignore$" |
             xargs -0 -r cp --parents -t "$stage"
     fi
 done
-rmdir --ignore-fail-on-non-empty "$stage/bindings"
+# Beside its sources, what has to be compiled: Godot's addon with the library, a wheel with library and baker.
+case $platform in linux-x64 | windows-x64)
+    { cmake -S bindings/godot -B "$folder/godot" -G Ninja "${toolchain[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=$stage" \
+        "-DCMAKE_FIND_ROOT_PATH=$stage" "-DCMAKE_C_FLAGS=-ffile-prefix-map=$PWD=." \
+        "-DLANGEVIN_GODOT_OUTPUT=$stage/bindings/godot/addons/langevin_rigid" && cmake --build "$folder/godot"; } >"$folder/godot.log" 2>&1 ||
+        { cat "$folder/godot.log" >&2; exit 1; }
+    find "$stage/bindings/godot/addons" \( -name '*.so*' -o -name '*.dll' \) -exec "$strip" --strip-unneeded {} +
+    ;;
+esac
+if [ "$platform" = linux-x64 ]; then
+    PYTHON=/usr/bin/python3 bindings/python/wheel.sh "$stage" "$stage/bindings/python" >"$folder/wheel.log" 2>&1 ||
+        { cat "$folder/wheel.log" >&2; exit 1; }
+fi
+mkdir -p "$stage/docs/integration" "$stage/docs/images"
+for page in "$stage"/bindings/*/; do cp "docs/integration/$(basename "$page").md" "$stage/docs/integration/"; done
+grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/integration/*.md | sort -u | sed 's|^\.\./|docs/|' | xargs -r cp -t "$stage/docs/images"
 
 cp LICENSE "$stage/"
 rm -rf "$stage/share"

@@ -6,7 +6,7 @@
 select_platform() { # platform
     platform=$1
     toolchain=() runner=() tools=(cmake ninja flatc)
-    exe= suffix=tar.xz library=lib/liblangevin_rigid.so.0.1.0
+    exe= suffix=tar.xz library=lib/liblangevin_rigid.so.0.1.0 strip=strip
     case $platform in
     linux-x64) tools+=(gcc g++ readelf objdump) ;;
     linux-arm64)
@@ -18,7 +18,7 @@ select_platform() { # platform
         toolchain=(-DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/x86_64-w64-mingw32.cmake")
         runner=("$(find_wine)")
         tools+=(x86_64-w64-mingw32-g++-posix x86_64-w64-mingw32-objdump "${runner[0]}" zip)
-        exe=.exe suffix=zip library=bin/langevin_rigid.dll
+        exe=.exe suffix=zip library=bin/langevin_rigid.dll strip=x86_64-w64-mingw32-strip
         ;;
     *)
         echo "no such platform: $platform (linux-x64, windows-x64, linux-arm64, wasm)" >&2

@@ -46,6 +46,7 @@ fi
 if [[ " $* " == *" package "* ]]; then
     packages+=(dpkg-dev xz-utils zip unzip binutils)   # Debian's sources; archives; what is in them
     packages+=(libutfcpp-dev doctest-dev)              # headers, for assimp and tests
+    packages+=(python3-pip python3-setuptools python3-wheel)   # the wheel
 fi
 if [[ " $* " == *" arm64 "* ]]; then
     packages+=(g++-aarch64-linux-gnu qemu-user-static)
