@@ -20,5 +20,16 @@ cp -R build/web/package "$stage/$name"
 for file in langevin_rigid.wasm langevin_rigid.mjs package.json; do
     [ -s "$stage/$name/$file" ] || { echo "bindings/web/build.sh made no build/web/package/$file" >&2; exit 1; }
 done
-cp LICENSE include/langevin_rigid.h "$stage/$name/"
+cp LICENSE include/langevin_rigid.h bindings/web/sample.mjs "$stage/$name/"
+mkdir -p "$stage/$name/docs/integration" "$stage/$name/docs/images"
+cp docs/integration/web.md "$stage/$name/docs/integration/"
+cp docs/images/web_storm.png "$stage/$name/docs/images/"
+# The page with its leaves, for any server of static files. They are baked by the package for this machine.
+native=$PWD/build/packaging/linux-x64/stage/langevin_rigid-$version-linux-x64
+if [ -x "$native/bin/lr_bake" ]; then
+    bindings/web/site.sh "$native" >/dev/null
+    cp -R build/web/site "$stage/$name/site"
+else
+    echo "SKIPPED: the page in the package, for want of lr_bake: scripts/package.sh linux-x64 wasm makes both"
+fi
 packaging/write_archive.sh "$stage" "$name" "$out/$name.tar.xz"
