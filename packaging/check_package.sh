@@ -189,6 +189,12 @@ if [ "$platform" != linux-arm64 ]; then
         for file in $files; do [ -s "$addon/$file" ] || { echo "no $file"; return 1; }; done
     }
     check "with what its .gdextension names" godot_whole
+    godot_demo() { # opens as it is: with the addon, what it shows, and the list without which a first start knows no extension
+        local demo=$prefix/bindings/godot/demo
+        diff -r "$prefix/bindings/godot/addons" "$demo/addons" && cmp "$demo/leaf.lrb" "$prefix/assets/leaf.lrb" &&
+            [ -s "$demo/leaf.obj" ] && [ -s "$demo/leaf_maple.lrb" ] && grep -qx 'res://addons/.*\.gdextension' "$demo/.godot/extension_list.cfg"
+    }
+    check "Godot's demo, ready to be opened" godot_demo
 fi
 if [ "$platform" = linux-x64 ]; then
     addon_loads() { (cd "$addon/bin/linux_x86_64" && ! ldd ./langevin_rigid_godot.so | grep 'not found'); }

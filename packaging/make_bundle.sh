@@ -68,6 +68,12 @@ case $platform in linux-x64 | windows-x64)
         "-DLANGEVIN_GODOT_OUTPUT=$stage/bindings/godot/addons/langevin_rigid" && cmake --build "$folder/godot"; } >"$folder/godot.log" 2>&1 ||
         { cat "$folder/godot.log" >&2; exit 1; }
     find "$stage/bindings/godot/addons" \( -name '*.so*' -o -name '*.dll' \) -exec "$strip" --strip-unneeded {} +
+    # Its demo, ready to be opened; why the list: bindings/godot/demo.sh.
+    demo=$stage/bindings/godot/demo
+    cp -R "$stage/bindings/godot/addons" "$demo/"
+    cp "$stage"/assets/leaf{,_maple}.{lrb,obj} "$demo/"
+    mkdir -p "$demo/.godot"
+    echo "res://addons/langevin_rigid/langevin_rigid.gdextension" >"$demo/.godot/extension_list.cfg"
     ;;
 esac
 if [ "$platform" = linux-x64 ]; then
