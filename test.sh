@@ -34,6 +34,9 @@ echo "clean"
 step "Release tests"
 ctest --test-dir build/release -j "$jobs" --output-on-failure
 
+step "Valgrind on the tests of the API"
+scripts/valgrind.sh
+
 step "Samples, built and run as outside users would: against the installed package"
 prefix=$PWD/build/release/samples-prefix
 cmake --install build/release --prefix "$prefix" >/dev/null
