@@ -19,7 +19,8 @@
  * Errors       Functions return LR_OK or a negative lr_status and then have changed nothing, unless their text says
  *              otherwise. Nothing aborts, throws or prints.
  * Threads      One world may be used by one thread at a time; different worlds at the same time. Assets are immutable
- *              and may be shared by any number of worlds and threads.
+ *              and may be shared by any number of worlds and threads. lr_world_desc.checks has misuse found: every function
+ *              that takes a world then returns LR_ERROR_CONCURRENT_USE or LR_ERROR_REENTRANT besides what its text says.
  * Determinism  Same calls, same library version: same bits, whatever the processor, the number of workers, or the order
  *              in which bodies lie in memory. See docs/determinism.md.
  */
@@ -86,6 +87,8 @@ typedef int32_t lr_status;
 #define LR_ERROR_INTERNAL (-25)            /* a defect of the library: please report */
 #define LR_ERROR_STALE_WIND_SOURCE (-26)   /* the wind source was removed, or never was */
 #define LR_ERROR_STALE_COLLIDER (-27)      /* the collider was destroyed, or never was */
+#define LR_ERROR_CONCURRENT_USE (-28)      /* another thread is inside a call on the world: LR_CHECK_THREADS */
+#define LR_ERROR_REENTRANT (-29)           /* this thread is, and the call comes from a callback: LR_CHECK_THREADS */
 
 #define LR_MAX_SUBSTEP 1.0f    /* s: the longest dt / substeps that is taken */
 #define LR_MAX_SUBSTEPS 65536u /* the most substeps in one step */
@@ -107,7 +110,8 @@ typedef uint64_t lr_body; /* batch, generation and slot in one; compare for equa
 /* Where a world takes its memory from. Both functions are given or neither; neither means the C library's.
  * `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most 128), or null.
  * `release` gets the very size and alignment that were asked for. Called only from the thread that calls the library,
- * during lr_world_step only where bodies meet each other (lr_batch_set_pair_contact) in greater number than ever before. */
+ * during lr_world_step only where bodies meet each other (lr_batch_set_pair_contact) in greater number than ever before.
+ * Must not call the library on the same world. */
 typedef struct lr_allocator {
     void* user;
     void* (*allocate)(void* user, uint64_t size, uint64_t alignment);
@@ -139,7 +143,8 @@ typedef struct lr_job_system {
 #define LR_LOG_WARNING 2 /* a call succeeded, but probably not as meant */
 #define LR_LOG_INFO 3
 
-/* Receives a message, valid during the call only. Called from the thread that calls the library. May be null. */
+/* Receives a message, valid during the call only. Called from the thread that calls the library: with LR_CHECK_THREADS also
+ * while another thread's call on the world goes on. Must not call the library on the same world. May be null. */
 typedef void (*lr_log_fn)(void* user, int32_t level, const char* message);
 
 /* Instruction sets, best first within a family. LR_SIMD_AUTO picks the best that the processor has. All of them give
@@ -323,6 +328,14 @@ LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamic
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* World                                                                                                              */
 
+/* Bits of lr_world_desc.checks: misuse that is found at run time, for development. Without them it is undefined. */
+
+/* A call on a world while another thread is inside one, or from inside one of the world's own callbacks (wind, surface,
+ * allocator, log, job system), is refused: it changes nothing, a message names both functions, and the call
+ * that is under way goes on unharmed. A world that is destroyed so stays alive, and its memory is lost;
+ * lr_world_snapshot_size returns 0. A call after lr_world_destroy has returned is not found. docs/threads.md */
+#define LR_CHECK_THREADS 1u
+
 typedef struct lr_world_desc {
     uint32_t struct_size;
     uint32_t worker_count;  /* threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With
@@ -336,6 +349,8 @@ typedef struct lr_world_desc {
     lr_log_fn log;          /* initially null: silence */
     void* log_user;
     lr_job_system jobs; /* copied; initially null functions: worker_count threads of the world's own */
+    uint32_t checks;    /* bits LR_CHECK_*; initially 0 */
+    uint32_t reserved;  /* 0 */
 } lr_world_desc;
 
 LR_API lr_status lr_world_desc_init(lr_world_desc* desc, uint32_t struct_size);

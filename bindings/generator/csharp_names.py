@@ -34,6 +34,7 @@ ENUMS = [
     ("KillSide", "int", False, r"LR_KILL_(.+)", "On which side of a kill volume bodies end."),
     ("EmitterShape", "int", False, r"LR_EMIT_(.+)", "Where an emitter bears bodies."),
     ("EmitterPose", "int", False, r"LR_POSE_(.+)", "How bodies are turned at birth."),
+    ("WorldChecks", "uint", True, r"LR_CHECK_(.+)", "Misuse that is found at run time."),
 ]
 LIMITS = r"LR_(MAX_.+)"
 

@@ -23,9 +23,13 @@ template <> inline constexpr uint32_t first_size<lr_world_info> = offsetof(lr_wo
 template <> inline constexpr uint32_t first_size<lr_batch_view> = offsetof(lr_batch_view, revision);
 template <> inline constexpr uint32_t first_size<lr_body_state> = offsetof(lr_body_state, resting);
 
-// Besides larger ones, of newer headers. A size between would cut a field in two.
+// Of those that have grown twice, the size between.
+template <class T> inline constexpr uint32_t second_size = first_size<T>;
+template <> inline constexpr uint32_t second_size<lr_world_desc> = offsetof(lr_world_desc, checks);
+
+// Besides larger ones, of newer headers. Another size would cut a field in two.
 template <class T> bool is_struct_size(uint32_t size) {
-    return size == first_size<T> || (size >= sizeof(T) && size <= max_struct_size);
+    return size == first_size<T> || size == second_size<T> || (size >= sizeof(T) && size <= max_struct_size);
 }
 
 // Begins an _init function: zeroes all that the caller has.

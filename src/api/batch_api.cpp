@@ -66,7 +66,7 @@ lr_status lr_batch_desc_init(lr_batch_desc* desc, uint32_t struct_size) {
     return LR_OK;
 }
 
-lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* out) {
+lr_status lr_inner_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* out) {
     const lr::FloatMode mode;
     if (!out) return LR_ERROR_NULL_ARGUMENT;
     *out = 0;
@@ -104,7 +104,7 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
     return status == LR_OK ? status : refuse(world, "lr_batch_create", status);
 }
 
-lr_status lr_batch_destroy(lr_world* world, lr_batch batch) {
+lr_status lr_inner_batch_destroy(lr_world* world, lr_batch batch) {
     const lr::FloatMode mode;
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (!world->find(batch)) return refuse(world, "lr_batch_destroy", LR_ERROR_STALE_BATCH);
@@ -118,7 +118,7 @@ lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t struct_s
     return status;
 }
 
-lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table) {
+lr_status lr_inner_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_batch_set_turbulence_table";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -152,7 +152,7 @@ lr_status lr_batch_view_init(lr_batch_view* view, uint32_t struct_size) {
     return begin_init(view, struct_size);
 }
 
-lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view) {
+lr_status lr_inner_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr::Batch* const b = world->find(batch);
     if (!b) return refuse(world, "lr_batch_get_view", LR_ERROR_STALE_BATCH);
@@ -178,8 +178,8 @@ lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view
     return LR_OK;
 }
 
-lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride,
-                                    uint32_t capacity, uint32_t* written) {
+lr_status lr_inner_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
+                                          uint64_t stride, uint32_t capacity, uint32_t* written) {
     constexpr const char* name = "lr_batch_write_transforms";
     if (written) *written = 0;
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -188,8 +188,8 @@ lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32
     return write_transforms(*world, name, *b, format, dst, stride, b->count(), capacity, written);
 }
 
-lr_status lr_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                          uint64_t stride, uint32_t count, uint32_t* written) {
+lr_status lr_inner_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
+                                                uint64_t stride, uint32_t count, uint32_t* written) {
     constexpr const char* name = "lr_batch_write_first_transforms";
     if (written) *written = 0;
     if (!world) return LR_ERROR_NULL_ARGUMENT;

@@ -72,7 +72,8 @@ lr_status lr_body_desc_init(lr_body_desc* desc, uint32_t struct_size) {
     return status;
 }
 
-lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count, lr_body* out_ids) {
+lr_status lr_inner_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count,
+                               lr_body* out_ids) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_body_create";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -102,7 +103,7 @@ lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* de
     return LR_OK;
 }
 
-lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count) {
+lr_status lr_inner_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (count == 0) return LR_OK;
     if (!bodies) return refuse(world, "lr_body_destroy", LR_ERROR_NULL_ARGUMENT);
@@ -116,7 +117,7 @@ lr_status lr_body_state_init(lr_body_state* state, uint32_t struct_size) {
     return status;
 }
 
-lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state) {
+lr_status lr_inner_body_get_state(const lr_world* world, lr_body body, lr_body_state* state) {
     const lr::FloatMode mode;
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     uint32_t index = 0;
@@ -145,7 +146,7 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
     return LR_OK;
 }
 
-lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
+lr_status lr_inner_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_body_set_state";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -164,7 +165,7 @@ lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* 
     return LR_OK;
 }
 
-lr_status lr_body_set_rest(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest) {
+lr_status lr_inner_body_set_rest(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest) {
     constexpr const char* name = "lr_body_set_rest";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (rest != LR_REST_AWAKE && rest != LR_REST_RESTING)
@@ -176,7 +177,7 @@ lr_status lr_body_set_rest(lr_world* world, const lr_body* bodies, uint32_t coun
     return status == LR_OK ? status : refuse(world, name, status);
 }
 
-lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {
+lr_status lr_inner_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_world_wake_box";
     if (woken) *woken = 0;

@@ -156,7 +156,8 @@ lr_status lr_collider_desc_init(lr_collider_desc* desc, uint32_t struct_size) {
     return LR_OK;
 }
 
-lr_status lr_collider_create(lr_world* world, const lr_collider_desc* descs, uint32_t count, lr_collider* out_ids) {
+lr_status lr_inner_collider_create(lr_world* world, const lr_collider_desc* descs, uint32_t count,
+                                   lr_collider* out_ids) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_collider_create";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -185,7 +186,7 @@ lr_status lr_collider_create(lr_world* world, const lr_collider_desc* descs, uin
                   status == LR_ERROR_INVALID_ARGUMENT ? "a hull is flat, or a mesh has no area" : nullptr);
 }
 
-lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uint32_t count) {
+lr_status lr_inner_collider_destroy(lr_world* world, const lr_collider* colliders, uint32_t count) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (count == 0) return LR_OK;
     if (!colliders) return refuse(world, "lr_collider_destroy", LR_ERROR_NULL_ARGUMENT);
@@ -208,7 +209,7 @@ lr_status lr_collider_motion_init(lr_collider_motion* motion, uint32_t struct_si
     return LR_OK;
 }
 
-lr_status lr_collider_move(lr_world* world, const lr_collider_motion* motions, uint32_t count) {
+lr_status lr_inner_collider_move(lr_world* world, const lr_collider_motion* motions, uint32_t count) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_collider_move";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -244,7 +245,7 @@ lr_status lr_collider_state_init(lr_collider_state* state, uint32_t struct_size)
     return status;
 }
 
-lr_status lr_collider_get_state(const lr_world* world, lr_collider collider, lr_collider_state* state) {
+lr_status lr_inner_collider_get_state(const lr_world* world, lr_collider collider, lr_collider_state* state) {
     constexpr const char* name = "lr_collider_get_state";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     uint32_t slot = 0;
@@ -278,8 +279,8 @@ lr_status lr_collider_surface_init(lr_collider_surface* surface, uint32_t struct
     return LR_OK;
 }
 
-lr_status lr_collider_set_surface(lr_world* world, const lr_collider* colliders, uint32_t count,
-                                  const lr_collider_surface* surface) {
+lr_status lr_inner_collider_set_surface(lr_world* world, const lr_collider* colliders, uint32_t count,
+                                        const lr_collider_surface* surface) {
     constexpr const char* name = "lr_collider_set_surface";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     lr_collider_surface s;

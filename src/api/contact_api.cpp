@@ -30,7 +30,7 @@ lr_status lr_batch_contact_init(lr_batch_contact* contact, uint32_t struct_size)
     return LR_OK;
 }
 
-lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_contact* contact) {
+lr_status lr_inner_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_contact* contact) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_batch_set_contact";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -55,7 +55,7 @@ lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_c
     return LR_OK;
 }
 
-lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact) {
+lr_status lr_inner_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact) {
     constexpr const char* name = "lr_batch_get_contact";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr::Batch* const b = world->find(batch);
@@ -74,7 +74,7 @@ lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_c
     return LR_OK;
 }
 
-lr_status lr_batch_set_pair_contact(lr_world* world, lr_batch a, lr_batch b, int32_t enabled) {
+lr_status lr_inner_batch_set_pair_contact(lr_world* world, lr_batch a, lr_batch b, int32_t enabled) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_batch_set_pair_contact";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -86,7 +86,7 @@ lr_status lr_batch_set_pair_contact(lr_world* world, lr_batch a, lr_batch b, int
     return LR_OK;
 }
 
-lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled) {
+lr_status lr_inner_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled) {
     constexpr const char* name = "lr_batch_get_pair_contact";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (!enabled) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);

@@ -9,7 +9,7 @@ using namespace lr::api;
 
 extern "C" {
 
-lr_status lr_world_set_contact_events(lr_world* world, uint32_t capacity, uint32_t kinds) {
+lr_status lr_inner_world_set_contact_events(lr_world* world, uint32_t capacity, uint32_t kinds) {
     constexpr const char* name = "lr_world_set_contact_events";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if ((kinds & ~LR_EVENTS_ALL) != 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "unknown kinds of events");
@@ -23,7 +23,7 @@ lr_status lr_contact_event_list_init(lr_contact_event_list* list, uint32_t struc
     return begin_init(list, struct_size);
 }
 
-lr_status lr_world_get_contact_events(const lr_world* world, lr_contact_event_list* list) {
+lr_status lr_inner_world_get_contact_events(const lr_world* world, lr_contact_event_list* list) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr_status status = check_size(list);
     if (status != LR_OK) return refuse(world, "lr_world_get_contact_events", status);

@@ -155,7 +155,7 @@ lr_status lr_body_force_init(lr_body_force* force, uint32_t struct_size) {
     return begin_init(force, struct_size);
 }
 
-lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32_t count) {
+lr_status lr_inner_body_add_force(lr_world* world, const lr_body_force* forces, uint32_t count) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_body_add_force";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -193,7 +193,7 @@ lr_status lr_force_arrays_init(lr_force_arrays* arrays, uint32_t struct_size) {
     return begin_init(arrays, struct_size);
 }
 
-lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays) {
+lr_status lr_inner_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_batch_add_forces";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -231,7 +231,7 @@ lr_status lr_batch_force_init(lr_batch_force* force, uint32_t struct_size) {
     return begin_init(force, struct_size);
 }
 
-lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force) {
+lr_status lr_inner_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force) {
     constexpr const char* name = "lr_batch_set_force";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     lr::Batch* const b = world->find(batch);

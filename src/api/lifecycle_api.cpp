@@ -14,7 +14,7 @@ lr_status lr_batch_rules_init(lr_batch_rules* rules, uint32_t struct_size) {
     return begin_init(rules, struct_size);
 }
 
-lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules) {
+lr_status lr_inner_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_batch_set_rules";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -46,7 +46,7 @@ lr_status lr_emitter_desc_init(lr_emitter_desc* desc, uint32_t struct_size) {
     return LR_OK;
 }
 
-lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc) {
+lr_status lr_inner_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_batch_set_emitter";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -69,7 +69,7 @@ lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter
     return LR_OK;
 }
 
-lr_status lr_batch_emit(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids) {
+lr_status lr_inner_batch_emit(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_batch_emit";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -87,7 +87,7 @@ lr_status lr_batch_events_init(lr_batch_events* events, uint32_t struct_size) {
     return begin_init(events, struct_size);
 }
 
-lr_status lr_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events) {
+lr_status lr_inner_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events) {
     constexpr const char* name = "lr_batch_get_events";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr::Batch* const b = world->find(batch);

@@ -21,7 +21,7 @@ bool is_identity(const double axes[9]) {
 
 extern "C" {
 
-lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
+lr_status lr_inner_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_batch_set_aerodynamics";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -47,7 +47,7 @@ lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_ae
     return LR_OK;
 }
 
-lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics) {
+lr_status lr_inner_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr::Batch* const b = world->find(batch);
     constexpr const char* name = "lr_batch_get_aerodynamics";
@@ -64,7 +64,7 @@ lr_status lr_load_gains_init(lr_load_gains* gains, uint32_t struct_size) {
     return status;
 }
 
-lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains) {
+lr_status lr_inner_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_batch_set_load_gains";
     if (!world) return LR_ERROR_NULL_ARGUMENT;

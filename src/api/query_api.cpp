@@ -50,7 +50,7 @@ lr_status lr_ray_init(lr_ray* ray, uint32_t struct_size) {
     return LR_OK;
 }
 
-lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits) {
+lr_status lr_inner_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_world_ray_cast";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -82,8 +82,8 @@ lr_status lr_overlap_desc_init(lr_overlap_desc* desc, uint32_t struct_size) {
     return LR_OK;
 }
 
-lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity,
-                           uint32_t* count) {
+lr_status lr_inner_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity,
+                                 uint32_t* count) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_world_overlap";
     if (count) *count = 0;

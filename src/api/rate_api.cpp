@@ -18,7 +18,7 @@ lr_status lr_batch_rate_init(lr_batch_rate* rate, uint32_t struct_size) {
     return LR_OK;
 }
 
-lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate) {
+lr_status lr_inner_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate) {
     constexpr const char* name = "lr_batch_set_rate";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     lr::Batch* const b = world->find(batch);
@@ -41,7 +41,7 @@ lr_status lr_batch_pace_init(lr_batch_pace* pace, uint32_t struct_size) {
     return begin_init(pace, struct_size);
 }
 
-lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace) {
+lr_status lr_inner_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace) {
     constexpr const char* name = "lr_batch_get_pace";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr::Batch* const b = world->find(batch);
@@ -66,7 +66,7 @@ lr_status lr_budget_init(lr_budget* budget, uint32_t struct_size) {
     return begin_init(budget, struct_size);
 }
 
-lr_status lr_world_set_budget(lr_world* world, const lr_budget* budget) {
+lr_status lr_inner_world_set_budget(lr_world* world, const lr_budget* budget) {
     constexpr const char* name = "lr_world_set_budget";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     lr_budget b{};
@@ -84,7 +84,7 @@ lr_status lr_step_report_init(lr_step_report* report, uint32_t struct_size) {
     return begin_init(report, struct_size);
 }
 
-lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report) {
+lr_status lr_inner_world_get_step_report(const lr_world* world, lr_step_report* report) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr_status status = check_size(report);
     if (status != LR_OK) return refuse(world, "lr_world_get_step_report", status);

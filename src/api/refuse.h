@@ -1,6 +1,7 @@
 #pragma once
 
 #include "api/arguments.h"
+#include "api/inner.h"
 #include "world/world.h"
 
 namespace lr::api {

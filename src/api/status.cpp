@@ -66,6 +66,10 @@ const char* lr_status_string(lr_status status) {
         return "the wind source was removed";
     case LR_ERROR_STALE_COLLIDER:
         return "the collider was destroyed, or never was";
+    case LR_ERROR_CONCURRENT_USE:
+        return "another thread is inside a call on the same world";
+    case LR_ERROR_REENTRANT:
+        return "a callback of the world called the library on it";
     case LR_ERROR_INTERNAL:
         return "a defect of the library";
     default:

@@ -12,7 +12,7 @@ lr_status lr_surface_desc_init(lr_surface_desc* desc, uint32_t struct_size) {
     return LR_OK;
 }
 
-lr_status lr_world_set_surface(lr_world* world, const lr_surface_desc* desc) {
+lr_status lr_inner_world_set_surface(lr_world* world, const lr_surface_desc* desc) {
     const lr::FloatMode mode;
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (!desc) {
@@ -30,7 +30,7 @@ lr_status lr_world_set_surface(lr_world* world, const lr_surface_desc* desc) {
     return LR_OK;
 }
 
-lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn callback, void* user) {
+lr_status lr_inner_world_set_surface_callback(lr_world* world, lr_surface_fn callback, void* user) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     world->surface.set_callback(callback, user);
     return LR_OK;

@@ -43,7 +43,7 @@ lr_status lr_wind_source_desc_init(lr_wind_source_desc* desc, uint32_t struct_si
     return LR_OK;
 }
 
-lr_status lr_world_add_wind(lr_world* world, const lr_wind_source_desc* desc, lr_wind_source* out) {
+lr_status lr_inner_world_add_wind(lr_world* world, const lr_wind_source_desc* desc, lr_wind_source* out) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_world_add_wind";
     if (out) *out = 0;
@@ -55,7 +55,7 @@ lr_status lr_world_add_wind(lr_world* world, const lr_wind_source_desc* desc, lr
     return status == LR_OK ? status : refuse(world, name, status);
 }
 
-lr_status lr_world_update_wind(lr_world* world, lr_wind_source source, const lr_wind_source_desc* desc) {
+lr_status lr_inner_world_update_wind(lr_world* world, lr_wind_source source, const lr_wind_source_desc* desc) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_world_update_wind";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
@@ -67,18 +67,18 @@ lr_status lr_world_update_wind(lr_world* world, lr_wind_source source, const lr_
     return status == LR_OK ? status : refuse(world, name, status);
 }
 
-lr_status lr_world_remove_wind(lr_world* world, lr_wind_source source) {
+lr_status lr_inner_world_remove_wind(lr_world* world, lr_wind_source source) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     return world->wind.remove(source) ? LR_OK : refuse(world, "lr_world_remove_wind", LR_ERROR_STALE_WIND_SOURCE);
 }
 
-lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user) {
+lr_status lr_inner_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     world->wind.set_callback(callback, user);
     return LR_OK;
 }
 
-lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities) {
+lr_status lr_inner_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities) {
     const lr::FloatMode mode;
     constexpr const char* name = "lr_world_sample_wind";
     if (!world) return LR_ERROR_NULL_ARGUMENT;

@@ -31,8 +31,8 @@ lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
     if (!finite(d.gravity) || !std::isfinite(d.fluid_density) || !std::isfinite(d.fluid_viscosity))
         return LR_ERROR_NOT_FINITE;
     if (d.worker_count > lr::WorkerPool::max_workers || !in_range(d.fluid_density, 0.0, 1e6) ||
-        !known_simd(d.simd_target) || !in_range(d.fluid_viscosity, 0.0, 1e3) ||
-        !d.allocator.allocate != !d.allocator.release || !d.jobs.enqueue != !d.jobs.finish)
+        !known_simd(d.simd_target) || !in_range(d.fluid_viscosity, 0.0, 1e3) || (d.checks & ~LR_CHECK_THREADS) != 0 ||
+        d.reserved != 0 || !d.allocator.allocate != !d.allocator.release || !d.jobs.enqueue != !d.jobs.finish)
         return LR_ERROR_INVALID_ARGUMENT;
     for (float g : d.gravity)
         if (!in_range(g, -1e4, 1e4)) return LR_ERROR_INVALID_ARGUMENT;
@@ -42,15 +42,11 @@ lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
     });
 }
 
-void lr_world_destroy(lr_world* world) {
-    lr_world::destroy(world);
-}
-
 lr_status lr_world_info_init(lr_world_info* info, uint32_t struct_size) {
     return begin_init(info, struct_size);
 }
 
-lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
+lr_status lr_inner_world_get_info(const lr_world* world, lr_world_info* info) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr_status status = check_size(info);
     if (status != LR_OK) return status;
@@ -71,7 +67,7 @@ lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
     return LR_OK;
 }
 
-lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
+lr_status lr_inner_world_set_gravity(lr_world* world, const float* gravity) {
     if (!world || !gravity) return LR_ERROR_NULL_ARGUMENT;
     float to[3];
     std::copy(gravity, gravity + 3, to);
@@ -84,7 +80,7 @@ lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
     return LR_OK;
 }
 
-lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
+lr_status lr_inner_world_set_simd_target(lr_world* world, int32_t target) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (!known_simd(target)) return refuse(world, "lr_world_set_simd_target", LR_ERROR_INVALID_ARGUMENT);
     const lr::KernelTarget* const found = lr::find_target(target);
@@ -100,7 +96,7 @@ lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size) {
     return status;
 }
 
-lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
+lr_status lr_inner_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     float wind[3] = {0.0f, 0.0f, 0.0f};
     if (desc) {
@@ -119,7 +115,7 @@ lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
     return LR_OK;
 }
 
-lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
+lr_status lr_inner_world_step(lr_world* world, float dt, uint32_t substeps) {
     const lr::FloatMode mode;
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     lr_status status = LR_OK;
@@ -138,24 +134,24 @@ lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
     return LR_OK;
 }
 
-lr_status lr_world_hash(const lr_world* world, uint64_t* out) {
+lr_status lr_inner_world_hash(const lr_world* world, uint64_t* out) {
     if (!world || !out) return LR_ERROR_NULL_ARGUMENT;
     *out = world->hash();
     return LR_OK;
 }
 
-uint64_t lr_world_snapshot_size(const lr_world* world) {
+uint64_t lr_inner_world_snapshot_size(const lr_world* world) {
     return world ? lr::snapshot_size(*world) : 0;
 }
 
-lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written) {
+lr_status lr_inner_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written) {
     if (written) *written = 0;
     if (!world || !memory) return LR_ERROR_NULL_ARGUMENT;
     const lr_status status = lr::snapshot_save(*world, memory, size, written);
     return status == LR_OK ? status : refuse(world, "lr_world_snapshot_save", status);
 }
 
-lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
+lr_status lr_inner_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
     if (!world || !memory) return LR_ERROR_NULL_ARGUMENT;
     const lr_status status = lr::snapshot_restore(*world, memory, size);
     return status == LR_OK ? status : refuse(world, "lr_world_snapshot_restore", status);

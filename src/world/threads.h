@@ -12,11 +12,17 @@ namespace lr {
 
 #if LR_HAS_THREADS
 using ThreadId = std::thread::id;
+inline ThreadId nobody() {
+    return {};
+}
 inline ThreadId this_thread() {
     return std::this_thread::get_id();
 }
 #else
 using ThreadId = int;
+inline ThreadId nobody() {
+    return -1;
+}
 inline ThreadId this_thread() {
     return 0;
 }

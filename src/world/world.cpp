@@ -50,6 +50,7 @@ lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
     world->fluid_viscosity = desc.fluid_viscosity;
     world->log_callback = desc.log;
     world->log_user = desc.log_user;
+    world->use.check(desc.checks);
     if (!world->crew.start(desc.worker_count, desc.jobs)) {
         status = LR_ERROR_THREADS;
         destroy(world);

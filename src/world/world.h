@@ -12,6 +12,7 @@
 #include "world/crowd.h"
 #include "world/pacing.h"
 #include "world/step_chunks.h"
+#include "world/use.h"
 
 #include <cstdint>
 
@@ -91,6 +92,8 @@ struct lr_world {
     lr::Buffer<Left> left;
     uint32_t left_count = 0;
     bool left_all = false;
+
+    mutable lr::Use use;
 
     lr_log_fn log_callback = nullptr;
     void* log_user = nullptr;

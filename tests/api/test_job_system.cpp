@@ -30,6 +30,8 @@ public:
         threads,   // one for each index
         sleepers,  // the same, but they begin when the caller has long done everything
         strangers, // threads with another floating-point mode, which is to be theirs afterwards
+        crowd,     // twice as many threads as indices, half of them with nothing to do
+        starving,  // one thread for the last index, the others get none until that is done, in finish
         tempers
     };
 
@@ -57,9 +59,14 @@ private:
         if (self.temper_ == whole) run(task, 0, count);
         if (self.temper_ == reversed)
             for (uint32_t i = count; i-- > 0;) run(task, i, i + 1);
-        if (self.temper_ >= threads)
+        if (self.temper_ >= threads && self.temper_ != starving)
             for (uint32_t i = 0; i < count; ++i)
                 self.round_.threads.emplace_back([&self, i, temper = self.temper_] { self.work(i, temper); });
+        if (self.temper_ == crowd)
+            for (uint32_t i = 0; i < count; ++i)
+                self.round_.threads.emplace_back([&r = self.round_, i] { r.run(r.task, i, i); });
+        if (self.temper_ == starving)
+            self.round_.threads.emplace_back([&self, count] { self.work(count - 1, starving); });
         return self.temper_ == whole ? nullptr : &self.round_;
     }
 
@@ -84,6 +91,8 @@ private:
         }
         for (std::thread& thread : r.threads) thread.join();
         r.threads.clear();
+        if (self.temper_ == starving)
+            for (uint32_t i = 0; i + 1 < r.count; ++i) r.run(r.task, i, i + 1);
         ++self.finished;
     }
 

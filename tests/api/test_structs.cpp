@@ -303,8 +303,10 @@ TEST_CASE("the first released size of a world's desc is taken, and nothing behin
     lr_world_desc d;
     std::memset(static_cast<void*>(&d), 0x5a, sizeof d);
     const lr_world_desc garbage = d;
+    constexpr uint32_t second = offsetof(lr_world_desc, checks); // before misuse was looked for
     for (uint32_t size = first + 1; size < sizeof d; ++size)
-        CHECK(lr_world_desc_init(&d, size) == LR_ERROR_STRUCT_SIZE);
+        CHECK(lr_world_desc_init(&d, size) == (size == second ? LR_OK : LR_ERROR_STRUCT_SIZE));
+    std::memset(static_cast<void*>(&d), 0x5a, sizeof d);
     CHECK(lr_world_desc_init(&d, first - 1) == LR_ERROR_STRUCT_SIZE);
     REQUIRE(lr_world_desc_init(&d, first) == LR_OK);
     CHECK(std::memcmp(&d.jobs, &garbage.jobs, sizeof d.jobs) == 0);
@@ -318,6 +320,11 @@ TEST_CASE("the first released size of a world's desc is taken, and nothing behin
     const std::vector<lr_body_desc> bodies(8000, body_desc());
     REQUIRE(lr_body_create(raw, batch, bodies.data(), 8000, nullptr) == LR_OK);
     steps(world, 2, 0.01f, 4); // by its own thread: what lies behind the struct is no callback
+    lr_world_desc older = garbage;
+    REQUIRE(lr_world_desc_init(&older, second) == LR_OK);
+    CHECK(older.checks == garbage.checks);
+    REQUIRE(lr_world_create(&older, &raw) == LR_OK); // as if `checks` were 0
+    lr_world_destroy(raw);
     for (uint32_t size : {first - 1, first + 1, first + 8, first + 16}) {
         lr_world_desc cut = world_desc();
         cut.struct_size = size;

@@ -7,7 +7,7 @@ typedef char batch_is_32_bits[sizeof(lr_batch) == 4 ? 1 : -1];
 typedef char body_is_64_bits[sizeof(lr_body) == 8 ? 1 : -1];
 typedef char body_desc_size[sizeof(lr_body_desc) == 72 ? 1 : -1];
 typedef char body_state_size[sizeof(lr_body_state) == 76 ? 1 : -1];
-typedef char world_desc_size[sizeof(lr_world_desc) == 24 + 24 + 24 + 8 + 24 ? 1 : -1];
+typedef char world_desc_size[sizeof(lr_world_desc) == 24 + 24 + 24 + 8 + 24 + 8 ? 1 : -1];
 typedef char wind_desc_size[sizeof(lr_wind_desc) == 24 ? 1 : -1];
 typedef char batch_desc_size[sizeof(lr_batch_desc) == 48 ? 1 : -1];
 typedef char ellipsoid_desc_size[sizeof(lr_ellipsoid_desc) == 88 ? 1 : -1];

@@ -217,6 +217,11 @@ void Play::build() {
     wd.simd_target = how_.simd;
     wd.worker_count = how_.workers;
     wd.jobs = how_.jobs;
+    wd.checks = how_.checks;
+    if (how_.checks != 0)
+        wd.log = [](void*, int32_t, const char* message) {
+            if (std::strstr(message, "inside the same world")) FAIL_CHECK(std::string(message));
+        };
     world = make(wd);
     for (size_t b = 0; b < 2; ++b) {
         lr_batch_desc bd = batch_desc();

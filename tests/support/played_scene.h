@@ -43,6 +43,7 @@ struct Circumstances {
     bool permuted = false;         // bodies lie in another order
     bool through_snapshot = false; // half-way into a new world
     lr_job_system jobs{};
+    uint32_t checks = 0; // LR_CHECK_*: what is said of misuse fails the play
 };
 
 class Play {

@@ -260,6 +260,7 @@ class WorldOptions(TypedDict, total=False):
     fluid_density: float
     simd_target: int
     fluid_viscosity: float
+    checks: int
 
 
 class Aerodynamics(Record):

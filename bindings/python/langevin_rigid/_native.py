@@ -35,6 +35,8 @@ LR_ERROR_SUBSTEPS = -24
 LR_ERROR_INTERNAL = -25
 LR_ERROR_STALE_WIND_SOURCE = -26
 LR_ERROR_STALE_COLLIDER = -27
+LR_ERROR_CONCURRENT_USE = -28
+LR_ERROR_REENTRANT = -29
 LR_MAX_SUBSTEP = 1.0
 LR_MAX_SUBSTEPS = 65536
 LR_LOG_ERROR = 1
@@ -49,6 +51,7 @@ LR_SIMD_AVX512 = 5
 LR_SIMD_NEON = 6
 LR_SIMD_WASM = 7
 LR_ASSET_DIAGONAL = 1
+LR_CHECK_THREADS = 1
 LR_WIND_NONE = 0
 LR_WIND_UNIFORM = 1
 LR_WIND_SOURCE_GUSTS = 1
@@ -169,7 +172,9 @@ be called after `finish`.
 
 
 lr_log_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32, ctypes.c_char_p)
-lr_log_fn.__doc__ = """Receives a message, valid during the call only. Called from the thread that calls the library. May be null."""
+lr_log_fn.__doc__ = """Receives a message, valid during the call only. Called from the thread that calls the library: with LR_CHECK_THREADS also
+while another thread's call on the world goes on. Must not call the library on the same world. May be null.
+"""
 
 
 lr_fault_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_char_p)
@@ -229,6 +234,7 @@ class lr_allocator(ctypes.Structure):
     `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most 128), or null.
     `release` gets the very size and alignment that were asked for. Called only from the thread that calls the library,
     during lr_world_step only where bodies meet each other (lr_batch_set_pair_contact) in greater number than ever before.
+    Must not call the library on the same world.
     """
     _fields_ = [
         ('user', ctypes.c_void_p),
@@ -344,7 +350,7 @@ class lr_asset_info(ctypes.Structure):
 
 
 class lr_world_desc(ctypes.Structure):
-    """lr_world_desc: 104 bytes."""
+    """lr_world_desc: 112 bytes."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('worker_count', ctypes.c_uint32),
@@ -357,6 +363,8 @@ class lr_world_desc(ctypes.Structure):
         ('log', lr_log_fn),
         ('log_user', ctypes.c_void_p),
         ('jobs', lr_job_system),
+        ('checks', ctypes.c_uint32),
+        ('reserved', ctypes.c_uint32),
     ]
 
 
@@ -950,6 +958,7 @@ FIELD_DOCS = {
         'log': 'initially null: silence',
         'log_user': '',
         'jobs': "copied; initially null functions: worker_count threads of the world's own",
+        'checks': 'bits `WorldChecks`; initially 0',
     },
     'lr_world_info': {
         'simd_target': 'what `SimdTarget.AUTO` became',

@@ -35,6 +35,7 @@ __all__ = [
     'WindKind',
     'WindOutside',
     'WindSourceKind',
+    'WorldChecks',
     'MAX_SUBSTEP',
     'MAX_SUBSTEPS',
     'MAX_WIND_SOURCES',
@@ -87,6 +88,8 @@ class Status(IntEnum):
     INTERNAL = -25  # a defect of the library: please report
     STALE_WIND_SOURCE = -26  # the wind source was removed, or never was
     STALE_COLLIDER = -27  # the collider was destroyed, or never was
+    CONCURRENT_USE = -28  # another thread is inside a call on the world: `WorldChecks.THREADS`
+    REENTRANT = -29  # this thread is, and the call comes from a callback: `WorldChecks.THREADS`
 
 
 class LogLevel(IntEnum):
@@ -111,6 +114,11 @@ class SimdTarget(IntEnum):
 class AssetFlags(IntFlag):
     """What is special about an asset."""
     DIAGONAL = 1  # diagonal in body axes, buoyancy at the centre of mass: the fast path applies
+
+
+class WorldChecks(IntFlag):
+    """Misuse that is found at run time."""
+    THREADS = 1
 
 
 class WindKind(IntEnum):

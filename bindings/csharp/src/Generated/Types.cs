@@ -104,8 +104,9 @@ namespace LangevinRigid
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void TaskFn(IntPtr task, uint begin, uint end);
 
-    /// <summary>Receives a message, valid during the call only. Called from the thread that calls the library. May be
-    /// null.</summary>
+    /// <summary>Receives a message, valid during the call only. Called from the thread that calls the library: with
+    /// <see cref="WorldChecks.Threads"/> also while another thread's call on the world goes on. Must not call the
+    /// library on the same world. May be null.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void LogFn(IntPtr user, LogLevel level, byte* message);
 
@@ -121,7 +122,8 @@ namespace LangevinRigid
     /// library's. <c>Allocate</c> returns <c>size</c> bytes aligned to <c>alignment</c> (a power of two, at most 128),
     /// or null. <c>Release</c> gets the very size and alignment that were asked for. Called only from the thread that
     /// calls the library, during <see cref="Native.lr_world_step"/> only where bodies meet each other
-    /// (<see cref="Native.lr_batch_set_pair_contact"/>) in greater number than ever before.</summary>
+    /// (<see cref="Native.lr_batch_set_pair_contact"/>) in greater number than ever before. Must not call the library
+    /// on the same world.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Allocator
     {

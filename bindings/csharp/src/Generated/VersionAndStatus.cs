@@ -64,6 +64,10 @@ namespace LangevinRigid
         StaleWindSource = -26,
         /// <summary>The collider was destroyed, or never was.</summary>
         StaleCollider = -27,
+        /// <summary>Another thread is inside a call on the world: <see cref="WorldChecks.Threads"/>.</summary>
+        ConcurrentUse = -28,
+        /// <summary>This thread is, and the call comes from a callback: <see cref="WorldChecks.Threads"/>.</summary>
+        Reentrant = -29,
     }
 
     /// <summary>The header that these sources were made from, and limits that the library states.</summary>

@@ -76,6 +76,16 @@ namespace LangevinRigid
         Time = 2,
     }
 
+    /// <summary>Misuse that is found at run time.</summary>
+    [Flags]
+    public enum WorldChecks : uint
+    {
+        /// <summary>No bit.</summary>
+        None = 0,
+        /// <summary>The header's <c>LR_CHECK_THREADS</c>.</summary>
+        Threads = 1,
+    }
+
     /// <summary>Handle; 0 is never one.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public readonly struct WindSourceId : IEquatable<WindSourceId>
@@ -142,6 +152,10 @@ namespace LangevinRigid
         public IntPtr LogUser;
         /// <summary>copied; initially null functions: worker_count threads of the world's own</summary>
         public JobSystem Jobs;
+        /// <summary><see cref="WorldChecks"/>; initially 0</summary>
+        public WorldChecks Checks;
+        /// <summary>0.</summary>
+        public uint Reserved;
 
         /// <summary>One with its initial values and its size.</summary>
         public static WorldDesc Create()

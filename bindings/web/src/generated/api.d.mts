@@ -60,6 +60,10 @@ export declare const LR: {
   readonly ERROR_STALE_WIND_SOURCE: -26;
   /** the collider was destroyed, or never was */
   readonly ERROR_STALE_COLLIDER: -27;
+  /** another thread is inside a call on the world: LR_CHECK_THREADS */
+  readonly ERROR_CONCURRENT_USE: -28;
+  /** this thread is, and the call comes from a callback: LR_CHECK_THREADS */
+  readonly ERROR_REENTRANT: -29;
   /** s: the longest dt / substeps that is taken */
   readonly MAX_SUBSTEP: 1;
   /** the most substeps in one step */
@@ -80,6 +84,7 @@ export declare const LR: {
   readonly SIMD_WASM: 7;
   /** diagonal in body axes, buoyancy at the centre of mass: the fast path applies */
   readonly ASSET_DIAGONAL: 1;
+  readonly CHECK_THREADS: 1;
   readonly WIND_NONE: 0;
   /** the same velocity everywhere */
   readonly WIND_UNIFORM: 1;
@@ -244,6 +249,7 @@ export declare const LR: {
  * `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most 128), or null.
  * `release` gets the very size and alignment that were asked for. Called only from the thread that calls the library,
  * during lr_world_step only where bodies meet each other (lr_batch_set_pair_contact) in greater number than ever before.
+ * Must not call the library on the same world.
  */
 export interface Allocator {
   user: number;
@@ -418,6 +424,8 @@ export interface WorldDesc {
   logUser: number;
   /** copied; initially null functions: worker_count threads of the world's own */
   jobs: JobSystem;
+  /** bits LR_CHECK_*; initially 0 */
+  checks: number;
 }
 
 export interface WorldInfo {

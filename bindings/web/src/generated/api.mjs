@@ -32,6 +32,8 @@ export const LR = Object.freeze({
   ERROR_INTERNAL: -25,
   ERROR_STALE_WIND_SOURCE: -26,
   ERROR_STALE_COLLIDER: -27,
+  ERROR_CONCURRENT_USE: -28,
+  ERROR_REENTRANT: -29,
   MAX_SUBSTEP: 1,
   MAX_SUBSTEPS: 65536,
   LOG_ERROR: 1,
@@ -46,6 +48,7 @@ export const LR = Object.freeze({
   SIMD_NEON: 6,
   SIMD_WASM: 7,
   ASSET_DIAGONAL: 1,
+  CHECK_THREADS: 1,
   WIND_NONE: 0,
   WIND_UNIFORM: 1,
   WIND_SOURCE_GUSTS: 1,
@@ -237,7 +240,7 @@ export const structs = {
     ],
   },
   lr_world_desc: {
-    size: 72, init: 'lr_world_desc_init', sized: true,
+    size: 80, init: 'lr_world_desc_init', sized: true,
     fields: [
       ['workerCount', 4, 'u32', 0],
       ['seed', 8, 'big', 0],
@@ -249,6 +252,7 @@ export const structs = {
       ['log', 52, 'pointer', 0],
       ['logUser', 56, 'pointer', 0],
       ['jobs', 60, 'lr_job_system', 0],
+      ['checks', 72, 'u32', 0],
     ],
   },
   lr_world_info: {

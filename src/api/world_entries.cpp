@@ -1,0 +1,126 @@
+// Exported functions of worlds: how calls come in.
+#include "api/entry.h"
+
+using namespace lr::api;
+
+extern "C" {
+
+void lr_world_destroy(lr_world* world) {
+    if (!world) return;
+    if (world->use.checked()) {
+        // Kept until the end: whoever calls from another thread, or from the allocator, is told.
+        if (lr::enter(*world, "lr_world_destroy") != LR_OK) return;
+    }
+    lr_world::destroy(world);
+}
+
+lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
+    return query(world, "lr_world_get_info", [&] { return lr_inner_world_get_info(world, info); });
+}
+
+lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
+    return change(world, "lr_world_set_gravity", [&] { return lr_inner_world_set_gravity(world, gravity); });
+}
+
+lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
+    return change(world, "lr_world_set_simd_target", [&] { return lr_inner_world_set_simd_target(world, target); });
+}
+
+lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
+    return change(world, "lr_world_set_wind", [&] { return lr_inner_world_set_wind(world, desc); });
+}
+
+lr_status lr_world_add_wind(lr_world* world, const lr_wind_source_desc* desc, lr_wind_source* out) {
+    if (out) *out = 0;
+    return change(world, "lr_world_add_wind", [&] { return lr_inner_world_add_wind(world, desc, out); });
+}
+
+lr_status lr_world_update_wind(lr_world* world, lr_wind_source source, const lr_wind_source_desc* desc) {
+    return change(world, "lr_world_update_wind", [&] { return lr_inner_world_update_wind(world, source, desc); });
+}
+
+lr_status lr_world_remove_wind(lr_world* world, lr_wind_source source) {
+    return change(world, "lr_world_remove_wind", [&] { return lr_inner_world_remove_wind(world, source); });
+}
+
+lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user) {
+    return change(world, "lr_world_set_wind_callback",
+                  [&] { return lr_inner_world_set_wind_callback(world, callback, user); });
+}
+
+lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities) {
+    return query(world, "lr_world_sample_wind",
+                 [&] { return lr_inner_world_sample_wind(world, positions, count, velocities); });
+}
+
+lr_status lr_world_set_surface(lr_world* world, const lr_surface_desc* desc) {
+    return change(world, "lr_world_set_surface", [&] { return lr_inner_world_set_surface(world, desc); });
+}
+
+lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn callback, void* user) {
+    return change(world, "lr_world_set_surface_callback",
+                  [&] { return lr_inner_world_set_surface_callback(world, callback, user); });
+}
+
+lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
+    return change(world, "lr_world_step", [&] { return lr_inner_world_step(world, dt, substeps); });
+}
+
+lr_status lr_world_set_budget(lr_world* world, const lr_budget* budget) {
+    return change(world, "lr_world_set_budget", [&] { return lr_inner_world_set_budget(world, budget); });
+}
+
+lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report) {
+    return query(world, "lr_world_get_step_report", [&] { return lr_inner_world_get_step_report(world, report); });
+}
+
+lr_status lr_world_hash(const lr_world* world, uint64_t* out) {
+    return query(world, "lr_world_hash", [&] { return lr_inner_world_hash(world, out); });
+}
+
+uint64_t lr_world_snapshot_size(const lr_world* world) {
+    uint64_t size = 0;
+    query(world, "lr_world_snapshot_size", [&] {
+        size = lr_inner_world_snapshot_size(world);
+        return LR_OK;
+    });
+    return size;
+}
+
+lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written) {
+    if (written) *written = 0;
+    return query(world, "lr_world_snapshot_save",
+                 [&] { return lr_inner_world_snapshot_save(world, memory, size, written); });
+}
+
+lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
+    return change(world, "lr_world_snapshot_restore",
+                  [&] { return lr_inner_world_snapshot_restore(world, memory, size); });
+}
+
+lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {
+    if (woken) *woken = 0;
+    return change(world, "lr_world_wake_box", [&] { return lr_inner_world_wake_box(world, low, high, woken); });
+}
+
+lr_status lr_world_set_contact_events(lr_world* world, uint32_t capacity, uint32_t kinds) {
+    return change(world, "lr_world_set_contact_events",
+                  [&] { return lr_inner_world_set_contact_events(world, capacity, kinds); });
+}
+
+lr_status lr_world_get_contact_events(const lr_world* world, lr_contact_event_list* list) {
+    return query(world, "lr_world_get_contact_events", [&] { return lr_inner_world_get_contact_events(world, list); });
+}
+
+lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits) {
+    return query(world, "lr_world_ray_cast", [&] { return lr_inner_world_ray_cast(world, rays, count, hits); });
+}
+
+lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity,
+                           uint32_t* count) {
+    if (count) *count = 0;
+    return query(world, "lr_world_overlap",
+                 [&] { return lr_inner_world_overlap(world, desc, bodies, capacity, count); });
+}
+
+} // extern "C"
