@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The tests of the tree, built by MinGW against the DLL and run by Wine: API tests and all of determinism's, with the held hashes on
-# each instruction set that this processor has. Longer than CI's step, which checks the package alone.
+# The tests of the tree, built by MinGW against the DLL and run by Wine: API tests, all of determinism's with the held hashes on
+# each instruction set that this processor has, and the held snapshot. Longer than CI's step, which checks the package alone.
 #   packaging/test_windows.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -25,5 +25,6 @@ run() { # program, arguments of doctest
 }
 run tests_determinism --no-colors
 run tests_api --no-colors
+if tests/travel/check.sh "$bin/snapshot_file.exe" "${runner[@]}"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 echo "windows tests: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]
