@@ -44,6 +44,7 @@ configure build/samples -S samples -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_P
 cmake --build build/samples
 build/samples/hello
 build/samples/job_system
+build/samples/rollback
 python3 tests/samples/check_assets.py .
 "$prefix/bin/lr_bake" mesh assets/leaf.obj -o build/samples/leaf.lrb --density 350 --quiet
 build/samples/import_mesh assets/leaf.obj build/samples/imported.lrb 2>/dev/null

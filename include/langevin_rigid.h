@@ -649,8 +649,35 @@ LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uin
 /* Puts a saved state back, also into another world or process whose batches were created in the same order from equal
  * assets with equal capacities. Bodies, wind sources and colliders have the same ids as when it was saved; grids of
  * wind, hulls, heightfields and meshes must be in the world already, in any place. Checked whole before anything changes.
+ * Allocates nothing where the world has held as much before. docs/snapshots.md: which versions restore which snapshots.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size);
+
+/* What of a snapshot is not in another one, the base, of the same world at another time: for sending, and for long rings of
+ * states. They work on bytes alone, keep no memory of their own, and what lr_snapshot_delta_apply makes has the very bytes of
+ * the snapshot. docs/snapshots.md says what they cost. Both snapshots must be of this library's snapshot version. Memory that
+ * is written must not overlap memory that is read. */
+
+/* The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base. Any thread. */
+LR_API uint64_t lr_snapshot_delta_bound(uint64_t snapshot_size);
+
+/* base, base_size, snapshot, snapshot_size: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may
+ * also be of another world: that makes no small delta. memory: receives the delta, `capacity` bytes of any alignment, of which
+ * all may be written also after an error. written: bytes used, 0 after an error; may be null.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or snapshot), LR_ERROR_SNAPSHOT_FORMAT (either is
+ * no snapshot, damaged, or of another version), LR_ERROR_BUFFER_TOO_SMALL. Any thread. */
+LR_API lr_status lr_snapshot_delta_encode(const void* base, uint64_t base_size, const void* snapshot,
+                                          uint64_t snapshot_size, void* memory, uint64_t capacity, uint64_t* written);
+
+/* Makes the snapshot that a delta was made of. base: the same bytes as then. delta: what was written, more may follow. memory:
+ * receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all of it may be
+ * written also after LR_ERROR_SNAPSHOT_FORMAT. written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after other
+ * errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta
+ * is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any
+ * thread. */
+LR_API lr_status lr_snapshot_delta_apply(const void* base, uint64_t base_size, const void* delta, uint64_t delta_size,
+                                         void* memory, uint64_t capacity, uint64_t* written);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Batches                                                                                                            */

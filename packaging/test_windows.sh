@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The tests of the tree, built by MinGW and run by Wine: of the insides, of the API against the DLL, and all of determinism's, with
-# the held hashes on each instruction set that this processor has. Longer than CI's step, which checks the package alone.
+# The tests of the tree, built by MinGW and run by Wine: of the insides, of the API against the DLL, all of determinism's with the
+# held hashes on each instruction set that this processor has, and the held snapshot. Longer than CI's step.
 #   packaging/test_windows.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -26,5 +26,6 @@ run() { # program, arguments of doctest
 run tests_core --no-colors
 run tests_determinism --no-colors
 run tests_api --no-colors
+if tests/travel/check.sh "$bin/snapshot_file.exe" "${runner[@]}"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 echo "windows tests: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The runtime built by several compilers, at several levels of optimisation, for several instruction sets and cut into other
-# chunks: all must move bodies to the very hashes in tests/determinism/golden.txt. docs/determinism.md has the results.
+# chunks: all must move bodies to the very hashes in tests/determinism/golden.txt, and save and restore the very snapshot in
+# tests/travel. docs/determinism.md has the results.
 #   scripts/check_determinism.sh             GCC and clang at -O1, -O2 and -O3
 #   scripts/check_determinism.sh clang-O2    the builds that are named
 #   scripts/check_determinism.sh arm64       64-bit ARM, run by qemu (scripts/setup.sh arm64)
@@ -68,15 +69,16 @@ for name in "${wanted[@]}"; do
     cmake -S . -B "$dir" -G Ninja "${compilers[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_C_FLAGS_RELEASE=-O$level -DNDEBUG" \
         "-DCMAKE_CXX_FLAGS_RELEASE=-O$level -DNDEBUG" -DLR_BUILD_BAKER=OFF -DLR_CHUNK_BODIES="$chunk" \
         "-DLR_DISABLED_TARGETS=$disabled" >"$dir/configure.log" 2>&1 || { cat "$dir/configure.log"; exit 1; }
-    cmake --build "$dir" --target tests_determinism >"$dir/build.log" 2>&1 || { tail -n 60 "$dir/build.log"; exit 1; }
+    cmake --build "$dir" --target tests_determinism snapshot_file >"$dir/build.log" 2>&1 || { tail -n 60 "$dir/build.log"; exit 1; }
     # An emulator is slow: all scenes once, and what is the processor's own.
     cases=()
     [ ${#emulator[@]} -eq 0 ] || cases=(--test-case="held hashes,every instruction set is named,*rounding*,*flushed*,*sees*")
     built=$((SECONDS - start))
     result=equal
     "${emulator[@]}" "$dir/tests/tests_determinism$exe" "${cases[@]}" >"$dir/tests.log" 2>&1 || { result=DIFFERENT; failed+=("$name"); }
+    tests/travel/check.sh "$dir/tests/snapshot_file$exe" "${emulator[@]}" >>"$dir/tests.log" 2>&1 || { result=DIFFERENT; failed+=("$name"); }
     printf '%-9s %-9s chunks of %-5s built in %3d s, run in %3d s: %s\n' "$name" "$result" "$chunk" "$built" \
         $((SECONDS - start - built)) "$(targets "$dir" "${emulator[@]}")"
-    [ "$result" = equal ] || grep -E -A3 'ERROR|scene' "$dir/tests.log" | head -n 40
+    [ "$result" = equal ] || grep -E -A3 'ERROR|scene|^snapshots:' "$dir/tests.log" | head -n 40
 done
 [ ${#failed[@]} -eq 0 ] || { echo "not the held hashes: ${failed[*]}" >&2; exit 1; }

@@ -6,7 +6,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 wasm=$root/build/web/wasm package=$root/build/web/package
 targets=(langevin_rigid_wasm)
-[ "${1:-}" != --tests ] || targets+=(tests_determinism)
+[ "${1:-}" != --tests ] || targets+=(tests_determinism snapshot_file)
 
 ccd=ON
 "$root/scripts/debian_source.sh" "$root/build/sources" libccd || ccd=OFF

@@ -55,6 +55,8 @@ determinism() {
     [ $status -eq 0 ] && grep -q 'instruction sets: WebAssembly' "$work/determinism.log" && grep -Eq '[4-9] passed' "$work/determinism.log"
 }
 step "held hashes" determinism
+step "held snapshot, from and to other processors" \
+    "$root/tests/travel/check.sh" "$wasm/tests/snapshot_file.wasm" node "$root/cmake/cross/run_wasi.mjs"
 
 native() {
     "$prefix/bin/lr_bake" mesh "$root/assets/leaf.obj" -o "$work/leaf.lrb" --density 350 --quiet &&

@@ -152,6 +152,7 @@ lr_status lr_inner_world_snapshot_save(const lr_world* world, void* memory, uint
 }
 
 lr_status lr_inner_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
+    const lr::FloatMode mode; // boxes of bodies at rest and constants of loads are made anew
     if (!world || !memory) return LR_ERROR_NULL_ARGUMENT;
     const lr_status status = lr::snapshot_restore(*world, memory, size);
     return status == LR_OK ? status : refuse(world, "lr_world_snapshot_restore", status);

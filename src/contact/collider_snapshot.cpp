@@ -94,15 +94,12 @@ uint64_t ColliderSnapshot::bytes(const Colliders& c) {
     return sizeof(SavedList) + sizeof(SavedSlot) * uint64_t{c.used_} + sizeof(SavedCollider) * uint64_t{c.count_};
 }
 
-void ColliderSnapshot::save(const Colliders& c, unsigned char* to) {
-    const SavedList list{c.used_, c.count_, c.free_first_, c.free_last_};
-    std::memcpy(to, &list, sizeof list);
-    to += sizeof list;
+// Calls write(record) for the list, the slots and the colliders, in their order, while it returns true.
+template <class Write> bool ColliderSnapshot::visit(const Colliders& c, Write&& write) {
+    if (!write(SavedList{c.used_, c.count_, c.free_first_, c.free_last_})) return false;
     for (uint32_t i = 0; i < c.used_; ++i) {
         const Colliders::Slot& s = c.slots_[i];
-        const SavedSlot saved{s.generation, s.where == Colliders::Where::free ? s.link : taken};
-        std::memcpy(to, &saved, sizeof saved);
-        to += sizeof saved;
+        if (!write(SavedSlot{s.generation, s.where == Colliders::Where::free ? s.link : taken})) return false;
     }
     for (uint32_t i = 0; i < c.used_; ++i) {
         const Colliders::Slot& s = c.slots_[i];
@@ -123,16 +120,43 @@ void ColliderSnapshot::save(const Colliders& c, unsigned char* to) {
         saved.angular = m.angular;
         saved.rest = m.rest;
         saved.fresh = s.fresh ? 1 : 0;
-        std::memcpy(to, &saved, sizeof saved);
-        to += sizeof saved;
+        if (!write(saved)) return false;
     }
+    return true;
+}
+
+void ColliderSnapshot::save(const Colliders& c, unsigned char* to) {
+    visit(c, [&](const auto& record) {
+        std::memcpy(to, &record, sizeof record);
+        to += sizeof record;
+        return true;
+    });
+}
+
+// Records are of the same number of bytes up to the first that differs: the list comes first.
+bool ColliderSnapshot::is_there(const unsigned char* from) const {
+    return visit(*to_, [&](const auto& record) {
+        const bool same = std::memcmp(from, &record, sizeof record) == 0;
+        from += sizeof record;
+        return same;
+    });
+}
+
+uint64_t ColliderSnapshot::bytes(const unsigned char* from, uint64_t size) {
+    if (size < sizeof(SavedList)) return 0;
+    const auto list = at<SavedList>(from, 0);
+    const uint64_t used =
+        sizeof list + sizeof(SavedSlot) * uint64_t{list.slots} + sizeof(SavedCollider) * uint64_t{list.count};
+    return list.slots <= LR_MAX_COLLIDERS && list.count <= list.slots && used <= size ? used : 0;
 }
 
 lr_status ColliderSnapshot::read(const unsigned char* from, uint64_t size, uint64_t& used) {
-    if (size < sizeof(SavedList)) return LR_ERROR_SNAPSHOT_FORMAT;
+    used = bytes(from, size);
+    if (used == 0) return LR_ERROR_SNAPSHOT_FORMAT;
+    from_ = from;
+    same_ = is_there(from);
+    if (same_) return LR_OK;
     const auto list = at<SavedList>(from, 0);
-    used = sizeof list + sizeof(SavedSlot) * uint64_t{list.slots} + sizeof(SavedCollider) * uint64_t{list.count};
-    if (list.slots > LR_MAX_COLLIDERS || list.count > list.slots || size < used) return LR_ERROR_SNAPSHOT_FORMAT;
     const unsigned char* const slots = from + sizeof list;
     const unsigned char* const colliders = slots + sizeof(SavedSlot) * uint64_t{list.slots};
     if (!consistent(list, slots)) return LR_ERROR_SNAPSHOT_FORMAT;
@@ -157,7 +181,6 @@ lr_status ColliderSnapshot::read(const unsigned char* from, uint64_t size, uint6
     if (proxies > INT32_MAX) return LR_ERROR_SNAPSHOT_FORMAT;
     if (!to_->reserve_slots(list.slots) || !to_->reserve_grids(proxies, movers) || !to_->reserve_unbounded(unbounded))
         return LR_ERROR_OUT_OF_MEMORY;
-    from_ = from;
     return LR_OK;
 }
 
@@ -166,6 +189,7 @@ bool ColliderSnapshot::any() const {
 }
 
 void ColliderSnapshot::commit() {
+    if (same_) return;
     Colliders& c = *to_;
     const auto list = at<SavedList>(from_, 0);
     const unsigned char* const slots = from_ + sizeof list;

@@ -12,6 +12,9 @@ public:
     // Writes bytes(colliders) of them.
     static void save(const Colliders& colliders, unsigned char* to);
 
+    // Of bytes that begin with saved colliders: how many of them are theirs; 0 when they are not even that many.
+    static uint64_t bytes(const unsigned char* from, uint64_t size);
+
     explicit ColliderSnapshot(Colliders& colliders) : to_(&colliders) {}
 
     // used: receives how many of the `size` bytes are the colliders'. `from` is kept for commit().
@@ -22,8 +25,12 @@ public:
     void commit();
 
 private:
+    template <class Write> static bool visit(const Colliders& colliders, Write&& write);
+    bool is_there(const unsigned char* from) const;
+
     Colliders* to_;
     const unsigned char* from_ = nullptr;
+    bool same_ = false; // they are what the world has already
 };
 
 } // namespace lr

@@ -60,8 +60,11 @@ private:
         int32_t first[3], last[3];
     };
     static int32_t cell(double x, double size) {
-        const double at = std::floor(x / size), most = static_cast<double>(most_cells);
-        return at == at ? static_cast<int32_t>(std::clamp(at, -most, most)) : 0;
+        const double at = x / size, most = static_cast<double>(most_cells);
+        if (!(at == at)) return 0;
+        const double within = std::clamp(at, -most, most);
+        const auto truncated = static_cast<int32_t>(within); // std::floor is a call where processors need not have SSE4
+        return truncated - (within < static_cast<double>(truncated) ? 1 : 0);
     }
     // Bodies of a level reach no farther than half a cell.
     Range cells_of(uint32_t level, const float (&low)[3], const float (&high)[3]) const {

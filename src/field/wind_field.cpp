@@ -33,7 +33,7 @@ lr_status WindField::make(const lr_wind_source_desc& desc, double time, uint64_t
         grid->hash = hash_samples(desc, desc.samples);
     }
     if (grid) ++grid->references;
-    void* const memory = allocator_->allocate(sizeof(WindSource));
+    void* const memory = spares_ != 0 ? spare_[--spares_] : allocator_->allocate(sizeof(WindSource));
     if (!memory) {
         release(grid);
         return LR_ERROR_OUT_OF_MEMORY;
@@ -59,7 +59,15 @@ void WindField::release(WindSource* source) {
     if (!source) return;
     release(source->grid);
     source->~WindSource();
-    allocator_->release(source, sizeof(WindSource));
+    if (spares_ < capacity)
+        spare_[spares_++] = source;
+    else
+        allocator_->release(source, sizeof(WindSource));
+}
+
+WindField::~WindField() {
+    clear();
+    for (uint32_t i = 0; i < spares_; ++i) allocator_->release(spare_[i], sizeof(WindSource));
 }
 
 void WindField::clear() {

@@ -28,7 +28,7 @@ public:
     static constexpr uint32_t slice = 8;
 
     explicit WindField(Allocator& allocator) : allocator_(&allocator) {}
-    ~WindField() { clear(); }
+    ~WindField();
     WindField(const WindField&) = delete;
     WindField& operator=(const WindField&) = delete;
 
@@ -79,6 +79,7 @@ private:
         double way[3], velocity[3];
     };
     lr_status make(const lr_wind_source_desc& desc, double time, uint64_t seed, GridSamples* grid, WindSource*& out);
+    // Its memory is kept for the next that is made.
     void release(WindSource* source);
     void release(GridSamples* grid);
     GridSamples* find_samples(const lr_wind_source_desc& desc, uint64_t hash) const;
@@ -91,6 +92,8 @@ private:
     Allocator* allocator_;
     Slot slots_[capacity] = {};
     uint32_t used_ = 0;
+    void* spare_[capacity] = {}; // memory for a WindSource each
+    uint32_t spares_ = 0;
     Buffer<SourceInstant> prepared_;
     FieldInstant instants_[slice] = {};
     lr_wind_fn callback_ = nullptr;

@@ -3,8 +3,10 @@
 #include "kernel/float_mode.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace lr {
 namespace {
@@ -58,6 +60,24 @@ void WindSnapshot::save(const WindField& field, unsigned char* to) {
     }
 }
 
+uint64_t WindSnapshot::bytes(const unsigned char* from, uint64_t size) {
+    SavedWind wind;
+    if (size < sizeof wind) return 0;
+    std::memcpy(&wind, from, sizeof wind);
+    const uint64_t used = sizeof wind + wind.sources * uint64_t{sizeof(SavedSource)};
+    return wind.sources <= WindField::capacity && used <= size ? used : 0;
+}
+
+bool WindSnapshot::is_there(const lr_wind_source_desc& desc, uint32_t slot, double since, uint64_t samples,
+                            uint64_t seed) const {
+    const WindSource* const source = field_->slots_[slot].source;
+    constexpr size_t head = sizeof desc.struct_size;
+    return source && seed == world_seed_ && std::bit_cast<uint64_t>(source->since) == std::bit_cast<uint64_t>(since) &&
+           samples == (source->grid ? source->grid->hash : 0) &&
+           std::memcmp(reinterpret_cast<const unsigned char*>(&source->desc) + head,
+                       reinterpret_cast<const unsigned char*>(&desc) + head, source_bytes - head) == 0;
+}
+
 WindSnapshot::~WindSnapshot() {
     for (WindSource* source : sources_) field_->release(source);
 }
@@ -65,11 +85,10 @@ WindSnapshot::~WindSnapshot() {
 lr_status WindSnapshot::read(const unsigned char* from, uint64_t size, uint64_t seed, uint64_t& used) {
     const FloatMode mode; // gusts are computed anew
     SavedWind wind;
-    if (size < sizeof wind) return LR_ERROR_SNAPSHOT_FORMAT;
+    used = bytes(from, size);
+    if (used == 0) return LR_ERROR_SNAPSHOT_FORMAT;
     std::memcpy(&wind, from, sizeof wind);
-    used = sizeof wind + wind.sources * uint64_t{sizeof(SavedSource)};
-    if (wind.sources > WindField::capacity || size < used || !all_finite(wind.before) || !all_finite(wind.drift))
-        return LR_ERROR_SNAPSHOT_FORMAT;
+    if (!all_finite(wind.before) || !all_finite(wind.drift)) return LR_ERROR_SNAPSHOT_FORMAT;
     for (uint32_t generation : wind.generations)
         if (generation > WindField::last_generation) return LR_ERROR_SNAPSHOT_FORMAT;
     uint32_t instants = 0;
@@ -79,9 +98,14 @@ lr_status WindSnapshot::read(const unsigned char* from, uint64_t size, uint64_t 
         lr_wind_source_desc desc{};
         std::memcpy(static_cast<void*>(&desc), saved.desc, source_bytes);
         const char* why = nullptr;
-        if (saved.slot >= WindField::capacity || sources_[saved.slot] || !std::isfinite(saved.since) ||
-            check_wind_source(desc, why) != LR_OK)
+        if (saved.slot >= WindField::capacity || sources_[saved.slot] || kept_[saved.slot] ||
+            !std::isfinite(saved.since) || check_wind_source(desc, why) != LR_OK)
             return LR_ERROR_SNAPSHOT_FORMAT;
+        if (is_there(desc, saved.slot, saved.since, saved.samples, seed)) {
+            kept_[saved.slot] = true;
+            instants += field_->slots_[saved.slot].source->instants();
+            continue;
+        }
         GridSamples* grid = nullptr;
         if (desc.kind == LR_WIND_SOURCE_GRID) {
             grid = field_->find_samples(desc, saved.samples);
@@ -99,11 +123,14 @@ lr_status WindSnapshot::read(const unsigned char* from, uint64_t size, uint64_t 
 }
 
 void WindSnapshot::commit() {
-    field_->clear();
     for (uint32_t i = 0; i < WindField::capacity; ++i) {
-        field_->slots_[i] = {sources_[i], generations_[i]};
-        if (sources_[i]) ++field_->used_;
-        sources_[i] = nullptr;
+        WindField::Slot& slot = field_->slots_[i];
+        if (!kept_[i]) {
+            if (slot.source) --field_->used_;
+            if (sources_[i]) ++field_->used_;
+            std::swap(slot.source, sources_[i]); // what was there goes with this object
+        }
+        slot.generation = generations_[i];
     }
     std::copy(before_, before_ + 3, field_->uniform.before);
     std::copy(drift_, drift_ + 3, field_->uniform.drift);

@@ -11,7 +11,11 @@ public:
     // Writes bytes(field) of them.
     static void save(const WindField& field, unsigned char* to);
 
-    explicit WindSnapshot(WindField& field) : field_(&field) {}
+    // Of bytes that begin with a saved wind: how many of them are its; 0 when they are not even that many.
+    static uint64_t bytes(const unsigned char* from, uint64_t size);
+
+    // world_seed: of the world that the field is in.
+    WindSnapshot(WindField& field, uint64_t world_seed) : field_(&field), world_seed_(world_seed) {}
     ~WindSnapshot();
     WindSnapshot(const WindSnapshot&) = delete;
     WindSnapshot& operator=(const WindSnapshot&) = delete;
@@ -22,8 +26,12 @@ public:
     void commit();
 
 private:
+    bool is_there(const lr_wind_source_desc& desc, uint32_t slot, double since, uint64_t samples, uint64_t seed) const;
+
     WindField* field_;
-    WindSource* sources_[WindField::capacity] = {};
+    uint64_t world_seed_;
+    WindSource* sources_[WindField::capacity] = {}; // made anew
+    bool kept_[WindField::capacity] = {};           // the field's own is the same
     uint32_t generations_[WindField::capacity] = {};
     float before_[3] = {};
     double drift_[3] = {};

@@ -89,7 +89,7 @@ bool Batch::allocate(uint32_t capacity) {
     capacity_ = capacity;
     for (size_t f = 0; f < fields(); ++f) arrays_.field[f] = fields_.data() + f * lanes;
     arrays_.key = keys_.data();
-    for (uint32_t i = 0; i < lanes; ++i) clear_lane(i);
+    clear_lanes(0, static_cast<uint32_t>(lanes));
     for (uint32_t i = 0; i < capacity; ++i) {
         ids_[i] = 0;
         dense_[i] = free_bit | (i + 1);
@@ -102,10 +102,14 @@ bool Batch::allocate(uint32_t capacity) {
 
 // Lanes without a body are stepped along with the others: they must stay finite.
 void Batch::clear_lane(uint32_t index) {
-    for (size_t f = 0; f < fields(); ++f) arrays_.field[f][index] = 0.0f;
-    arrays_.field[field_qw][index] = 1.0f;
-    arrays_.field[field_scale][index] = 1.0f;
-    arrays_.key[index] = 0;
+    clear_lanes(index, index + 1);
+}
+
+void Batch::clear_lanes(uint32_t begin, uint32_t end) {
+    if (begin >= end) return;
+    for (size_t f = 0; f < fields(); ++f)
+        std::fill(arrays_.field[f] + begin, arrays_.field[f] + end, f == field_qw || f == field_scale ? 1.0f : 0.0f);
+    std::fill(arrays_.key + begin, arrays_.key + end, 0u);
 }
 
 lr_body Batch::add(const BodyState& state) {
@@ -190,13 +194,18 @@ uint32_t Batch::rest(uint32_t index) {
 void Batch::lie_down(uint32_t index, double birth) {
     for (size_t f : {field_vx, field_vy, field_vz, field_wx, field_wy, field_wz}) arrays_.field[f][index] = 0.0f;
     external.clear(index);
+    const uint32_t slot = unpack(ids_[index]).slot;
+    resting_->set_box(slot, resting_box(index));
     const float position[3] = {arrays_.field[field_x][index], arrays_.field[field_y][index],
                                arrays_.field[field_z][index]};
-    const float scale = arrays_.field[field_scale][index];
-    const Pose pose{{position[0], position[1], position[2]},
+    resting_->enter(index, slot, position, arrays_.field[field_scale][index], birth);
+}
+
+Bounds Batch::resting_box(uint32_t index) const {
+    const Pose pose{{arrays_.field[field_x][index], arrays_.field[field_y][index], arrays_.field[field_z][index]},
                     {arrays_.field[field_qx][index], arrays_.field[field_qy][index], arrays_.field[field_qz][index],
                      arrays_.field[field_qw][index]}};
-    resting_->enter(index, unpack(ids_[index]).slot, position, scale, birth, bounds(meeting, scale, pose));
+    return bounds(meeting, arrays_.field[field_scale][index], pose);
 }
 
 uint32_t Batch::wake(uint32_t index) {
@@ -231,17 +240,27 @@ bool Batch::reserve_rest() {
     return resting_ != nullptr;
 }
 
-void Batch::restore_rest(const unsigned char* from) {
+// As lie_down() for each of them, but that boxes of those that lay like this are there already.
+void Batch::restore_rest(const unsigned char* from, uint32_t before) {
     Resting::Record record{};
     if (from) std::memcpy(&record, from, sizeof record);
     awake_ = from ? record.awake : count_;
     ++revision_;
     if (!resting_) return;
-    resting_->restore(record);
+    resting_->restore(record, padded(before));
+    for (size_t f : {field_vx, field_vy, field_vz, field_wx, field_wy, field_wz})
+        std::fill(arrays_.field[f] + awake_, arrays_.field[f] + count_, 0.0f);
+    external.clear(awake_, count_);
+    const float* const x = arrays_.field[field_x];
+    const float* const y = arrays_.field[field_y];
+    const float* const z = arrays_.field[field_z];
     for (uint32_t i = awake_; i < count_; ++i) {
         double birth = 0.0;
         std::memcpy(&birth, from + sizeof record + 8 * uint64_t{i}, sizeof birth);
-        lie_down(i, birth);
+        const uint32_t slot = unpack(ids_[i]).slot;
+        if (!resting_->has_box(slot)) resting_->set_box(slot, resting_box(i));
+        const float position[3] = {x[i], y[i], z[i]};
+        resting_->enter(i, slot, position, arrays_.field[field_scale][i], birth);
     }
     resting_->restore_turns(record);
 }

@@ -118,7 +118,8 @@ public:
     // Memory for ContactArrays; false when out of memory.
     bool reserve_contact();
     // After all bodies are back. from: a Resting::Record and a birth for each body, of any alignment; null: none rests.
-    void restore_rest(const unsigned char* from);
+    // before: how many bodies there were.
+    void restore_rest(const unsigned char* from, uint32_t before);
     void forget_touched_bodies(); // it meets none any more
     ContactArrays contact_arrays() const { return resting_ ? resting_->contact : ContactArrays{}; }
     // A body of a chunk that is stepped is to rest from the end of the step on; from any thread.
@@ -166,6 +167,8 @@ private:
     void clear_lane(uint32_t index);
     void swap(uint32_t a, uint32_t b);
     void lie_down(uint32_t index, double birth);
+    Bounds resting_box(uint32_t index) const;
+    void clear_lanes(uint32_t begin, uint32_t end);
     bool reaches_into(uint32_t index, const float (&low)[3], const float (&high)[3]) const;
     void move(uint32_t from, uint32_t to);
     bool fill_table(const TableView& table);

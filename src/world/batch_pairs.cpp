@@ -75,6 +75,17 @@ bool BatchPairs::consistent(const unsigned char* from, uint32_t count, uint32_t 
     return true;
 }
 
+bool BatchPairs::equal(const unsigned char* from, uint32_t count) const {
+    uint32_t i = 0;
+    bool same = count == pairs_;
+    visit([&](uint32_t low, uint32_t high) {
+        if (!same) return;
+        const Pair pair = pair_at(from, i++);
+        same = pair.low == low && pair.high == high;
+    });
+    return same;
+}
+
 bool BatchPairs::fill(Allocator& allocator, const unsigned char* from, uint32_t count) {
     Buffer<uint32_t> links;
     if (!links.allocate(allocator, 2 * size_t{count})) return false;

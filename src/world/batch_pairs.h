@@ -41,6 +41,8 @@ public:
     bool fill(Allocator& allocator, const unsigned char* from, uint32_t count);
     // Whether bytes that say to be pairs of so many slots can be filled in: in the order of visit(), none twice.
     static bool consistent(const unsigned char* from, uint32_t count, uint32_t slots);
+    // Whether they are those there are.
+    bool equal(const unsigned char* from, uint32_t count) const;
     void swap(BatchPairs& other);
 
 private:

@@ -38,8 +38,15 @@ void ExternalForces::swap(uint32_t a, uint32_t b) {
 }
 
 void ExternalForces::clear(uint32_t index) {
+    clear(index, index + 1);
+}
+
+void ExternalForces::clear(uint32_t begin, uint32_t end) {
     if (!pending()) return;
-    for (size_t i = 0; i < force_components; ++i) bodies_[i * stride_ + index] = 0.0f;
+    for (size_t i = 0; i < force_components; ++i) {
+        float* const component = bodies_.data() + i * stride_;
+        std::fill(component + begin, component + end, 0.0f);
+    }
 }
 
 void ExternalForces::clear() {

@@ -17,6 +17,7 @@ public:
     void swap(uint32_t a, uint32_t b);
     void clear();
     void clear(uint32_t index); // those on one body
+    void clear(uint32_t begin, uint32_t end);
 
     void set_batch(const float (&force)[force_components]);
     const float (&batch() const)[force_components] { return batch_; }

@@ -39,6 +39,7 @@ Resting* Resting::create(Allocator& allocator, uint32_t capacity, double reach, 
     if (made->birth_.allocate(allocator, capacity) && made->boxes_.allocate(allocator, capacity) &&
         made->grid.create(allocator, capacity, reach)) {
         std::fill_n(made->birth_.data(), capacity, 0.0);
+        for (uint32_t slot = 0; slot < capacity; ++slot) made->forget_box(slot);
         made->begin();
         return made;
     }
@@ -86,12 +87,14 @@ void Resting::begin() {
     std::fill_n(withstood_, 3, 0.0f);
 }
 
-void Resting::enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth,
-                    const Bounds& box) {
+void Resting::forget_box(uint32_t slot) {
+    boxes_[slot].low.x = std::numeric_limits<float>::quiet_NaN();
+}
+
+void Resting::enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth) {
     birth_[index] = birth;
     tried_ = 0;
     earliest_ = std::min(earliest_, birth);
-    boxes_[slot] = box;
     grid.insert(slot, position, scale);
 }
 
@@ -192,12 +195,12 @@ void Resting::note(uint32_t index) {
 }
 
 bool Resting::any_contact(uint32_t count) const {
-    bool any = false;
-    for (uint32_t i = 0; i < count && contact.rest_time; ++i) {
-        any = any || rest_time_[i] != 0.0f || contact.stay[0][i] != 0.0f;
-        for (const uint32_t* touching : contact.touching) any = any || touching[i] != 0;
-    }
-    return any;
+    if (!contact.rest_time) return false;
+    const auto any = [count](const auto* row) {
+        return std::any_of(row, row + count, [](auto noted) { return noted != 0; });
+    };
+    return any(contact.rest_time) || any(contact.stay[0]) ||
+           std::any_of(contact.touching, contact.touching + most_touched, any);
 }
 
 bool Resting::take_cut(uint32_t cut) {
@@ -223,16 +226,16 @@ void Resting::restore_turns(const Record& r) {
     std::copy(r.wind, r.wind + 3, withstood_);
 }
 
-void Resting::restore(const Record& r) {
+void Resting::restore(const Record& r, uint32_t lanes) {
     clock_ = r.clock;
     steps_ = r.steps;
     unjudged_ = r.unjudged != 0;
     earliest_ = never;
     grid.clear();
     if (!contact.rest_time) return;
-    std::fill_n(rest_time_.data(), rest_time_.size(), 0.0f);
-    std::fill_n(stay_.data(), stay_.size(), 0.0f);
-    std::fill_n(touching_.data(), touching_.size(), 0u);
+    std::fill_n(contact.rest_time, lanes, 0.0f);
+    for (float* row : contact.stay) std::fill_n(row, lanes, 0.0f);
+    for (uint32_t* touching : contact.touching) std::fill_n(touching, lanes, 0u);
     std::fill_n(noted_.data(), noted_.size(), uint8_t{0});
     std::fill_n(cut_noted_.data(), cut_noted_.size(), uint8_t{0});
 }

@@ -37,14 +37,22 @@ public:
 
     // The first body comes to rest.
     void begin();
-    // A body comes to rest that was born then, on the clock. box: what others can touch of it.
-    void enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth, const Bounds& box);
+    // A body comes to rest that was born then, on the clock. It has a box.
+    void enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth);
+    // What others can touch of it: made when it comes to rest, and forgotten when it leaves.
     const Bounds& box(uint32_t slot) const { return boxes_[slot]; }
+    bool has_box(uint32_t slot) const { return boxes_[slot].low.x == boxes_[slot].low.x; }
+    void set_box(uint32_t slot, const Bounds& box) { boxes_[slot] = box; }
+    void forget_box(uint32_t slot);
     double birth_of(float age, float age_rest) const {
         return clock_ - (static_cast<double>(age) - static_cast<double>(age_rest));
     }
     double birth(uint32_t index) const { return birth_[index]; }
-    void leave(uint32_t slot) { grid.remove(slot); }
+    const double* births() const { return birth_.data(); } // by dense index, of bodies at rest
+    void leave(uint32_t slot) {
+        grid.remove(slot);
+        forget_box(slot);
+    }
     // `age_rest` is what rounding has added to the age, as in the kernel.
     void age_of(uint32_t index, float& age, float& age_rest) const;
     void swap(uint32_t a, uint32_t b);
@@ -97,7 +105,8 @@ public:
     }
     static bool consistent(const Record& record, uint32_t count);
     static bool consistent(const Record& record, double birth);
-    void restore(const Record& record);
+    // Nobody rests, and contact has noted nothing, of which there were `lanes` before. Boxes stay.
+    void restore(const Record& record, uint32_t lanes);
     void restore_turns(const Record& record); // after all have entered
 
 private:
@@ -111,7 +120,7 @@ private:
     double clock_ = 0.0;    // s, of the batch since the first came to rest
     double earliest_ = 0.0; // s: no birth is before it
     Buffer<double> birth_;  // s, by dense index, of bodies at rest
-    Buffer<Bounds> boxes_;  // by slot: made once, when a body comes to rest
+    Buffer<Bounds> boxes_;  // by slot; NaN for none
     Buffer<float> rest_time_, stay_;
     Buffer<uint32_t> touching_;
     Buffer<uint8_t> noted_, cut_noted_;

@@ -3,79 +3,29 @@
 #include "contact/collider_snapshot.h"
 #include "field/wind_snapshot.h"
 #include "kernel/aerodynamics.h"
+#include "world/snapshot_format.h"
 #include "world/snapshot_parts.h"
 #include "world/world.h"
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <new>
-#include <type_traits>
 
 namespace lr {
 namespace {
 
-constexpr uint64_t magic = 0x31304e53444c524cull; // "LRLDSN01", little-endian
-constexpr uint32_t version = 8;
-
-struct Header {
-    uint64_t magic;
-    uint32_t version;
-    uint32_t batch_slots;
-    uint64_t size;     // of everything
-    uint64_t checksum; // of everything but this field
-    uint64_t seed;
-    uint64_t step_count, substep_count;
-    double time;
-    Pacing::Record pacing;
-    float gravity[3];
-    float wind[3];
-    uint32_t next_key;
-    uint32_t pair_count; // of BatchPairs, behind the colliders
-};
-
-struct BatchHeader {
-    uint64_t content_hash; // of the asset
-    uint32_t capacity;     // 0 for a slot without a batch
-    uint32_t count;
-    uint32_t generation, body_generation; // of the slot
-    uint32_t first_generation, last_generation;
-    uint32_t free_first, free_last;
-    uint32_t table_count;
-    float inverse_dt;
-    float speed_alpha, speed_beta;
-    uint32_t parts;  // SnapshotPart
-    uint32_t fields; // Batch::fields
-    Gains gains;
-    TurbulenceSample stationary;
-    AerodynamicData aerodynamics;
-    Pace::Record pace;
-};
-static_assert(std::is_trivially_copyable_v<BatchHeader>);
-static_assert(sizeof(Header) % 8 == 0 && sizeof(BatchHeader) % 8 == 0 && sizeof(BatchPairs::Pair) % 8 == 0);
-
-// Over all words but the checksum's own. Each step is a bijection of the state: one changed word always changes the
-// sum.
-uint64_t checksum(const unsigned char* bytes, uint64_t size) {
-    uint64_t sum = size;
-    uint64_t word = 0;
-    for (uint64_t i = 0; i + 8 <= size; i += 8) {
-        if (i == offsetof(Header, checksum)) continue;
-        std::memcpy(&word, bytes + i, 8);
-        sum = (sum ^ word) * 0x9e3779b97f4a7c15ull;
-        sum ^= sum >> 32;
-    }
-    return sum;
-}
+static_assert(sizeof(BatchPairs::Pair) % 8 == 0);
 
 uint64_t even(uint64_t words) {
-    return (words + 1) / 2 * 2;
-} // 32-bit words, kept to 8 bytes
+    return even_words(words);
+}
 
-// Without the parts that only some batches have, which follow.
-uint64_t batch_bytes(const BatchHeader& h) {
-    const uint64_t bodies = (uint64_t{h.fields} + 1) * even(h.count) + 2 * uint64_t{h.count};
-    return 4 * (bodies + 2 * even(h.capacity) + 2 * even(h.table_count));
+uint32_t word_at(const unsigned char* from, uint64_t index) {
+    uint32_t word;
+    std::memcpy(&word, from + 4 * index, 4);
+    return word;
 }
 
 } // namespace
@@ -83,8 +33,8 @@ uint64_t batch_bytes(const BatchHeader& h) {
 // Reads and writes a batch's arrays in one order, given as visits of (pointer, words).
 class SnapshotAccess {
 public:
-    static BatchHeader header(const lr_world::BatchSlot& slot) {
-        BatchHeader h{};
+    static SnapshotBatch header(const lr_world::BatchSlot& slot) {
+        SnapshotBatch h{};
         h.generation = slot.generation;
         h.body_generation = slot.body_generation;
         if (!slot.batch) return h;
@@ -121,65 +71,70 @@ public:
     static Buffer<float>& table(Batch& b) { return b.table_; }
 
     // The slots, ids and queue of a snapshot must describe one and the same set of bodies.
-    static bool consistent(const BatchHeader& h, uint32_t batch_index, const unsigned char* body) {
-        const auto word = [&](uint64_t at) {
-            uint32_t w;
-            std::memcpy(&w, body + 4 * at, 4);
-            return w;
-        };
-        const uint64_t ids = (uint64_t{h.fields} + 1) * even(h.count), dense = ids + 2 * uint64_t{h.count};
-        const uint64_t generations = dense + even(h.capacity), table = generations + even(h.capacity);
+    static bool consistent(const SnapshotBatch& h, uint32_t batch_index, const unsigned char* body) {
+        const unsigned char* const ids = body + 4 * (uint64_t{h.fields} + 1) * even(h.count);
+        const unsigned char* const dense = ids + 8 * uint64_t{h.count};
+        const unsigned char* const generations = dense + 4 * even(h.capacity);
+        const unsigned char* const table = generations + 4 * even(h.capacity);
         if (h.free_first > h.capacity || h.free_last >= h.capacity) return false;
         for (uint32_t i = 0; i < h.count; ++i) {
             uint64_t id;
-            std::memcpy(&id, body + 4 * (ids + 2 * uint64_t{i}), 8);
+            std::memcpy(&id, ids + 8 * uint64_t{i}, 8);
             const BodyHandle handle = unpack(id);
             if (handle.batch != batch_index || handle.slot >= h.capacity || handle.generation == 0 ||
-                word(dense + handle.slot) != i || word(generations + handle.slot) != handle.generation)
+                word_at(dense, handle.slot) != i || word_at(generations, handle.slot) != handle.generation)
                 return false;
         }
-        uint32_t used = 0;
+        // Loops over all words, without branches: in vectors.
+        uint32_t used = 0, bad = 0;
         for (uint32_t s = 0; s < h.capacity; ++s) {
-            if ((word(dense + s) & Batch::free_bit) == 0) ++used;
-            const uint32_t generation = word(generations + s);
-            if (generation == 0 || generation > max_generation) return false;
+            used += 1 - (word_at(dense, s) >> 31);
+            bad |= word_at(generations, s) - 1 >= max_generation ? 1u : 0u;
         }
-        if (used != h.count || h.first_generation > max_generation || h.last_generation > max_generation) return false;
+        static_assert(Batch::free_bit == 1u << 31);
+        if (bad != 0 || used != h.count || h.first_generation > max_generation || h.last_generation > max_generation)
+            return false;
         // As many different slots as are free: from the first on none comes twice, or the last would not come last.
         uint32_t slot = h.free_first;
         for (uint32_t i = h.count; i < h.capacity; ++i) {
-            if (slot >= h.capacity || (word(dense + slot) & Batch::free_bit) == 0) return false;
+            if (slot >= h.capacity || (word_at(dense, slot) & Batch::free_bit) == 0) return false;
             if ((slot == h.free_last) != (i + 1 == h.capacity)) return false;
-            slot = word(dense + slot) & ~Batch::free_bit;
+            slot = word_at(dense, slot) & ~Batch::free_bit;
         }
-        for (uint64_t i = 0; i < 2 * even(h.table_count); ++i) {
-            float v; // alpha or beta^2, or the padding after them
-            std::memcpy(&v, body + 4 * (table + i), 4);
-            if (!(v >= 0.0f) || !std::isfinite(v)) return false;
+        // As bits: finite, and not less than 0 (or above it); -0 is none.
+        constexpr uint32_t infinite = 0x7f800000u, minus = 0x80000000u;
+        for (uint64_t i = 0; i < 2 * even(h.table_count); ++i) { // alpha or beta^2, or the padding after them
+            const uint32_t v = word_at(table, i);
+            bad |= v >= infinite && v != minus ? 1u : 0u;
         }
         // Other fields may hold anything: a body that left physics must not make its world unrestorable.
-        for (uint32_t i = 0; i < h.count; ++i)
-            for (size_t f : {field_scale, field_age, field_age_rest}) {
-                float v;
-                std::memcpy(&v, body + 4 * (f * even(h.count) + i), 4);
-                if (!std::isfinite(v) || (v < 0.0f && f != field_age_rest) || (f == field_scale && v == 0.0f))
-                    return false;
-            }
-        return true;
+        const auto column = [&](size_t f) { return body + 4 * (f * even(h.count)); };
+        for (uint32_t i = 0; i < h.count; ++i) {
+            const uint32_t scale = word_at(column(field_scale), i), age = word_at(column(field_age), i),
+                           rest = word_at(column(field_age_rest), i);
+            bad |= scale - 1 >= infinite - 1 ? 1u : 0u;
+            bad |= age >= infinite && age != minus ? 1u : 0u;
+            bad |= (rest & infinite) == infinite ? 1u : 0u;
+        }
+        return bad == 0;
     }
 
-    static void restore(lr_world::BatchSlot& slot, const BatchHeader& h, const unsigned char* body,
-                        Buffer<float>& new_table) {
+    static void restore(lr_world::BatchSlot& slot, const SnapshotBatch& h, const unsigned char* body,
+                        Buffer<float>* new_table) {
         slot.generation = h.generation;
         slot.body_generation = h.body_generation;
         Batch& b = *slot.batch;
-        for (uint32_t i = h.count; i < b.count_; ++i) b.clear_lane(i), b.ids_[i] = 0;
+        const uint32_t before = b.count_;
+        const unsigned char* const parts = body + columns_bytes(h);
+        forget_other_boxes(b, h, body, rest_begin(h.parts, h.count, parts));
+        b.clear_lanes(h.count, before);
+        for (uint32_t i = h.count; i < before; ++i) b.ids_[i] = 0;
         b.count_ = h.count;
         b.first_generation_ = h.first_generation;
         b.last_generation_ = h.last_generation;
         b.free_first_ = h.free_first;
         b.free_last_ = h.free_last;
-        if (new_table.size() != 0) b.table_.swap(new_table);
+        if (new_table && new_table->size() != 0) b.table_.swap(*new_table);
         visit(b, h.count, b.table_, [&](auto* to, uint64_t words) {
             if (words != 0) std::memcpy(to, body, static_cast<size_t>(4 * words));
             body += 4 * even(words);
@@ -190,11 +145,35 @@ public:
         b.step.table.inverse_dt = h.inverse_dt;
         b.step.body.speed_alpha = h.speed_alpha;
         b.step.body.speed_beta = h.speed_beta;
-        b.stationary_ = h.stationary;
         b.pace.restore(h.pace);
-        b.set_aerodynamics(h.aerodynamics, h.gains); // as it was when saved: it has been checked
+        if (!same_loads(h, b)) {
+            b.stationary_ = h.stationary;
+            b.set_aerodynamics(h.aerodynamics, h.gains); // as it was when saved: it has been checked
+        }
+        restore_parts(b, h.parts, h.count, before, parts);
     }
-    static bool usable_loads(const BatchHeader& h, const Batch& b) {
+    // Bodies at rest keep their boxes where they lie in the same place: made anew they would be the same. rest_begin: index of the
+    // first that will be at rest.
+    static void forget_other_boxes(Batch& b, const SnapshotBatch& h, const unsigned char* body, uint32_t rest_begin) {
+        if (!b.resting_) return;
+        const unsigned char* const dense =
+            body + 4 * (even(h.count) * (h.fields + uint64_t{1}) + 2 * uint64_t{h.count});
+        for (uint32_t i = b.awake_; i < b.count_; ++i) {
+            const uint32_t slot = unpack(b.ids_[i]).slot, to = word_at(dense, slot);
+            uint32_t other = to >= rest_begin && to < h.count ? 0 : 1;
+            if (other == 0)
+                for (size_t f : {field_x, field_y, field_z, field_qx, field_qy, field_qz, field_qw, field_scale})
+                    other |= word_at(body, f * even(h.count) + to) ^ std::bit_cast<uint32_t>(b.arrays_.field[f][i]);
+            if (other != 0) b.resting_->forget_box(slot);
+        }
+    }
+    static bool same_loads(const SnapshotBatch& h, const Batch& b) {
+        const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+        return same(h.gains, b.settings_.gains) && same(h.stationary, b.stationary_) &&
+               same(h.aerodynamics, b.aerodynamics_);
+    }
+    static bool usable_loads(const SnapshotBatch& h, const Batch& b) {
+        if (same_loads(h, b)) return true;
         const Gains& g = h.gains;
         for (double v : {g.damping, g.noise, g.drag, g.lift, g.spin_drag, g.turbulence})
             if (!(v >= 0.0 && v <= 100.0)) return false;
@@ -204,16 +183,15 @@ public:
         if (s.u0 > 0.0 && !(s.l > 0.0)) return false;
         return is_usable(h.aerodynamics) && b.can_use(h.aerodynamics, g);
     }
+    static uint64_t bytes(const SnapshotBatch& h) {
+        return sizeof h + (h.capacity != 0 ? columns_bytes(h) + parts_bytes(h.parts, h.count) : 0);
+    }
 };
 
 uint64_t snapshot_size(const lr_world& w) {
-    uint64_t size = sizeof(Header) + WindSnapshot::bytes(w.wind) + sizeof(Surface::Record) +
+    uint64_t size = sizeof(SnapshotHeader) + WindSnapshot::bytes(w.wind) + sizeof(Surface::Record) +
                     ColliderSnapshot::bytes(w.colliders) + sizeof(BatchPairs::Pair) * uint64_t{w.pairs.count()};
-    for (uint32_t i = 0; i < w.batch_slots; ++i) {
-        const BatchHeader h = SnapshotAccess::header(w.batches[i]);
-        size += sizeof(BatchHeader);
-        if (h.capacity != 0) size += batch_bytes(h) + parts_bytes(h.parts, h.count);
-    }
+    for (uint32_t i = 0; i < w.batch_slots; ++i) size += SnapshotAccess::bytes(SnapshotAccess::header(w.batches[i]));
     return size;
 }
 
@@ -221,9 +199,9 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     const uint64_t needed = snapshot_size(w);
     if (size < needed) return LR_ERROR_BUFFER_TOO_SMALL;
     auto* const begin = static_cast<unsigned char*>(memory);
-    Header header{};
-    header.magic = magic;
-    header.version = version;
+    SnapshotHeader header{};
+    header.magic = snapshot_magic;
+    header.version = snapshot_version;
     header.batch_slots = w.batch_slots;
     header.size = needed;
     header.seed = w.seed;
@@ -250,7 +228,7 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
         at += sizeof pair;
     });
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
-        const BatchHeader h = SnapshotAccess::header(w.batches[i]);
+        const SnapshotBatch h = SnapshotAccess::header(w.batches[i]);
         std::memcpy(at, &h, sizeof h);
         at += sizeof h;
         if (h.capacity == 0) continue;
@@ -260,10 +238,10 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
             std::memset(at + 4 * words, 0, static_cast<size_t>(4 * (even(words) - words)));
             at += 4 * even(words);
         });
-        save_parts(batch, at);
+        save_parts(batch, h.parts, at);
         at += parts_bytes(h.parts, h.count);
     }
-    header.checksum = checksum(begin, needed);
+    header.seal = seal_of(begin, needed);
     std::memcpy(begin, &header, sizeof header);
     if (written) *written = needed;
     return LR_OK;
@@ -271,13 +249,13 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
 
 lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
     const auto* const begin = static_cast<const unsigned char*>(memory);
-    Header header{};
+    SnapshotHeader header{};
     if (size < sizeof header) return LR_ERROR_SNAPSHOT_FORMAT;
     std::memcpy(&header, begin, sizeof header);
-    if (header.magic != magic || header.version != version || header.size > size || header.size < sizeof header ||
-        header.size % 8 != 0)
+    if (header.magic != snapshot_magic || header.version != snapshot_version || header.size > size ||
+        header.size < sizeof header || header.size % 8 != 0)
         return LR_ERROR_SNAPSHOT_FORMAT;
-    if (checksum(begin, header.size) != header.checksum) return LR_ERROR_SNAPSHOT_FORMAT;
+    if (seal_of(begin, header.size) != header.seal) return LR_ERROR_SNAPSHOT_FORMAT;
     for (float v : header.gravity)
         if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
     for (float v : header.wind)
@@ -288,14 +266,20 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
 
     // First pass: everything is checked, and tables of another length get their memory.
     Buffer<Buffer<float>> tables;
-    if (!tables.allocate(w.allocator, w.batch_slots)) return LR_ERROR_OUT_OF_MEMORY;
-    for (uint32_t i = 0; i < w.batch_slots; ++i) new (&tables[i]) Buffer<float>();
-    WindSnapshot wind(w.wind);
+    const auto new_table = [&](uint32_t batch, uint64_t floats) {
+        if (tables.size() == 0) {
+            if (!tables.allocate(w.allocator, w.batch_slots)) return false;
+            for (uint32_t i = 0; i < w.batch_slots; ++i) new (&tables[i]) Buffer<float>();
+        }
+        return tables[batch].allocate(w.allocator, floats);
+    };
+    WindSnapshot wind(w.wind, w.seed);
     uint64_t wind_bytes = 0;
     Surface::Record surface{};
     ColliderSnapshot colliders(w.colliders);
     uint64_t collider_bytes = 0;
-    BatchPairs pairs;
+    BatchPairs new_pairs;
+    bool same_pairs = false;
     const uint64_t pair_bytes = sizeof(BatchPairs::Pair) * uint64_t{header.pair_count};
     const auto check = [&]() -> lr_status {
         const lr_status windy = wind.read(begin + sizeof header, header.size - sizeof header, header.seed, wind_bytes);
@@ -310,10 +294,12 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         at += collider_bytes;
         if (header.size - at < pair_bytes || !BatchPairs::consistent(begin + at, header.pair_count, header.batch_slots))
             return LR_ERROR_SNAPSHOT_FORMAT;
-        if (!pairs.fill(w.allocator, begin + at, header.pair_count)) return LR_ERROR_OUT_OF_MEMORY;
+        same_pairs = w.pairs.equal(begin + at, header.pair_count);
+        if (!same_pairs && !new_pairs.fill(w.allocator, begin + at, header.pair_count)) return LR_ERROR_OUT_OF_MEMORY;
+        const BatchPairs& pairs = same_pairs ? w.pairs : new_pairs;
         at += pair_bytes;
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
-            BatchHeader h{};
+            SnapshotBatch h{};
             if (header.size - at < sizeof h) return LR_ERROR_SNAPSHOT_FORMAT;
             std::memcpy(&h, begin + at, sizeof h);
             at += sizeof h;
@@ -332,14 +318,14 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
                 !SnapshotAccess::usable_loads(h, *batch) ||
                 !Pace::consistent(h.pace, header.time, header.substep_count))
                 return LR_ERROR_SNAPSHOT_FORMAT;
-            const uint64_t bytes = batch_bytes(h);
+            const uint64_t bytes = columns_bytes(h);
             const uint64_t parts = parts_bytes(h.parts, h.count);
             if (header.size - at < bytes + parts || !SnapshotAccess::consistent(h, i, begin + at) ||
                 !parts_consistent(h.parts, h.count, pairs.meets(i), begin + at + bytes))
                 return LR_ERROR_SNAPSHOT_FORMAT;
             at += bytes + parts;
             if (h.table_count * 2ull != SnapshotAccess::table(*w.batches[i].batch).size() &&
-                !tables[i].allocate(w.allocator, 2ull * h.table_count))
+                !new_table(i, 2ull * h.table_count))
                 return LR_ERROR_OUT_OF_MEMORY;
             if (!reserve_parts(*batch, h.parts)) return LR_ERROR_OUT_OF_MEMORY;
             if ((colliders.any() || pairs.meets(i)) && !batch->reserve_contact()) return LR_ERROR_OUT_OF_MEMORY;
@@ -351,10 +337,10 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         const unsigned char* at = begin + sizeof header + wind_bytes + sizeof surface + collider_bytes + pair_bytes;
         wind.commit();
         colliders.commit();
-        w.pairs.swap(pairs);
+        if (!same_pairs) w.pairs.swap(new_pairs);
         w.surface.restore(surface);
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
-            BatchHeader h{};
+            SnapshotBatch h{};
             std::memcpy(&h, at, sizeof h);
             at += sizeof h;
             if (h.capacity == 0) {
@@ -362,10 +348,8 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
                 w.batches[i].body_generation = h.body_generation;
                 continue;
             }
-            SnapshotAccess::restore(w.batches[i], h, at, tables[i]);
-            at += batch_bytes(h);
-            restore_parts(*w.batches[i].batch, h.parts, h.count, at);
-            at += parts_bytes(h.parts, h.count);
+            SnapshotAccess::restore(w.batches[i], h, at, tables.size() != 0 ? &tables[i] : nullptr);
+            at += columns_bytes(h) + parts_bytes(h.parts, h.count);
         }
         w.seed = header.seed;
         w.step_count = header.step_count;
@@ -377,7 +361,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         std::memcpy(w.wind.uniform.wind, header.wind, sizeof header.wind);
         w.resume_contact_events();
     }
-    for (uint32_t i = 0; i < w.batch_slots; ++i) tables[i].~Buffer<float>();
+    for (size_t i = 0; i < tables.size(); ++i) tables[i].~Buffer<float>();
     return status;
 }
 

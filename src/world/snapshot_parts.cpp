@@ -1,6 +1,7 @@
 #include "world/snapshot_parts.h"
 
 #include "world/lifecycle.h"
+#include "world/snapshot_format.h"
 
 #include <cmath>
 #include <cstring>
@@ -9,7 +10,7 @@ namespace lr {
 namespace {
 
 constexpr uint64_t even(uint64_t words) {
-    return (words + 1) / 2 * 2;
+    return even_words(words);
 }
 constexpr uint64_t record_words = sizeof(Lifecycle::Record) / 4;
 // How a batch meets colliders.
@@ -27,27 +28,37 @@ ContactSettings settings_of(const SettingsRecord& r) {
     return {r.layers, r.friction, r.restitution, r.rolling, r.ground_effect, r.may_rest != 0};
 }
 
+uint32_t word_at(const unsigned char* from, uint64_t index) {
+    uint32_t word;
+    std::memcpy(&word, from + 4 * index, 4);
+    return word;
+}
+
+// These loops run over all words, without branches: in vectors.
 bool finite(const unsigned char* from, uint64_t words) {
-    for (uint64_t i = 0; i < words; ++i) {
-        float v;
-        std::memcpy(&v, from + 4 * i, 4);
-        if (!std::isfinite(v)) return false;
-    }
-    return true;
+    constexpr uint32_t exponent = 0x7f800000u;
+    uint32_t bad = 0;
+    for (uint64_t i = 0; i < words; ++i) bad |= (word_at(from, i) & exponent) == exponent ? 1u : 0u;
+    return bad == 0;
+}
+// Of finite numbers: -0 is none.
+bool negative(const unsigned char* from, uint64_t words) {
+    uint32_t bad = 0;
+    for (uint64_t i = 0; i < words; ++i) bad |= word_at(from, i) > 0x80000000u ? 1u : 0u;
+    return bad != 0;
 }
 
 // Slots of colliders may be those of destroyed ones.
 bool touched_consistent(uint32_t count, bool meets_bodies, const unsigned char* from) {
-    for (uint32_t i = 0; i < count; ++i) {
-        uint32_t bodies = 0;
-        for (uint64_t k = 0; k < most_touched; ++k) {
-            uint32_t touched;
-            std::memcpy(&touched, from + 4 * (k * even(count) + i), 4);
-            if (touched == touching_body) ++bodies;
-        }
-        if (bodies > (meets_bodies ? 1u : 0u)) return false;
+    const uint32_t most = meets_bodies ? 1 : 0;
+    const uint64_t row = even(count);
+    uint32_t bad = 0;
+    static_assert(most_touched == 4);
+    for (uint64_t i = 0; i < count; ++i) {
+        const auto is_body = [&](uint64_t k) { return word_at(from, k * row + i) == touching_body ? 1u : 0u; };
+        bad |= is_body(0) + is_body(1) + is_body(2) + is_body(3) > most ? 1u : 0u;
     }
-    return true;
+    return bad == 0;
 }
 
 } // namespace
@@ -61,19 +72,37 @@ uint32_t parts_of(const Batch& batch) {
 }
 
 // A birth for each body, of which those that move have none: so that the size depends on these two alone.
+uint64_t part_column_words(uint32_t parts, uint32_t count, uint32_t column) {
+    const auto next = [&](uint32_t columns) {
+        if (column < columns) return true;
+        column -= columns;
+        return false;
+    };
+    if (next(1)) return parts & part_batch_force ? force_components : 0;
+    if (next(force_components)) return parts & part_body_forces ? even(count) : 0;
+    if (next(1)) return parts & part_lifecycle ? record_words : 0;
+    if (next(1)) return parts & part_lifecycle ? even(count) : 0;
+    if (next(1)) return parts & part_rest ? rest_words : 0;
+    if (next(1)) return parts & part_rest ? 2 * uint64_t{count} : 0;
+    if (next(1 + stay_rows + most_touched)) return parts & part_contact ? even(count) : 0;
+    return parts & part_settings ? settings_words : 0;
+}
+
 uint64_t parts_bytes(uint32_t parts, uint32_t count) {
     uint64_t words = 0;
-    if (parts & part_batch_force) words += force_components;
-    if (parts & part_body_forces) words += force_components * even(count);
-    if (parts & part_lifecycle) words += record_words + even(count);
-    if (parts & part_rest) words += rest_words + 2 * uint64_t{count};
-    if (parts & part_contact) words += (1 + stay_rows + most_touched) * even(count);
-    if (parts & part_settings) words += settings_words;
+    for (uint32_t column = 0; column < part_columns; ++column) words += part_column_words(parts, count, column);
     return 4 * words;
 }
 
-void save_parts(Batch& batch, unsigned char* to) {
-    const uint32_t parts = parts_of(batch), count = batch.count();
+uint32_t rest_begin(uint32_t parts, uint32_t count, const unsigned char* from) {
+    if (!(parts & part_rest)) return count;
+    Resting::Record record;
+    std::memcpy(&record, from + parts_bytes(parts & (part_rest - 1), count), sizeof record);
+    return record.awake;
+}
+
+void save_parts(Batch& batch, uint32_t parts, unsigned char* to) {
+    const uint32_t count = batch.count(), awake = batch.awake();
     const auto put = [&](const void* from, uint64_t words) {
         if (words != 0) std::memcpy(to, from, static_cast<size_t>(4 * words));
         std::memset(to + 4 * words, 0, static_cast<size_t>(4 * (even(words) - words)));
@@ -90,10 +119,9 @@ void save_parts(Batch& batch, unsigned char* to) {
     if (parts & part_rest) {
         const Resting::Record record = batch.resting()->record(batch.awake());
         put(&record, rest_words);
-        for (uint32_t i = 0; i < count; ++i) {
-            const double birth = batch.rests(i) ? batch.resting()->birth(i) : 0.0;
-            put(&birth, 2);
-        }
+        std::memset(to, 0, uint64_t{8} * awake);
+        to += uint64_t{8} * awake;
+        put(batch.resting()->births() + awake, 2 * uint64_t{count - awake});
     }
     if (parts & part_contact) {
         const ContactArrays contact = batch.contact_arrays();
@@ -139,11 +167,7 @@ bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const u
     if (parts & part_contact) {
         // The two times, and how far it has gone since the second began.
         if (!finite(from, (1 + stay_rows) * even(count))) return false;
-        for (uint64_t i = 0; i < even(count) + count; ++i) {
-            float time;
-            std::memcpy(&time, from + 4 * i, 4);
-            if (!(time >= 0.0f)) return false;
-        }
+        if (negative(from, even(count) + count)) return false;
         from += uint64_t{4} * (1 + stay_rows) * even(count);
         if (!touched_consistent(count, meets_bodies, from)) return false;
         from += uint64_t{4} * most_touched * even(count);
@@ -163,7 +187,7 @@ bool reserve_parts(Batch& batch, uint32_t parts) {
     return !(parts & part_contact) || batch.reserve_contact();
 }
 
-void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned char* from) {
+void restore_parts(Batch& batch, uint32_t parts, uint32_t count, uint32_t before, const unsigned char* from) {
     const auto get = [&](void* to, uint64_t words) {
         if (words != 0) std::memcpy(to, from, static_cast<size_t>(4 * words));
         from += 4 * even(words);
@@ -171,7 +195,7 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned 
     float force[force_components] = {};
     if (parts & part_batch_force) get(force, force_components);
     batch.external.set_batch(force);
-    batch.external.clear();
+    if (batch.external.pending()) batch.external.clear();
     if (parts & part_body_forces) {
         for (size_t i = 0; i < force_components; ++i) get(batch.external.bodies() + i * batch.external.stride(), count);
         batch.external.restored_pending();
@@ -182,7 +206,7 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned 
         lifecycle->restore(record, parts & part_lifecycle ? count : 0);
         if (parts & part_lifecycle) get(lifecycle->lives(), count);
     }
-    batch.restore_rest(parts & part_rest ? from : nullptr);
+    batch.restore_rest(parts & part_rest ? from : nullptr, before);
     if (parts & part_rest) from += 4 * rest_words + 8 * uint64_t{count};
     const ContactArrays contact = batch.contact_arrays();
     if ((parts & part_contact) && contact.rest_time) { // they have been reserved

@@ -1888,12 +1888,58 @@ PROTOTYPES = {
         Puts a saved state back, also into another world or process whose batches were created in the same order from equal
         assets with equal capacities. Bodies, wind sources and colliders have the same ids as when it was saved; grids of
         wind, hulls, heightfields and meshes must be in the world already, in any place. Checked whole before anything changes.
+        Allocates nothing where the world has held as much before. docs/snapshots.md: which versions restore which snapshots.
 
         world: the world
         memory: the bytes
         size: bytes
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY.
+        """,
+    ),
+    'lr_snapshot_delta_bound': (
+        ctypes.c_uint64,
+        [ctypes.c_uint64],
+        ('snapshot_size',),
+        """uint64_t lr_snapshot_delta_bound(uint64_t snapshot_size)
+
+        The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base.
+        Any thread.
+        """,
+    ),
+    'lr_snapshot_delta_encode': (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_uint64)],
+        ('base', 'base_size', 'snapshot', 'snapshot_size', 'memory', 'capacity', 'written'),
+        """lr_status lr_snapshot_delta_encode(const void* base, uint64_t base_size, const void* snapshot, uint64_t snapshot_size, void* memory, uint64_t capacity, uint64_t* written)
+
+        base: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
+        base_size: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
+        snapshot: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
+        snapshot_size: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
+        memory: receives the delta, `capacity` bytes of any alignment, of which all may be written also after an error.
+        capacity: elements that there is room for
+        written: bytes used, 0 after an error; may be null.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or snapshot), LR_ERROR_SNAPSHOT_FORMAT (either is no snapshot, damaged, or of another version), LR_ERROR_BUFFER_TOO_SMALL.
+        Any thread.
+        """,
+    ),
+    'lr_snapshot_delta_apply': (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_uint64)],
+        ('base', 'base_size', 'delta', 'delta_size', 'memory', 'capacity', 'written'),
+        """lr_status lr_snapshot_delta_apply(const void* base, uint64_t base_size, const void* delta, uint64_t delta_size, void* memory, uint64_t capacity, uint64_t* written)
+
+        Makes the snapshot that a delta was made of.
+
+        base: the same bytes as then.
+        delta: what was written, more may follow. memory: receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all of it may be written also after LR_ERROR_SNAPSHOT_FORMAT.
+        memory: the bytes
+        capacity: elements that there is room for
+        written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after other errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any thread.
         """,
     ),
     'lr_batch_desc_init': (

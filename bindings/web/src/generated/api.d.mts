@@ -1250,9 +1250,24 @@ export interface RawFunctions {
    * Puts a saved state back, also into another world or process whose batches were created in the same order from equal
    * assets with equal capacities. Bodies, wind sources and colliders have the same ids as when it was saved; grids of
    * wind, hulls, heightfields and meshes must be in the world already, in any place. Checked whole before anything changes.
+   * Allocates nothing where the world has held as much before. docs/snapshots.md: which versions restore which snapshots.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_world_snapshot_restore(world: number, memory: number, size: bigint): number;
+  /** The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base. */
+  lr_snapshot_delta_bound(snapshot_size: bigint): bigint;
+  /**
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or snapshot), LR_ERROR_SNAPSHOT_FORMAT (either is
+   * no snapshot, damaged, or of another version), LR_ERROR_BUFFER_TOO_SMALL.
+   */
+  lr_snapshot_delta_encode(base: number, base_size: bigint, snapshot: number, snapshot_size: bigint, memory: number, capacity: bigint, written: number): number;
+  /**
+   * Makes the snapshot that a delta was made of.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta
+   * is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any
+   * thread.
+   */
+  lr_snapshot_delta_apply(base: number, base_size: bigint, delta: number, delta_size: bigint, memory: number, capacity: bigint, written: number): number;
   lr_batch_desc_init(desc: number, struct_size: number): number;
   /**
    * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->asset), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
