@@ -37,6 +37,8 @@ if [ "${1:-build}" = test ]; then
         node-typescript dpkg-dev                     # its types; unpacks the sources of libccd
         xvfb xdotool                                 # the viewer in a window, without a screen
         patchelf                                     # libraries that find each other beside them, in packages
+        abigail-tools                                # ABI: tests/abi/check.py
+        strace                                       # what the runtime asks of the system: tests/security
     )
 fi
 mode=${1:-build}
