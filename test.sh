@@ -37,6 +37,19 @@ ctest --test-dir build/release -j "$jobs" --output-on-failure
 step "Valgrind on the tests of the API"
 scripts/valgrind.sh
 
+step "ABI and security"
+library=build/release/src/liblangevin_rigid.so
+xargs -P "$jobs" -I{} bash -c {} <<CHECKS
+scripts/check_reproducible.sh quick
+tests/abi/test_check.py
+tests/abi/check.py $library
+tests/security/check_hardening.sh $library build/release/src/baker/lr_bake
+tests/security/check_imports.sh $library tests/security/imports-linux.txt
+tests/security/test_hardening.sh
+tests/security/check_syscalls.sh build/release/src tests/abi/0.1/leaf.lrb
+tests/targets/check_refused.sh
+CHECKS
+
 step "Samples, built and run as outside users would: against the installed package"
 prefix=$PWD/build/release/samples-prefix
 cmake --install build/release --prefix "$prefix" >/dev/null

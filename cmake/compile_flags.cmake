@@ -37,9 +37,3 @@ function(lr_precompile_headers target)
         target_precompile_headers(${target} PRIVATE <algorithm> <cmath> <functional> <limits> <memory> <string> <vector> ${ARGN})
     endif()
 endfunction()
-
-# Hardening that costs nothing in the kernel.
-if(NOT LR_SANITIZE AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
-    target_compile_options(lr_flags INTERFACE -fstack-protector-strong)
-    target_link_options(lr_flags INTERFACE -Wl,-z,relro,-z,now,-z,noexecstack)
-endif()

@@ -89,6 +89,9 @@ check "exports the header's functions and nothing else" same_exports
 only_system() { local others; others=$(needs "$1" | grep -vE "$system" || true); [ -z "$others" ] || { echo "$others"; return 1; }; }
 check "the library needs the system's C library alone" only_system "$library"
 check "lr_bake needs the system's C library alone" only_system "bin/lr_bake$exe"
+security=$root/tests/security
+check "imports what its list has and nothing else" "$security/check_imports.sh" "$library" "$security/imports-package-${platform/linux-*/linux}.txt"
+check "hardened" "$security/check_hardening.sh" "$library" "bin/lr_bake$exe"
 if [ "$platform" != windows-x64 ]; then
     stated() { grep -q "needs glibc $("$root/packaging/glibc_floor.sh" "$library") or later and nothing else; lr_bake needs glibc $(
         "$root/packaging/glibc_floor.sh" bin/lr_bake) or later" README.md; }

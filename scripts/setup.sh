@@ -38,6 +38,8 @@ if [ "${1:-build}" = test ]; then
         xvfb xdotool                                 # the viewer in a window, without a screen
         valgrind                                     # scripts/valgrind.sh
         patchelf                                     # libraries that find each other beside them, in packages
+        abigail-tools                                # ABI: tests/abi/check.py
+        strace                                       # what the runtime asks of the system: tests/security
     )
 fi
 mode=${1:-build}

@@ -1,10 +1,12 @@
 // Checks that every exported function shares.
 #pragma once
 
+#include "format/target.h"
 #include "kernel/float_mode.h"
 #include "langevin_rigid.h"
 #include "world/out_of_memory.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,20 +18,21 @@ namespace lr::api {
 // No struct of this API comes near it: a size above it is not a size.
 inline constexpr uint32_t max_struct_size = 65536;
 
-// Size of each struct when it was first released: what the oldest callers give. Kept here when structs grow.
-template <class T> inline constexpr uint32_t first_size = sizeof(T);
-template <> inline constexpr uint32_t first_size<lr_world_desc> = offsetof(lr_world_desc, jobs);
-template <> inline constexpr uint32_t first_size<lr_world_info> = offsetof(lr_world_info, collider_count);
-template <> inline constexpr uint32_t first_size<lr_batch_view> = offsetof(lr_batch_view, revision);
-template <> inline constexpr uint32_t first_size<lr_body_state> = offsetof(lr_body_state, resting);
+// Sizes that each struct had before it grew: what older callers give. When a struct grows, the size that it had in the last
+// release comes here; tests/abi holds every released size against it.
+template <class T> inline constexpr std::array<size_t, 0> earlier_sizes{};
+template <>
+inline constexpr std::array earlier_sizes<lr_world_desc>{offsetof(lr_world_desc, jobs),
+                                                         offsetof(lr_world_desc, checks)};
+template <> inline constexpr std::array earlier_sizes<lr_world_info>{offsetof(lr_world_info, collider_count)};
+template <> inline constexpr std::array earlier_sizes<lr_batch_view>{offsetof(lr_batch_view, revision)};
+template <> inline constexpr std::array earlier_sizes<lr_body_state>{offsetof(lr_body_state, resting)};
 
-// Of those that have grown twice, the size between.
-template <class T> inline constexpr uint32_t second_size = first_size<T>;
-template <> inline constexpr uint32_t second_size<lr_world_desc> = offsetof(lr_world_desc, checks);
-
-// Besides larger ones, of newer headers. Another size would cut a field in two.
+// Besides larger ones, of newer headers. Another one between would cut a field in two.
 template <class T> bool is_struct_size(uint32_t size) {
-    return size == first_size<T> || size == second_size<T> || (size >= sizeof(T) && size <= max_struct_size);
+    for (size_t earlier : earlier_sizes<T>)
+        if (size == earlier) return true;
+    return size >= sizeof(T) && size <= max_struct_size;
 }
 
 // Begins an _init function: zeroes all that the caller has.

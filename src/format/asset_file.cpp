@@ -2,6 +2,7 @@
 
 #include "asset_generated.h"
 #include "format/checksum.h"
+#include "format/target.h"
 
 #include <algorithm>
 #include <cstring>

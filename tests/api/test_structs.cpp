@@ -1,9 +1,12 @@
-// struct_size of every struct: 0, too small, exact, larger with a zero tail, larger with a tail, absurd.
+// struct_size of every struct: 0, too small, of each release, exact, larger with a zero tail, larger with a tail, absurd.
+// That each struct and each function that takes one is here: tests/abi/test_check.py.
 #include "support/colliders.h"
 #include "support/scene.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
+#include <typeindex>
 
 using namespace test;
 
@@ -16,50 +19,125 @@ template <class T> struct Grown {
     unsigned char tail[64] = {};
 };
 
+// What callers give who were built with a released header. Those of before 0.1 are promised too.
+struct ReleasedSize {
+    std::type_index type;
+    size_t size;
+};
+const std::vector<ReleasedSize>& released_sizes() {
+    static const std::vector<ReleasedSize> sizes = {
+        {typeid(lr_world_desc), offsetof(lr_world_desc, jobs)},
+        {typeid(lr_world_info), offsetof(lr_world_info, collider_count)},
+        {typeid(lr_batch_view), offsetof(lr_batch_view, revision)},
+        {typeid(lr_body_state), offsetof(lr_body_state, resting)},
+#define GROWS(type, wide, wide_alignment, narrow, narrow_alignment)                                                    \
+    {typeid(type), sizeof(void*) == 8 ? size_t{wide} : size_t{narrow}},
+#define OURS(...)
+#define FIXED(...)
+#define FIELD(...)
+#include "abi/0.1/layout.txt"
+    };
+    return sizes;
+}
+template <class T> std::vector<uint32_t> sizes_of() {
+    std::vector<uint32_t> sizes;
+    for (const ReleasedSize& r : released_sizes())
+        if (r.type == typeid(T)) sizes.push_back(static_cast<uint32_t>(r.size));
+    REQUIRE(!sizes.empty());
+    return sizes;
+}
+
+// A caller's struct of some size, at the end of what is the caller's: bytes behind it are somebody else's.
+class Caller {
+public:
+    template <class T>
+    Caller(const T& from, uint32_t size, unsigned char tail = 0) : words_(size / 8 + 16), size_(size) {
+        std::memset(words_.data(), canary, words_.size() * 8);
+        std::memset(words_.data(), tail, size);
+        std::memcpy(words_.data(), static_cast<const void*>(&from), std::min<size_t>(size, sizeof(T)));
+        std::memcpy(words_.data(), &size, sizeof size);
+        before_ = words_;
+    }
+    template <class T> T* as() { return reinterpret_cast<T*>(words_.data()); }
+    unsigned char& byte(size_t i) { return bytes()[i]; }
+    void remember() { before_ = words_; }
+    bool unchanged() const { return words_ == before_; }
+    bool says_its_size() { return std::memcmp(bytes(), &size_, sizeof size_) == 0; }
+    bool nothing_behind_is_written() {
+        return std::all_of(bytes() + size_, bytes() + words_.size() * 8, [](unsigned char b) { return b == canary; });
+    }
+    bool zero_from(size_t first) {
+        return std::all_of(bytes() + first, bytes() + size_, [](unsigned char b) { return b == 0; });
+    }
+
+private:
+    static constexpr unsigned char canary = 0x5a;
+    unsigned char* bytes() { return reinterpret_cast<unsigned char*>(words_.data()); }
+    std::vector<uint64_t> words_, before_;
+    uint32_t size_;
+};
+
+// No caller has these.
+template <class T> std::vector<uint32_t> no_sizes() {
+    const std::vector<uint32_t> released = sizes_of<T>();
+    const uint32_t oldest = *std::min_element(released.begin(), released.end());
+    std::vector<uint32_t> sizes = {0, 1, 4, 8, oldest - 4, oldest - 1, 65537, 0x7fffffff, 0xffffffff};
+    for (uint32_t size = oldest + 1; size < sizeof(T); ++size) sizes.push_back(size);
+    std::erase_if(sizes, [&](uint32_t s) { return std::find(released.begin(), released.end(), s) != released.end(); });
+    return sizes;
+}
+
 template <class T> void check_init(lr_status (*init)(T*, uint32_t)) {
     CHECK(init(nullptr, sizeof(T)) == LR_ERROR_NULL_ARGUMENT);
-    Grown<T> g{T{}};
-    std::memset(static_cast<void*>(&g), 0x5a, sizeof g);
-    const Grown<T> before = g;
-    for (uint32_t size : {0u, 1u, 4u, static_cast<uint32_t>(sizeof(T)) - 1u, 65537u, 0x7fffffffu, 0xffffffffu}) {
+    T garbage;
+    std::memset(static_cast<void*>(&garbage), 0x5a, sizeof garbage);
+    for (uint32_t size : no_sizes<T>()) {
         CAPTURE(size);
-        CHECK(init(&g.value, size) == LR_ERROR_STRUCT_SIZE);
-        CHECK(std::memcmp(&g, &before, sizeof g) == 0);
+        Caller caller(garbage, sizeof(T));
+        CHECK(init(caller.as<T>(), size) == LR_ERROR_STRUCT_SIZE);
+        CHECK(caller.unchanged());
     }
-    CHECK(init(&g.value, sizeof(T)) == LR_OK);
-    CHECK(g.value.struct_size == sizeof(T));
-    bool untouched = true;
-    for (unsigned char byte : g.tail) untouched = untouched && byte == 0x5a;
-    CHECK(untouched);
-    // A caller with a newer header: the part that this library does not know becomes zero.
-    CHECK(init(&g.value, sizeof g) == LR_OK);
-    CHECK(g.value.struct_size == sizeof g);
-    bool zero = true;
-    for (unsigned char byte : g.tail) zero = zero && byte == 0;
-    CHECK(zero);
+    std::vector<uint32_t> sizes = sizes_of<T>();
+    // And a caller with a newer header: the part that this library does not know becomes zero.
+    for (uint32_t more : {0u, 4u, 64u}) sizes.push_back(static_cast<uint32_t>(sizeof(T)) + more);
+    for (uint32_t size : sizes) {
+        CAPTURE(size);
+        Caller caller(garbage, size, 0x5a);
+        CHECK(init(caller.as<T>(), size) == LR_OK);
+        CHECK(caller.says_its_size());
+        CHECK(caller.nothing_behind_is_written());
+        if (size > sizeof(T)) CHECK(caller.zero_from(sizeof(T)));
+    }
 }
 
 // `use` passes the struct to a function that reads its struct_size.
 template <class T> void check_use(const T& good, const std::function<lr_status(T*)>& use) {
-    for (uint32_t size : {0u, 1u, 4u, static_cast<uint32_t>(sizeof(T)) - 1u, 65537u, 0x7fffffffu, 0xffffffffu}) {
+    for (uint32_t size : no_sizes<T>()) {
         // On the heap and no larger than it is: a read past its end is a fault under AddressSanitizer.
         const auto bad = std::make_unique<T>(good);
         bad->struct_size = size;
+        const T before = *bad;
         CAPTURE(size);
         CHECK(use(bad.get()) == LR_ERROR_STRUCT_SIZE);
+        CHECK(std::memcmp(bad.get(), &before, sizeof before) == 0);
     }
-    T exact = good;
-    CHECK(use(&exact) == LR_OK);
-    Grown<T> larger(good);
-    larger.value.struct_size = sizeof larger;
-    CHECK(use(&larger.value) == LR_OK);
-    CHECK(larger.value.struct_size == sizeof larger);
-    for (size_t at : {size_t{0}, size_t{1}, sizeof larger.tail - 1}) {
-        Grown<T> used(good);
-        used.value.struct_size = sizeof used;
-        used.tail[at] = 1;
+    std::vector<uint32_t> sizes = sizes_of<T>();
+    for (uint32_t more : {0u, 4u, 64u}) sizes.push_back(static_cast<uint32_t>(sizeof(T)) + more);
+    for (uint32_t size : sizes) {
+        CAPTURE(size);
+        Caller caller(good, size);
+        CHECK(use(caller.as<T>()) == LR_OK);
+        CHECK(caller.says_its_size());
+        CHECK(caller.nothing_behind_is_written());
+        if (size > sizeof(T)) CHECK(caller.zero_from(sizeof(T)));
+    }
+    for (size_t at : {sizeof(T), sizeof(T) + 1, sizeof(T) + 63}) {
+        Caller caller(good, sizeof(T) + 64);
+        caller.byte(at) = 1;
+        caller.remember();
         CAPTURE(at);
-        CHECK(use(&used.value) == LR_ERROR_STRUCT_SIZE);
+        CHECK(use(caller.as<T>()) == LR_ERROR_STRUCT_SIZE);
+        CHECK(caller.unchanged());
     }
 }
 

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# The same sources give the same bytes: the runtime library built twice, in folders of other names and lengths, one of them outside
+# of the sources, at other times and in another environment, must be one and the same file. docs/security.md
+#   scripts/check_reproducible.sh [CMAKE_ARGUMENT...]    all of it, without a compiler cache: some 10 minutes of two cores
+#   scripts/check_reproducible.sh quick                  a few objects, those that could name where or when they were made
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+arguments=("$@")
+quick=false
+if [ "${1:-}" = quick ]; then quick=true arguments=(); fi
+export LR_NO_COMPILER_CACHE=1 CCACHE_DISABLE=1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+sources=("$work/a" "$work/another place/with a longer name")
+builds=("$work/a/out" "$work/elsewhere")
+for copy in "${sources[@]}"; do
+    mkdir -p "$copy"
+    cp -r CMakeLists.txt cmake include src packaging LICENSE "$copy/"
+done
+find "${sources[1]}" -exec touch -d '2001-02-03 04:05:06' {} +
+
+# The archive with its index, what includes a generated header, tables of functions, texts of errors.
+targets=(--target langevin_rigid)
+if $quick; then
+    targets=()
+    for object in lr_core.dir/api/status.cpp lr_core.dir/asset/asset.cpp lr_core.dir/world/pace.cpp lr_format.dir/format/asset_check.cpp; do
+        targets+=(--target "src/CMakeFiles/$object.o")
+    done
+fi
+build() { # which
+    cmake -S "${sources[$1]}" -B "${builds[$1]}" -G Ninja -DCMAKE_BUILD_TYPE=Release -DLR_BUILD_BAKER=OFF -DLR_BUILD_TESTS=OFF \
+        "${arguments[@]}" >"$work/log" 2>&1 &&
+        cmake --build "${builds[$1]}" -j "${LR_JOBS:-$(nproc)}" "${targets[@]}" >"$work/log" 2>&1 || { tail -n 30 "$work/log"; exit 1; }
+}
+sums() { # which
+    (cd "${builds[$1]}" && find . \( -name '*.o' -o -name '*.a' -o -name '*.so.*.*.*' \) -type f | LC_ALL=C sort | xargs -d '\n' sha256sum)
+}
+(export TZ=UTC LC_ALL=C && umask 022 && build 0)
+sleep 1 # another second
+(export TZ=Asia/Tokyo LC_ALL=C.UTF-8 USER=somebody SOURCE_DATE_EPOCH=1 && umask 077 && build 1)
+
+sums 0 >"$work/first"
+sums 1 >"$work/second"
+if ! diff "$work/first" "$work/second" >"$work/diff"; then
+    echo "not reproducible: these files differ"
+    sed -n 's/^< [0-9a-f]*  /    /p' "$work/diff"
+    exit 1
+fi
+if grep -raqF "$work" "${builds[@]}" --include='*.o' --include='*.so.*'; then
+    echo "a file names the folder that it was built in"
+    exit 1
+fi
+# That a difference would be seen: an object that names its folder.
+for which in 0 1; do
+    echo 'const char* where() { return __FILE__; }' >"${sources[$which]}/where.cpp"
+    "${CXX:-c++}" -c "${sources[$which]}/where.cpp" -o "${builds[$which]}/where.o"
+done
+if diff <(sums 0) <(sums 1) >/dev/null; then
+    echo "FAILED: a file that names its folder was not seen"
+    exit 1
+fi
+echo "reproducible: $(wc -l <"$work/first") files are the same, $(grep -c '\.so' "$work/first" || true) of them libraries"

@@ -1,0 +1,11 @@
+// What this library is compiled for, also by those who do without CMake, which says the same (CMakeLists.txt).
+#pragma once
+
+#include <cstdint>
+
+#if UINTPTR_MAX < UINT64_MAX && !defined(__wasm32__)
+#error "Langevin Rigid is tested on 64-bit targets and on wasm32 alone: no other 32-bit target has known bits."
+#endif
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
+#error "Langevin Rigid needs a little-endian target: assets and snapshots are little-endian."
+#endif
