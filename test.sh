@@ -13,7 +13,7 @@ configure() { # directory, arguments
 }
 
 step "Set-up"
-scripts/setup.sh test package ${CI:+arm64 browser}
+scripts/setup.sh test package ${CI:+arm64 windows browser}
 source scripts/compiler_cache.sh
 
 step "Formatting"
@@ -46,6 +46,9 @@ tests/security/test_hardening.sh
 tests/security/check_syscalls.sh build/release/src tests/abi/0.1/leaf.lrb
 tests/targets/check_refused.sh
 CHECKS
+
+step "Valgrind on the tests of the API"
+scripts/valgrind.sh
 
 step "Samples, built and run as outside users would: against the installed package"
 prefix=$PWD/build/release/samples-prefix
@@ -82,26 +85,33 @@ step "API reference: Doxygen without a warning"
 scripts/api_reference.sh
 
 if [ "${1:-}" != --quick ]; then
-    step "Determinism: the same bits from clang; and on 64-bit ARM, whose emulator has one thread, beside what follows"
-    arm64=
-    trap '[ -z "$arm64" ] || kill "$arm64" 2>/dev/null || true' EXIT
+    step "Determinism: the same bits from clang; and on 64-bit ARM and Windows, which are emulated, beside what follows"
+    others=() others_run=
+    trap '[ -z "$others_run" ] || kill "$others_run" 2>/dev/null || true' EXIT
     if command -v aarch64-linux-gnu-g++ >/dev/null && command -v qemu-aarch64-static >/dev/null; then
-        mkdir -p build
-        scripts/check_determinism.sh arm64 >build/arm64.log 2>&1 &
-        arm64=$!
+        others+=(arm64)
     else
         echo "SKIPPED: 64-bit ARM, for want of a cross compiler and qemu: scripts/setup.sh test arm64"
+    fi
+    if (source packaging/platforms.sh && select_platform windows-x64) 2>/dev/null; then
+        others+=(windows)
+    else
+        echo "SKIPPED: 64-bit Windows, for want of MinGW and Wine: scripts/setup.sh test package windows"
+    fi
+    if [ ${#others[@]} -gt 0 ]; then
+        scripts/check_determinism.sh "${others[@]}" >build/others.log 2>&1 &
+        others_run=$!
     fi
     scripts/check_determinism.sh clang-O2
 
     step "AddressSanitizer and UndefinedBehaviorSanitizer"
     configure build/asan --preset asan
     cmake --build build/asan
-    if [ -n "$arm64" ]; then
-        finished=$arm64 equal=true
-        arm64=
+    if [ -n "$others_run" ]; then
+        finished=$others_run equal=true
+        others_run=
         wait "$finished" || equal=false
-        cat build/arm64.log
+        cat build/others.log
         $equal
     fi
     # Without the long ones that say how exact a result is, or that it is the same as another, of code that others run through as well.

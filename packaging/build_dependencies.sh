@@ -3,16 +3,24 @@
 #
 # The libraries that a package carries, as static ones, from Debian's sources, into build/packaging/PLATFORM/dependencies. What is
 # there for the same sources and the same flags stays.
-#   packaging/build_dependencies.sh linux-x64|windows-x64|linux-arm64
+#   packaging/build_dependencies.sh linux-x64|windows-x64|linux-arm64 [--runtime]
+# --runtime: of the library alone, into build/packaging/PLATFORM/runtime-dependencies
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source packaging/platforms.sh
 
 select_platform "${1:?which platform}"
-packaging/fetch_sources.sh >/dev/null
-sources=$PWD/build/packaging/sources
 folder=$(platform_folder "$platform")
+sources=$PWD/build/packaging/sources
+runtime=false
 prefix=$folder/dependencies
+if [ "${2:-}" = --runtime ]; then
+    runtime=true
+    prefix=$folder/runtime-dependencies
+    scripts/debian_source.sh "$sources" highway libccd >/dev/null
+else
+    packaging/fetch_sources.sh >/dev/null
+fi
 jobs=${LR_JOBS:-$(nproc)}
 
 # No contraction: libccd's numbers are part of what moves bodies, and ARM would fuse. Names of folders stay out of the code.
@@ -28,8 +36,8 @@ if [ -e "$prefix/stamp" ] && [ "$(cat "$prefix/stamp")" = "$stamp" ]; then
     echo "dependencies of $platform: built already"
     exit 0
 fi
-rm -rf "$prefix" "$folder/dependencies.build"
-mkdir -p "$prefix"/{lib/cmake,lib/pkgconfig,include} "$folder/dependencies.build"
+rm -rf "$prefix" "$prefix.build"
+mkdir -p "$prefix"/{lib/cmake,lib/pkgconfig,include} "$prefix.build"
 start=$SECONDS
 
 # Nothing of the machine that builds is found: neither its libraries nor its pkg-config files.
@@ -39,26 +47,19 @@ common=("${toolchain[@]}" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DCMAKE_C_FLAGS=$
     "-DCMAKE_INSTALL_PREFIX=$prefix" -DCMAKE_INSTALL_LIBDIR=lib "-DCMAKE_PREFIX_PATH=$prefix" "-DCMAKE_FIND_ROOT_PATH=$prefix"
     -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DBUILD_SHARED_LIBS=OFF)
 build() { # name, folder of the sources, what to build ("install": that too), arguments of CMake
-    local name=$1 source=$2 target=$3 log=$folder/dependencies.build/$1.log
-    if ! { cmake -S "$source" -B "$folder/dependencies.build/$name" "${common[@]}" "${@:4}" &&
-        cmake --build "$folder/dependencies.build/$name" -j "$jobs" --target "$target"; } >"$log" 2>&1; then
+    local name=$1 source=$2 target=$3 log=$prefix.build/$1.log
+    if ! { cmake -S "$source" -B "$prefix.build/$name" "${common[@]}" "${@:4}" &&
+        cmake --build "$prefix.build/$name" -j "$jobs" --target "$target"; } >"$log" 2>&1; then
         tail -n 40 "$log" >&2
         echo "$name could not be built for $platform: $log" >&2
         exit 1
     fi
 }
-built() { cp "$folder/dependencies.build/$1" "$prefix/$2"; } # of a library that is not installed by its own rules
+built() { cp "$prefix.build/$1" "$prefix/$2"; } # of a library that is not installed by its own rules
 
-build compression packaging/cmake/compression install "-DZLIB_SOURCE=$sources/zlib"
-build libpng "$sources/libpng1.6" install -DPNG_SHARED=OFF -DPNG_TESTS=OFF -DPNG_EXECUTABLES=OFF
 build libccd "$sources/libccd" install -DCCD_DOUBLE=ON -DLIBM_LIBRARY:STRING=-lm -DBUILD_TESTING=OFF
 build highway "$sources/highway" install -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF \
     -DHWY_FORCE_STATIC_LIBS=ON -DHWY_SYSTEM_GTEST=OFF
-build draco "$sources/draco" draco_static -DDRACO_TESTS=OFF -DDRACO_TRANSCODER_SUPPORTED=OFF
-built draco/libdraco.a lib/
-mkdir -p "$prefix/include/draco"
-(cd "$sources/draco/src/draco" && find . -name '*.h' -exec cp --parents '{}' "$prefix/include/draco" ';')
-find "$folder/dependencies.build/draco" -name draco_features.h -exec cp '{}' "$prefix/include/draco" ';'
 
 # Header-only: those of the machine that builds, each by itself, so that nothing else of its folder is found.
 for header in eigen3 boost nlohmann CLI flatbuffers doctest utf8.h utf8; do
@@ -81,6 +82,22 @@ mkdir -p "$prefix/lib/cmake/FlatBuffers" "$prefix/lib/cmake/draco"
 cp packaging/cmake/FlatBuffersConfig.cmake "$prefix/lib/cmake/FlatBuffers/"
 cp packaging/cmake/dracoConfig.cmake "$prefix/lib/cmake/draco/"
 
+complete() {
+    cp "$sources/versions" "$prefix/versions"
+    echo "$stamp" >"$prefix/stamp"
+    echo "dependencies of $platform: built in $((SECONDS - start)) s"
+    exit 0
+}
+! $runtime || complete
+
+build compression packaging/cmake/compression install "-DZLIB_SOURCE=$sources/zlib"
+build libpng "$sources/libpng1.6" install -DPNG_SHARED=OFF -DPNG_TESTS=OFF -DPNG_EXECUTABLES=OFF
+build draco "$sources/draco" draco_static -DDRACO_TESTS=OFF -DDRACO_TRANSCODER_SUPPORTED=OFF
+built draco/libdraco.a lib/
+mkdir -p "$prefix/include/draco"
+(cd "$sources/draco/src/draco" && find . -name '*.h' -exec cp --parents '{}' "$prefix/include/draco" ';')
+find "$prefix.build/draco" -name draco_features.h -exec cp '{}' "$prefix/include/draco" ';'
+
 # Of the importers those alone that lr_bake hands files to; OBJ and PLY it reads itself.
 build assimp "$sources/assimp" install -DASSIMP_BUILD_ALL_IMPORTERS_BY_DEFAULT=OFF -DASSIMP_BUILD_ALL_EXPORTERS_BY_DEFAULT=OFF \
     -DASSIMP_NO_EXPORT=ON -DASSIMP_BUILD_STL_IMPORTER=ON -DASSIMP_BUILD_GLTF_IMPORTER=ON -DASSIMP_BUILD_FBX_IMPORTER=ON \
@@ -88,6 +105,4 @@ build assimp "$sources/assimp" install -DASSIMP_BUILD_ALL_IMPORTERS_BY_DEFAULT=O
     -DASSIMP_BUILD_ZLIB=OFF -DASSIMP_WARNINGS_AS_ERRORS=OFF -DASSIMP_IGNORE_GIT_HASH=ON -DASSIMP_INJECT_DEBUG_POSTFIX=OFF \
     "-DCMAKE_CXX_FLAGS=$flags -DASSIMP_ENABLE_DRACO=1"
 
-cp "$sources/versions" "$prefix/versions"
-echo "$stamp" >"$prefix/stamp"
-echo "dependencies of $platform: built in $((SECONDS - start)) s"
+complete

@@ -13,7 +13,7 @@ dependencies=$folder/dependencies
 targets=(langevin_rigid lr_bake)
 tests=OFF
 if [ "${2:-}" = --tests ]; then
-    targets+=(tests_api tests_determinism)
+    targets+=(tests_core tests_api tests_determinism)
     tests=ON
 fi
 # assimp's package names some of what it links without a folder. Tests for Windows too run without the compiler's DLLs.

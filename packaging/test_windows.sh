@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The tests of the tree, built by MinGW against the DLL and run by Wine: API tests and all of determinism's, with the held hashes on
-# each instruction set that this processor has. Longer than CI's step, which checks the package alone.
+# The tests of the tree, built by MinGW and run by Wine: of the insides, of the API against the DLL, and all of determinism's, with
+# the held hashes on each instruction set that this processor has. Longer than CI's step, which checks the package alone.
 #   packaging/test_windows.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -23,6 +23,7 @@ run() { # program, arguments of doctest
     printf '%s: %s, %d s\n' "$1" "$(grep -a 'test cases:' "$log" | sed 's/\x1b\[[0-9;]*m//g; s/^\[doctest\] //' | tr -d '\r')" $((SECONDS - start))
     grep -a -E -A6 'ERROR|FATAL' "$log" | head -n 60 || true
 }
+run tests_core --no-colors
 run tests_determinism --no-colors
 run tests_api --no-colors
 echo "windows tests: $passed passed, $failed failed"

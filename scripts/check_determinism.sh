@@ -4,6 +4,7 @@
 #   scripts/check_determinism.sh             GCC and clang at -O1, -O2 and -O3
 #   scripts/check_determinism.sh clang-O2    the builds that are named
 #   scripts/check_determinism.sh arm64       64-bit ARM, run by qemu (scripts/setup.sh arm64)
+#   scripts/check_determinism.sh windows     64-bit Windows, run by Wine (scripts/setup.sh package windows)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -17,6 +18,7 @@ builds=(
     "clang-O2 2 64   HWY_SSSE3;HWY_SSE4;HWY_AVX2"
     "clang-O3 3 4096 HWY_SSE4;HWY_AVX3"
     "arm64    2 64   HWY_SVE;HWY_SVE2;HWY_SVE_256;HWY_SVE2_128"
+    "windows  2 256  HWY_SSSE3;HWY_SSE4"
 )
 wanted=("$@")
 [ ${#wanted[@]} -gt 0 ] || wanted=(gcc-O1 gcc-O2 gcc-O3 clang-O1 clang-O2 clang-O3)
@@ -29,7 +31,7 @@ find_program() { # candidates
 }
 # Names of the instruction sets that the build has, as the library gives them.
 targets() { # directory, emulator
-    "${@:2}" "$1/tests/tests_determinism" --test-case="every instruction set is named" --success |
+    "${@:2}" "$1/tests/tests_determinism$exe" --test-case="every instruction set is named" --success | tr -d '\r' |
         sed -n 's/.*instruction sets: //p'
 }
 
@@ -40,13 +42,25 @@ for name in "${wanted[@]}"; do
     [ -n "$entry" ] || { echo "no such build: $name" >&2; exit 2; }
     read -r name level chunk disabled <<<"$entry"
     dir=build/determinism/$name
-    emulator=()
+    emulator=() exe=
     case $name in
     gcc-*) compilers=(-DCMAKE_C_COMPILER="$(find_program gcc)" -DCMAKE_CXX_COMPILER="$(find_program g++)") ;;
     clang-*) compilers=(-DCMAKE_C_COMPILER="$(find_program clang-14 clang)" -DCMAKE_CXX_COMPILER="$(find_program clang++-14 clang++)") ;;
     arm64)
         compilers=(-DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64-linux-gnu.cmake" -DLR_WITH_CCD=OFF)
         emulator=(timeout 600 qemu-aarch64-static -L /usr/aarch64-linux-gnu)
+        ;;
+    windows)
+        source packaging/platforms.sh
+        select_platform windows-x64
+        packaging/build_dependencies.sh windows-x64 --runtime >/dev/null
+        others=$(platform_folder windows-x64)/runtime-dependencies
+        compilers=("${toolchain[@]}" -DLR_SELF_CONTAINED=ON "-DCMAKE_PREFIX_PATH=$others" "-DCMAKE_FIND_ROOT_PATH=$others"
+            "-DHWY_DIR=$others/lib/cmake/hwy" "-DFlatBuffers_DIR=$others/lib/cmake/FlatBuffers" -DCMAKE_EXE_LINKER_FLAGS=-static
+            "-DCMAKE_RUNTIME_OUTPUT_DIRECTORY=$PWD/$dir/tests")
+        export WINEDEBUG=${WINEDEBUG:--all}
+        exe=.exe
+        emulator=(timeout 600 "${runner[@]}")
         ;;
     esac
     mkdir -p "$dir"
@@ -60,7 +74,7 @@ for name in "${wanted[@]}"; do
     [ ${#emulator[@]} -eq 0 ] || cases=(--test-case="held hashes,every instruction set is named,*rounding*,*flushed*,*sees*")
     built=$((SECONDS - start))
     result=equal
-    "${emulator[@]}" "$dir/tests/tests_determinism" "${cases[@]}" >"$dir/tests.log" 2>&1 || { result=DIFFERENT; failed+=("$name"); }
+    "${emulator[@]}" "$dir/tests/tests_determinism$exe" "${cases[@]}" >"$dir/tests.log" 2>&1 || { result=DIFFERENT; failed+=("$name"); }
     printf '%-9s %-9s chunks of %-5s built in %3d s, run in %3d s: %s\n' "$name" "$result" "$chunk" "$built" \
         $((SECONDS - start - built)) "$(targets "$dir" "${emulator[@]}")"
     [ "$result" = equal ] || grep -E -A3 'ERROR|scene' "$dir/tests.log" | head -n 40

@@ -36,6 +36,7 @@ if [ "${1:-build}" = test ]; then
         nodejs lld-14 wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 llvm-14   # WebAssembly
         node-typescript dpkg-dev                     # its types; unpacks the sources of libccd
         xvfb xdotool                                 # the viewer in a window, without a screen
+        valgrind                                     # scripts/valgrind.sh
         patchelf                                     # libraries that find each other beside them, in packages
         abigail-tools                                # ABI: tests/abi/check.py
         strace                                       # what the runtime asks of the system: tests/security

@@ -204,13 +204,17 @@ def put_tool(prefix, platform, package, licences):
 
 
 def put_sample(prefixes, package):
-    """The storm's leaf, as Unity imports it and as the baker of this machine bakes it."""
+    """The storm's leaf, as Unity imports it, baked."""
     folder = package / "Samples~" / "LeafStorm"
-    bakers = [p / "bin" / "lr_bake" for p in prefixes if (p / "bin" / "lr_bake").exists() and elf_platform(p / "bin" / "lr_bake") == host_platform()]
-    if not bakers:
-        raise PackageError("none of the prefixes has an lr_bake that runs here: the sample's leaf cannot be baked")
     shutil.copyfile(ASSETS / "leaf.obj", folder / "leaf.obj")
-    subprocess.run([bakers[0], "mesh", folder / "leaf.obj", "-o", folder / "leaf.lrb", "--density", "350", "--name", "leaf", "--quiet"], check=True)
+    baked = [p / "assets" / "leaf.lrb" for p in prefixes if (p / "assets" / "leaf.lrb").exists()]
+    bakers = [p / "bin" / "lr_bake" for p in prefixes if (p / "bin" / "lr_bake").exists() and elf_platform(p / "bin" / "lr_bake") == host_platform()]
+    if baked: # a package for another machine, whose baker does not run here
+        shutil.copyfile(baked[0], folder / "leaf.lrb")
+    elif bakers:
+        subprocess.run([bakers[0], "mesh", folder / "leaf.obj", "-o", folder / "leaf.lrb", "--density", "350", "--name", "leaf", "--quiet"], check=True)
+    else:
+        raise PackageError("none of the prefixes has assets/leaf.lrb, or an lr_bake that runs here: the sample's leaf cannot be baked")
     importer = metas.guid("Editor/LrbImporter.cs")
     for name in ("leaf.lrb", "LeafStorm.cs"):
         text = metas.meta(f"Samples~/LeafStorm/{name}", False)

@@ -33,7 +33,7 @@ void ChunkQueue::wait() {
     if (spin_until(done)) return;
     for (uint32_t left = undone_.load(std::memory_order_acquire); left != 0;
          left = undone_.load(std::memory_order_acquire))
-        undone_.wait(left, std::memory_order_acquire);
+        undone_.wait(left);
 }
 
 } // namespace lr

@@ -2,6 +2,8 @@
 // result.
 #pragma once
 
+#include "world/waited_count.h"
+
 #include <atomic>
 #include <cstdint>
 
@@ -25,7 +27,7 @@ private:
     uint32_t chunks_ = 0;
     Task task_ = nullptr;
     void* context_ = nullptr;
-    alignas(64) std::atomic<uint32_t> undone_{0}; // chunks that are not done
+    alignas(64) WaitedCount undone_; // chunks that are not done
 };
 
 } // namespace lr

@@ -44,7 +44,7 @@ void WorkerPool::work() {
     for (;;) {
         // Rounds of one step follow each other within microseconds; those of different frames do not.
         const auto called = [&] { return round_.load(std::memory_order_acquire) != seen; };
-        if (!spin_until(called)) round_.wait(seen, std::memory_order_acquire);
+        if (!spin_until(called)) round_.wait(seen);
         seen = round_.load(std::memory_order_acquire);
         if (stopping_.load(std::memory_order_relaxed)) return;
         queue_->take();

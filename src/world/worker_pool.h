@@ -3,6 +3,7 @@
 
 #include "world/chunk_queue.h"
 #include "world/threads.h"
+#include "world/waited_count.h"
 
 #include <array>
 #include <atomic>
@@ -36,7 +37,7 @@ private:
 #endif
     uint32_t workers_ = 0;
     std::atomic<bool> stopping_{false};
-    std::atomic<uint32_t> round_{0}; // grows by one for each call of wake()
+    WaitedCount round_; // grows by one for each call of wake()
 };
 
 } // namespace lr

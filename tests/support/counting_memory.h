@@ -11,6 +11,22 @@
 
 namespace test {
 
+// Windows has no aligned_alloc().
+inline void* aligned_memory(size_t alignment, size_t size) {
+#ifdef _WIN32
+    return _aligned_malloc(size, alignment);
+#else
+    return std::aligned_alloc(alignment, size);
+#endif
+}
+inline void free_aligned(void* memory) {
+#ifdef _WIN32
+    _aligned_free(memory);
+#else
+    std::free(memory);
+#endif
+}
+
 class CountingAllocator {
 public:
     static constexpr uint64_t never = UINT64_MAX;
@@ -40,7 +56,7 @@ private:
             self.mismatch = true;
             return nullptr;
         }
-        auto* const whole = static_cast<unsigned char*>(std::aligned_alloc(front, (front + size + 127) / 128 * 128));
+        auto* const whole = static_cast<unsigned char*>(aligned_memory(front, (front + size + 127) / 128 * 128));
         if (!whole) return nullptr;
         std::memset(whole, 0xa5, front + size); // fresh memory is never zero in the field
         const Block block{&self, size, alignment};
@@ -61,15 +77,15 @@ private:
         std::memset(whole, 0x5a, front); // a second release is a mismatch
         --self.blocks_;
         self.bytes -= size;
-        std::free(whole);
+        free_aligned(whole);
     }
 
     size_t blocks_ = 0;
 };
 
 // Calls of the global operator new in this process, also from inside the library: support/counting_new.cpp. Sanitizers
-// bring their own operator new, which stays in place.
-#ifdef LR_TEST_QUICK
+// bring their own operator new, which stays in place; a DLL of Windows has its own.
+#if defined(LR_TEST_QUICK) || defined(_WIN32)
 inline constexpr bool counts_global = false;
 #else
 inline constexpr bool counts_global = true;
