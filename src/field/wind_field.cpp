@@ -67,7 +67,11 @@ void WindField::release(WindSource* source) {
 
 WindField::~WindField() {
     clear();
-    for (uint32_t i = 0; i < spares_; ++i) allocator_->release(spare_[i], sizeof(WindSource));
+    keep_spares(0);
+}
+
+void WindField::keep_spares(uint32_t most) {
+    while (spares_ > most) allocator_->release(spare_[--spares_], sizeof(WindSource));
 }
 
 void WindField::clear() {
@@ -148,6 +152,7 @@ bool WindField::remove(lr_wind_source handle) {
     slot.source = nullptr;
     slot.generation = (slot.generation + 1) & last_generation;
     --used_;
+    keep_spares(used_);
     return true;
 }
 

@@ -81,6 +81,7 @@ private:
     lr_status make(const lr_wind_source_desc& desc, double time, uint64_t seed, GridSamples* grid, WindSource*& out);
     // Its memory is kept for the next that is made.
     void release(WindSource* source);
+    void keep_spares(uint32_t most);
     void release(GridSamples* grid);
     GridSamples* find_samples(const lr_wind_source_desc& desc, uint64_t hash) const;
     bool reserve(uint32_t instants);
@@ -92,7 +93,7 @@ private:
     Allocator* allocator_;
     Slot slots_[capacity] = {};
     uint32_t used_ = 0;
-    void* spare_[capacity] = {}; // memory for a WindSource each
+    void* spare_[capacity] = {}; // memory for a WindSource each: updates and restores take none anew
     uint32_t spares_ = 0;
     Buffer<SourceInstant> prepared_;
     FieldInstant instants_[slice] = {};

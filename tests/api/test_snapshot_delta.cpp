@@ -228,10 +228,10 @@ TEST_CASE("a damaged delta or base is refused: every truncation, every changed b
     uint32_t accepted = 0;
     for (uint64_t size = 0; size < delta.size(); ++size) accepted += put(size) != LR_ERROR_SNAPSHOT_FORMAT;
     for (unsigned char& byte : delta)
-        for (unsigned char change : {1, 0x80, 0xff}) {
-            byte ^= change;
+        for (uint32_t change : {0x1u, 0x80u, 0xffu}) {
+            byte = static_cast<unsigned char>(byte ^ change);
             accepted += put(delta.size()) != LR_ERROR_SNAPSHOT_FORMAT;
-            byte ^= change;
+            byte = static_cast<unsigned char>(byte ^ change);
         }
     for (unsigned char& byte : base) {
         byte ^= 0x10;
@@ -304,36 +304,4 @@ TEST_CASE("a rollback allocates nothing: saves, restores and deltas of a world t
     CHECK(memory.calls == own);
     CHECK(global_allocations == global);
     CHECK(ok);
-}
-
-// What is kept of the world at hand when a snapshot is restored must not matter.
-TEST_CASE("after a restore the world goes on with the same bytes, whatever was there before") {
-    Storm storm;
-    storm.rest(80);
-    steps(storm.world, 20, 0.016f, 2);
-    const Bytes snapshot = snapshot_of(storm.world);
-    const auto go_on = [&](const World& world) {
-        REQUIRE(lr_world_snapshot_restore(world.get(), snapshot.data(), snapshot.size()) == LR_OK);
-        const float low[3] = {0.0f, 0.0f, 0.0f}, high[3] = {2.0f, 2.0f, 2.0f};
-        REQUIRE(lr_world_wake_box(world.get(), low, high, nullptr) == LR_OK);
-        steps(world, 10, 0.016f, 2);
-        return snapshot_of(world);
-    };
-    Storm fresh;
-    const Bytes expected = go_on(fresh.world);
-    // Others rest, some of them elsewhere; all wake; none is left.
-    CHECK(go_on(storm.world) == expected);
-    storm.rest(150);
-    CHECK(go_on(storm.world) == expected);
-    for (int i = 0; i < 40; ++i) {
-        lr_body_state s = state_of(storm.world, storm.ids[static_cast<size_t>(i)]);
-        s.position[0] += 5.0f;
-        REQUIRE(lr_body_set_state(storm.world.get(), storm.ids[static_cast<size_t>(i)], &s) == LR_OK);
-    }
-    storm.rest(60);
-    CHECK(go_on(storm.world) == expected);
-    REQUIRE(lr_body_set_rest(storm.world.get(), storm.ids.data(), 150, LR_REST_AWAKE) == LR_OK);
-    CHECK(go_on(storm.world) == expected);
-    REQUIRE(lr_body_destroy(storm.world.get(), storm.ids.data(), 190) == LR_OK);
-    CHECK(go_on(storm.world) == expected);
 }
