@@ -22,6 +22,7 @@ template <> inline constexpr uint32_t first_size<lr_world_desc> = offsetof(lr_wo
 template <> inline constexpr uint32_t first_size<lr_world_info> = offsetof(lr_world_info, collider_count);
 template <> inline constexpr uint32_t first_size<lr_batch_view> = offsetof(lr_batch_view, revision);
 template <> inline constexpr uint32_t first_size<lr_body_state> = offsetof(lr_body_state, resting);
+template <> inline constexpr uint32_t first_size<lr_batch_events> = offsetof(lr_batch_events, faulted);
 
 // Besides larger ones, of newer headers. A size between would cut a field in two.
 template <class T> bool is_struct_size(uint32_t size) {

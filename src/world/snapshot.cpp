@@ -157,15 +157,7 @@ public:
             std::memcpy(&v, body + 4 * (table + i), 4);
             if (!(v >= 0.0f) || !std::isfinite(v)) return false;
         }
-        // Other fields may hold anything: a body that left physics must not make its world unrestorable.
-        for (uint32_t i = 0; i < h.count; ++i)
-            for (size_t f : {field_scale, field_age, field_age_rest}) {
-                float v;
-                std::memcpy(&v, body + 4 * (f * even(h.count) + i), 4);
-                if (!std::isfinite(v) || (v < 0.0f && f != field_age_rest) || (f == field_scale && v == 0.0f))
-                    return false;
-            }
-        return true;
+        return states_consistent(body, even(h.count), h.fields, h.count);
     }
 
     static void restore(lr_world::BatchSlot& slot, const BatchHeader& h, const unsigned char* body,

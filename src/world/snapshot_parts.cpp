@@ -20,6 +20,7 @@ struct SettingsRecord {
 };
 constexpr uint64_t settings_words = sizeof(SettingsRecord) / 4;
 static_assert(sizeof(SettingsRecord) % 8 == 0);
+constexpr uint64_t fault_words = sizeof(Faults::Record) / 4;
 constexpr uint64_t rest_words = sizeof(Resting::Record) / 4;
 static_assert(sizeof(Lifecycle::Record) % 8 == 0 && force_components % 2 == 0);
 
@@ -57,7 +58,7 @@ uint32_t parts_of(const Batch& batch) {
     return (batch.external.on_batch() ? part_batch_force : 0u) | (batch.external.pending() ? part_body_forces : 0u) |
            (lifecycle && lifecycle->in_use() ? part_lifecycle : 0u) | (batch.awake() < batch.count() ? part_rest : 0u) |
            (batch.resting() && batch.resting()->any_contact(batch.count()) ? part_contact : 0u) |
-           (batch.contact == ContactSettings{} ? 0u : part_settings);
+           (batch.contact == ContactSettings{} ? 0u : part_settings) | (batch.faults.in_use() ? part_faults : 0u);
 }
 
 // A birth for each body, of which those that move have none: so that the size depends on these two alone.
@@ -69,6 +70,7 @@ uint64_t parts_bytes(uint32_t parts, uint32_t count) {
     if (parts & part_rest) words += rest_words + 2 * uint64_t{count};
     if (parts & part_contact) words += (1 + stay_rows + most_touched) * even(count);
     if (parts & part_settings) words += settings_words;
+    if (parts & part_faults) words += fault_words;
     return 4 * words;
 }
 
@@ -106,6 +108,10 @@ void save_parts(Batch& batch, unsigned char* to) {
         const SettingsRecord record{s.layers,  s.friction,      s.restitution,
                                     s.rolling, s.ground_effect, s.may_rest ? 1u : 0u};
         put(&record, settings_words);
+    }
+    if (parts & part_faults) {
+        const Faults::Record record = batch.faults.record();
+        put(&record, fault_words);
     }
 }
 
@@ -152,13 +158,20 @@ bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const u
         SettingsRecord record;
         std::memcpy(&record, from, sizeof record);
         if (record.may_rest > 1 || wrong_in(settings_of(record))) return false;
+        from += sizeof record;
+    }
+    if (parts & part_faults) {
+        Faults::Record record;
+        std::memcpy(&record, from, sizeof record);
+        if (!Faults::consistent(record)) return false;
     }
     return true;
 }
 
 bool reserve_parts(Batch& batch, uint32_t parts) {
     if ((parts & part_body_forces) && !batch.reserve_forces()) return false;
-    if ((parts & part_lifecycle) && !batch.reserve_lifecycle()) return false;
+    // What a fault may end needs room for those that end.
+    if ((parts & (part_lifecycle | part_faults)) && !batch.reserve_lifecycle()) return false;
     if ((parts & part_rest) && !batch.reserve_rest()) return false;
     return !(parts & part_contact) || batch.reserve_contact();
 }
@@ -191,10 +204,14 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, const unsigned 
         for (uint32_t* touching : contact.touching) get(touching, count);
     }
     batch.contact = {};
-    if (!(parts & part_settings)) return;
-    SettingsRecord record;
-    get(&record, settings_words);
-    batch.contact = settings_of(record);
+    if (parts & part_settings) {
+        SettingsRecord record;
+        get(&record, settings_words);
+        batch.contact = settings_of(record);
+    }
+    Faults::Record faults{};
+    if (parts & part_faults) get(&faults, fault_words);
+    batch.faults.restore(faults);
 }
 
 } // namespace lr

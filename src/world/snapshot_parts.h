@@ -14,10 +14,11 @@ enum SnapshotPart : uint32_t {
     part_lifecycle = 4,
     part_rest = 8,
     part_contact = 16,
-    part_settings = 32
+    part_settings = 32,
+    part_faults = 64
 };
 inline constexpr uint32_t all_parts =
-    part_batch_force | part_body_forces | part_lifecycle | part_rest | part_contact | part_settings;
+    part_batch_force | part_body_forces | part_lifecycle | part_rest | part_contact | part_settings | part_faults;
 
 uint32_t parts_of(const Batch& batch);
 // Bytes, a multiple of 8.
