@@ -926,6 +926,7 @@ LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_
 
 #define LR_REST_AWAKE 0
 #define LR_REST_RESTING 1
+#define LR_REST_HELD 2 /* read only: it has left physics, and lr_batch_set_fault_policy holds it where it was */
 
 /* Puts bodies of any batches to rest, or wakes them, all or none; some may be so already, or be given twice. A body at
  * rest does not move, whatever acts on it, and costs a step nothing. Its velocities and the forces on it end. It wakes
@@ -1206,6 +1207,7 @@ LR_API lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr
 #define LR_BODY_LANDED 3   /* it has come to rest by itself */
 #define LR_BODY_WOKE 4     /* it has left rest since the step before, whatever for */
 #define LR_BODY_KILLED 5   /* its batch's rules have ended it; with LR_END_RESPAWN it goes on with the same id */
+#define LR_BODY_FAULTED 6  /* it has left physics: lr_batch_set_fault_policy */
 
 /* Bits for lr_world_set_contact_events. */
 #define LR_EVENTS_BEGIN 1u
@@ -1213,7 +1215,8 @@ LR_API lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr
 #define LR_EVENTS_LANDED 4u
 #define LR_EVENTS_WOKE 8u
 #define LR_EVENTS_KILLED 16u
-#define LR_EVENTS_ALL 31u
+#define LR_EVENTS_FAULTED 32u
+#define LR_EVENTS_ALL 63u
 
 /* Never changes: 64 bytes, an element of arrays without gaps. */
 typedef struct lr_contact_event {
@@ -1222,8 +1225,8 @@ typedef struct lr_contact_event {
     lr_body body;         /* stale where it has been destroyed */
     lr_collider collider; /* LR_CONTACT_*; else 0 */
     float position
-        [3]; /* m, world frame: of LR_CONTACT_BEGIN where they touch, else of the centre of mass; of a body that was
-                             killed for not being finite as it is */
+        [3]; /* m, world frame: of LR_CONTACT_BEGIN where they touch, else of the centre of mass; of one that has left
+                             physics where that was last sane */
     float normal[3];      /* LR_CONTACT_BEGIN: unit, world frame, from the collider to the body; else 0 */
     float speed;          /* m/s, LR_CONTACT_BEGIN: at which they approach each other along the normal, >= 0; else 0 */
     float impulse;        /* N s, LR_CONTACT_BEGIN: along the normal, of the substep in which they meet; else 0 */
@@ -1252,9 +1255,9 @@ LR_API lr_status lr_contact_event_list_init(lr_contact_event_list* list, uint32_
  * bodies lie in memory. Bodies that share a key are in order of their slots.
  * Contact is looked at after each substep, and ends only at the end of a step: what bounces within one begins once. What touches
  * and leaves within a step begins and ends in it. A body at rest still touches what it lies on. Of a body that ends there is one
- * LR_BODY_KILLED and nothing else; of those destroyed by lr_body_destroy there is nothing. At most four colliders of a body count,
- * those that press it most; other bodies that it touches count as one of the four, and neither begin nor end. A body that comes to
- * rest on other bodies has landed.
+ * LR_BODY_KILLED and nothing else, but LR_BODY_FAULTED where that is why; of those destroyed by lr_body_destroy there is nothing. At
+ * most four colliders of a body count, those that press it most; other bodies that it touches count as one of the four, and neither
+ * begin nor end. A body that comes to rest on other bodies has landed.
  * list: initialised, or with struct_size set.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_world_get_contact_events(const lr_world* world, lr_contact_event_list* list);
@@ -1342,7 +1345,8 @@ typedef struct lr_kill_volume {
 
 #define LR_MAX_KILL_VOLUMES 8u
 
-/* When the bodies of a batch end. A body with a position that is not finite ends under any rules. */
+/* When the bodies of a batch end. A body that has left physics ends under any rules, unless lr_batch_set_fault_policy says
+ * that it is held. */
 typedef struct lr_batch_rules {
     uint32_t struct_size;
     int32_t action;                              /* LR_END_*; initially LR_END_DESTROY */
@@ -1359,6 +1363,26 @@ LR_API lr_status lr_batch_rules_init(lr_batch_rules* rules, uint32_t struct_size
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT (also LR_END_RESPAWN without an emitter), LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules);
+
+#define LR_FAULT_AUTO 0   /* as LR_FAULT_REMOVE in a batch with rules, as LR_FAULT_FREEZE in others */
+#define LR_FAULT_FREEZE 1 /* it is held where it last was sane */
+#define LR_FAULT_REMOVE 2 /* it ends: respawns where the batch's rules do that, else is destroyed */
+
+/* What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a collider that shoots it out of
+ * the world. Every body is judged in each step, and after impulses: a number that is not finite, a coordinate over 1e10 m, a velocity
+ * over 2e6 m/s or rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
+ * in lr_batch_events, and logged once for all; others are not touched by it. docs/faults.md
+ * A body that is held has the position and orientation of the beginning of that step or substep, and no velocity. Nothing moves or
+ * touches it, it moves and touches nothing, forces on it are taken and have no effect; it grows older, and rules may end it.
+ * lr_body_set_state sets it free, and lr_body_set_rest puts it to rest like any other. lr_body_state.resting tells.
+ * Initially LR_FAULT_AUTO. From the next step on, also for the others; those that are held stay so. Part of snapshots and hash.
+ * policy: LR_FAULT_*. LR_FAULT_REMOVE takes memory as lr_batch_set_rules.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t policy);
+
+/* policy: receives LR_FAULT_*; unchanged after an error.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH. */
+LR_API lr_status lr_batch_get_fault_policy(const lr_world* world, lr_batch batch, int32_t* policy);
 
 #define LR_EMIT_POINT 0
 #define LR_EMIT_BOX 1 /* the first three fill their shape evenly */
@@ -1413,7 +1437,7 @@ typedef struct lr_batch_events {
     uint32_t respawned;
     uint32_t missed; /* births for which there was no room */
     /* Why bodies ended: the first cause that held, in this order. */
-    uint32_t by_not_finite;
+    uint32_t by_not_finite; /* bodies that have left physics: lr_batch_set_fault_policy */
     uint32_t by_age;
     uint32_t by_volume[LR_MAX_KILL_VOLUMES];
     uint32_t reserved;
@@ -1423,11 +1447,14 @@ typedef struct lr_batch_events {
     uint64_t total_missed;
     const lr_body* ended_ids; /* destroyed or respawned in the last step: destroyed + respawned of them, in no order */
     const lr_body* born_ids;  /* `born` of them */
+    uint32_t faulted;         /* bodies that have left physics in the last step, held or ended */
+    uint32_t reserved_1;
+    uint64_t total_faulted; /* since the batch began */
 } lr_batch_events;
 
 LR_API lr_status lr_batch_events_init(lr_batch_events* events, uint32_t struct_size);
 
-/* Lists are valid until the next call that is not a query. All 0 and null for a batch that never had rules or an
+/* Lists are valid until the next call that is not a query. All but faults is 0 and null for a batch that never had rules or an
  * emitter. Totals are part of snapshots; after a restore there are no events of the last step.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events);

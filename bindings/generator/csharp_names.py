@@ -30,6 +30,7 @@ ENUMS = [
     ("RayFlags", "uint", True, r"LR_RAY_(.+)", "What a ray can hit."),
     ("OverlapShape", "int", False, r"LR_OVERLAP_(.+)", "Shapes of overlap queries."),
     ("EndAction", "int", False, r"LR_END_(.+)", "What becomes of a body that its batch's rules end."),
+    ("FaultPolicy", "int", False, r"LR_FAULT_(.+)", "What becomes of a body that has left physics."),
     ("VolumeShape", "int", False, r"LR_VOLUME_(.+)", "Shapes of kill volumes."),
     ("KillSide", "int", False, r"LR_KILL_(.+)", "On which side of a kill volume bodies end."),
     ("EmitterShape", "int", False, r"LR_EMIT_(.+)", "Where an emitter bears bodies."),
@@ -52,6 +53,8 @@ PARAMETER_ENUMS = {
     ("lr_batch_write_transforms", "format"): "TransformFormat",
     ("lr_batch_write_first_transforms", "format"): "TransformFormat",
     ("lr_body_set_rest", "rest"): "RestState",
+    ("lr_batch_set_fault_policy", "policy"): "FaultPolicy",
+    ("lr_batch_get_fault_policy", "policy"): "FaultPolicy",
     ("lr_world_set_contact_events", "kinds"): "ContactEvents",
     ("lr_log_fn", "level"): "LogLevel",
 }

@@ -48,6 +48,7 @@ FAMILIES = [
     ("LR_RAY_", "RayFlags", True, "What a ray can hit."),
     ("LR_OVERLAP_", "OverlapShape", False, "Where bodies are looked for."),
     ("LR_END_", "EndAction", False, "What becomes of bodies that end."),
+    ("LR_FAULT_", "FaultPolicy", False, "What becomes of bodies that have left physics."),
     ("LR_VOLUME_", "VolumeShape", False, "Shapes of kill volumes."),
     ("LR_KILL_", "KillSide", False, "On which side of a kill volume bodies end."),
     ("LR_EMIT_", "EmitShape", False, "Where bodies are born."),

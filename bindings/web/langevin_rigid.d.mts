@@ -150,6 +150,8 @@ export declare class Batch {
   readonly contact: api.BatchContact;
   setRules(rules: Input<api.BatchRules> | null): void;
   setEmitter(emitter: Input<api.EmitterDesc> | null): void;
+  /** LR.FAULT_*: what becomes of bodies that have left physics. */
+  faultPolicy: number;
   readonly events: api.BatchEvents;
 }
 

@@ -27,6 +27,7 @@ inline constexpr std::array earlier_sizes<lr_world_desc>{offsetof(lr_world_desc,
 template <> inline constexpr std::array earlier_sizes<lr_world_info>{offsetof(lr_world_info, collider_count)};
 template <> inline constexpr std::array earlier_sizes<lr_batch_view>{offsetof(lr_batch_view, revision)};
 template <> inline constexpr std::array earlier_sizes<lr_body_state>{offsetof(lr_body_state, resting)};
+template <> inline constexpr std::array earlier_sizes<lr_batch_events>{offsetof(lr_batch_events, faulted)};
 
 // Besides larger ones, of newer headers. Another one between would cut a field in two.
 template <class T> bool is_struct_size(uint32_t size) {

@@ -141,7 +141,7 @@ lr_status lr_inner_body_get_state(const lr_world* world, lr_body body, lr_body_s
     out.scale = s.value[lr::field_scale];
     out.age = s.value[lr::field_age];
     out.key = s.key;
-    out.resting = b->rests(index) ? LR_REST_RESTING : LR_REST_AWAKE;
+    out.resting = b->rests(index) ? LR_REST_RESTING : b->held(index) ? LR_REST_HELD : LR_REST_AWAKE;
     write_struct(out, state);
     return LR_OK;
 }

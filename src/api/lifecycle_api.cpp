@@ -83,6 +83,28 @@ lr_status lr_inner_batch_emit(lr_world* world, lr_batch batch, uint32_t count, l
     return LR_OK;
 }
 
+lr_status lr_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t policy) {
+    constexpr const char* name = "lr_batch_set_fault_policy";
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    lr::Batch* const b = world->find(batch);
+    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
+    if (policy < LR_FAULT_AUTO || policy > LR_FAULT_REMOVE)
+        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "unknown policy");
+    if (policy == LR_FAULT_REMOVE && !b->reserve_lifecycle()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+    b->faults.policy = policy;
+    return LR_OK;
+}
+
+lr_status lr_batch_get_fault_policy(const lr_world* world, lr_batch batch, int32_t* policy) {
+    constexpr const char* name = "lr_batch_get_fault_policy";
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
+    const lr::Batch* const b = world->find(batch);
+    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
+    if (!policy) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
+    *policy = b->faults.policy;
+    return LR_OK;
+}
+
 lr_status lr_batch_events_init(lr_batch_events* events, uint32_t struct_size) {
     return begin_init(events, struct_size);
 }
@@ -96,6 +118,8 @@ lr_status lr_inner_batch_get_events(const lr_world* world, lr_batch batch, lr_ba
     if (status != LR_OK) return refuse(world, name, status);
     lr_batch_events out{};
     if (b->lifecycle()) b->lifecycle()->report(out);
+    out.faulted = b->faults.last;
+    out.total_faulted = b->faults.total;
     write_struct(out, events);
     return LR_OK;
 }

@@ -1,6 +1,7 @@
 #include "contact/contact_group.h"
 
 #include "contact/mesh_contacts.h"
+#include "kernel/faults.h"
 
 #include <algorithm>
 #include <cmath>
@@ -375,6 +376,10 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
         // What the grids hold depends on when they were built, and must not matter: a body that nothing reaches goes the way
         // of the others, to the bit.
         for (uint32_t i = from; i < std::min(to, live); ++i) {
+            if (is_held(arrays.field[field_age_rest][i])) {
+                near_[i - begin] = 0; // it touches nothing
+                continue;
+            }
             if (step.resting) near_[i - begin] = 1; // what they rest on is not looked for twice
             const uint32_t mark = near_[i - begin];
             if (mark == 0) continue;

@@ -1,5 +1,7 @@
 #include "field/contact_run.h"
 
+#include "kernel/faults.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,11 +54,18 @@ void enter(const ContactRun& run, const ContactGroup& group, const States& state
            uint32_t first, float seconds, bool last) {
     if (!run.book.rest_time) return;
     for (uint32_t i = 0; i < states.bodies(first); ++i) {
+        if (is_held(states.field[field_age_rest][first + i])) continue;
         const auto value = [&](size_t f) { return states.field[f][first + i]; };
         const BodyAfter body = body_after(run, group, i, states.near->index(first + i), value, before);
         enter_body(run.book, body, run.step.settings->may_rest, seconds, last,
                    [&](uint32_t collider) { return group.meeting(i, collider, before); });
     }
+}
+
+// What touching has made of the bodies of a group.
+void hold_insane(const BatchArrays& arrays, const LaneRow (&before)[pose_fields], uint32_t* faults) {
+    for (uint32_t i = 0; i < contact_lanes; ++i)
+        hold_if_insane(arrays, i, faults, [&](size_t f) { return before[f][i]; });
 }
 
 // Bodies that were far all through the step touch nothing.
@@ -111,6 +120,7 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
             run.target->step(one, arrays, 0, lanes);
         }
         group.resolve(before, begin, end, h);
+        hold_insane(arrays, before, in.faults);
         enter(run, group, states, before, first, h, i + 1 == in.substeps);
     }
 }
@@ -151,9 +161,9 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
     }
 }
 
-ContactPass::ContactPass(const ContactRun& run, const BodyConstants& body, const BatchArrays& arrays, uint32_t live,
+ContactPass::ContactPass(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, uint32_t live,
                          uint32_t begin, uint32_t end, uint32_t substep)
-    : run_(&run), body_(&body), arrays_(&arrays), substep_(substep),
+    : run_(&run), body_(&in.body), faults_(in.faults), arrays_(&arrays), substep_(substep),
       near_(run.step, arrays, live, begin, end, static_cast<float>(run.time.h)) {
     if (substep + 1 == run.time.substeps) leave(run.book, near_, begin, std::min(end, live));
     arrange(run.book, near_);
@@ -174,6 +184,7 @@ void ContactPass::resolve() {
         alignas(64) LaneRow before[pose_fields];
         for (size_t f = 0; f < pose_fields; ++f) std::copy_n(before_[f] + first, contact_lanes, before[f]);
         group.resolve(before, begin, end, static_cast<float>(run_->time.h));
+        hold_insane(arrays, before, faults_);
         enter(*run_, group, states, before, first, static_cast<float>(run_->time.h),
               substep_ + 1 == run_->time.substeps);
     }

@@ -42,14 +42,15 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
 class ContactPass {
 public:
     // Before substep `substep` of the step.
-    ContactPass(const ContactRun& run, const BodyConstants& body, const BatchArrays& arrays, uint32_t live,
-                uint32_t begin, uint32_t end, uint32_t substep);
+    ContactPass(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, uint32_t live, uint32_t begin,
+                uint32_t end, uint32_t substep);
     // After it.
     void resolve();
 
 private:
     const ContactRun* run_;
     const BodyConstants* body_;
+    uint32_t* faults_;
     const BatchArrays* arrays_;
     uint32_t substep_;
     NearContacts near_;

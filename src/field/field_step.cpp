@@ -59,7 +59,7 @@ void step_block(const FieldSlice& slice, const StepInput& in, const StepInput& s
     const auto h = static_cast<float>(slice.time.h);
     const auto step = [&] {
         slice.target->step(substep, bodies, begin, end);
-        slice.target->settle(in.body, h, block, sample, arrays, begin, end);
+        slice.target->settle(in.body, h, block, sample, arrays, begin, end, in.faults);
     };
     if (!slice.surface || !in.water) {
         step();
@@ -101,7 +101,7 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
                 step();
                 continue;
             }
-            ContactPass pass(*contact, in.body, arrays, live, at, last, slice.first + i);
+            ContactPass pass(*contact, in, arrays, live, at, last, slice.first + i);
             step();
             pass.resolve();
         }

@@ -33,6 +33,6 @@ struct TouchNotes {
     uint32_t slot(uint32_t index) const { return unpack(ids[index]).slot; }
 };
 
-enum Note : uint8_t { noted_touch = 1, noted_landing = 2, noted_waking = 4 };
+enum Note : uint8_t { noted_touch = 1, noted_landing = 2, noted_waking = 4, noted_fault = 8 };
 
 } // namespace lr

@@ -159,6 +159,20 @@ void crowd_way(const CrowdInput& in, PairBlock& block) {
         }
 }
 
+// Squares of impulses over a mass, m^2/s^2 and m^2: beyond it, or without being a number, nothing is handed on. A pair that came to that
+// does not meet again in the substep.
+constexpr float most_change = 1e30f;
+
+HWY_INLINE void let_go(PairBlock& block, size_t at, hn::Mask<DF> fine) {
+    const DF d;
+    for (uint32_t k = 0; k < block.used; ++k) {
+        PairContacts& c = block.contact[k];
+        for (float* row : {c.inverse, c.pressed, c.dragged[0], c.dragged[1], c.change[0], c.change[1], c.change[2],
+                           c.search[0], c.search[1], c.search[2]})
+            hn::Store(hn::IfThenElseZero(fine, hn::Load(d, row + at)), d, row + at);
+    }
+}
+
 bool crowd_sweep(const CrowdInput& in, PairBlock& block) {
     const DF d;
     const VF zero = hn::Zero(d);
@@ -206,6 +220,15 @@ bool crowd_sweep(const CrowdInput& in, PairBlock& block) {
             squares = hn::Add(squares, dot(Vec3{more, step_x, step_y}, Vec3{more, step_x, step_y}));
             load = hn::Add(load, hn::IfThenElse(hn::Gt(hn::Load(d, c.solid + at), zero), more, zero));
             change = hn::Max(hn::Max(change, hn::Abs(more)), hn::Max(hn::Abs(step_x), hn::Abs(step_y)));
+        }
+        const auto fine = hn::Le(squares, constant(most_change));
+        if (HWY_UNLIKELY(!hn::AllTrue(d, fine))) {
+            let_go(block, at, fine);
+            ta = {select(fine, ta.v, load6(twist_a, at).v), select(fine, ta.u, load6(twist_a, at).u)};
+            tb = {select(fine, tb.v, load6(twist_b, at).v), select(fine, tb.u, load6(twist_b, at).u)};
+            squares = hn::IfThenElseZero(fine, squares);
+            load = hn::IfThenElseZero(fine, load);
+            change = hn::IfThenElseZero(fine, change);
         }
         store6(twist_a, at, ta);
         store6(twist_b, at, tb);
@@ -402,7 +425,9 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
     gather<twist_floats, twist_floats>(
         floats(in.twists), [&](size_t lane) { return block.b[lane]; }, twist_b);
     const CrowdKind &kind_a = in.kinds[block.kind_a], &kind_b = in.kinds[block.kind_b];
-    const VF zero = hn::Zero(d), slow = constant(2.0f * in.gravity * in.h), inverse_h = constant(1.0f / in.h);
+    // Of the shortest steps it would not be finite.
+    const float frequency = 1.0f / HWY_MAX(in.h, 1e-30f);
+    const VF zero = hn::Zero(d), slow = constant(2.0f * in.gravity * in.h), inverse_h = constant(frequency);
     const VF fall = constant(in.gravity * (in.h * in.h));
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
         const Size size_a = size_of(kind_a, g.a, at), size_b = size_of(kind_b, g.b, at);
@@ -415,7 +440,7 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
         const auto load = [&](const LaneRow* row, size_t field) LR_LAMBDA { return hn::Load(d, row[field] + at); };
         const auto rests_a = hn::Lt(load(g.a, at_depth), mul_add(constant(2.0f), size_a.slop, fall));
         const auto rests_b = hn::Lt(load(g.b, at_depth), mul_add(constant(2.0f), size_b.slop, fall));
-        const VF guess = hn::IfThenElseZero(hn::And(rests_a, rests_b), constant(2.0f / in.h));
+        const VF guess = hn::IfThenElseZero(hn::And(rests_a, rests_b), constant(2.0f * frequency));
         const Vec3 apart = sub(load3(g.a + at_x, at), load3(g.b + at_x, at));
         const auto any = hn::Gt(hn::Max(load(g.a, at_touches), load(g.b, at_touches)), zero);
         Twist ta = load6(twist_a, at), tb = load6(twist_b, at);

@@ -26,6 +26,15 @@
 #define LR_KERNEL_PAIRS 0
 #endif
 
+// The lesser is a < b ? a : b and the greater a > b ? a : b, of a number and NaN the second: as x86 has it, where others differ. A body
+// that leaves the numbers does so on all of them alike.
+#undef LR_LESSER_BY_COMPARISON
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+#define LR_LESSER_BY_COMPARISON 0
+#else
+#define LR_LESSER_BY_COMPARISON 1
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
@@ -87,8 +96,6 @@ LR_PAIR_2(Add)
 LR_PAIR_2(Sub)
 LR_PAIR_2(Mul)
 LR_PAIR_2(Div)
-LR_PAIR_2(Min)
-LR_PAIR_2(Max)
 LR_PAIR_2(And)
 LR_PAIR_2(AndNot)
 LR_PAIR_2(Or)
@@ -101,6 +108,10 @@ LR_PAIR_2(Gt)
 LR_PAIR_2(Ge)
 LR_PAIR_2(MulEven)
 LR_PAIR_2(OddEven)
+#if !LR_LESSER_BY_COMPARISON
+LR_PAIR_2(Min)
+LR_PAIR_2(Max)
+#endif
 #undef LR_PAIR_1
 #undef LR_PAIR_2
 
@@ -132,6 +143,14 @@ template <class M, class V> HWY_INLINE Pair<V> IfThenElse(Pair<M> m, Pair<V> x, 
 template <class M, class V> HWY_INLINE Pair<V> IfThenElseZero(Pair<M> m, Pair<V> x) {
     return {one::IfThenElseZero(m.a, x.a), one::IfThenElseZero(m.b, x.b)};
 }
+#if LR_LESSER_BY_COMPARISON
+template <class V> HWY_INLINE Pair<V> Min(Pair<V> x, Pair<V> y) {
+    return IfThenElse(Lt(x, y), x, y);
+}
+template <class V> HWY_INLINE Pair<V> Max(Pair<V> x, Pair<V> y) {
+    return IfThenElse(Gt(x, y), x, y);
+}
+#endif
 template <class T, class M> HWY_INLINE bool AllFalse(Tag<T>, Pair<M> m) {
     return one::AllFalse(typename Tag<T>::One(), one::Or(m.a, m.b));
 }
@@ -147,7 +166,20 @@ using DI = pairs::Tag<int32_t>;
 
 #else
 
+#if LR_LESSER_BY_COMPARISON
+namespace alike {
+using namespace hwy::HWY_NAMESPACE;
+template <class V> HWY_INLINE V Min(V a, V b) {
+    return IfThenElse(Lt(a, b), a, b);
+}
+template <class V> HWY_INLINE V Max(V a, V b) {
+    return IfThenElse(Gt(a, b), a, b);
+}
+} // namespace alike
+namespace hn = alike;
+#else
 namespace hn = hwy::HWY_NAMESPACE;
+#endif
 using DF = hn::CappedTag<float, 16>;
 using DU = hn::RebindToUnsigned<DF>;
 using DI = hn::RebindToSigned<DF>;

@@ -8,6 +8,7 @@
 #include "hwy/cache_control.h"
 #include "hwy/highway.h"
 #include "kernel/external-inl.h"
+#include "kernel/faults-inl.h"
 #include "kernel/substep-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -91,9 +92,14 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
             one_substep<kFull, kLoads, kIntegrator>(in, c, held, key, i, beta_unit, b);
         }
 
-        if constexpr (is_aerodynamic(kLoads)) store3(a, field_gust_x, at, b.gust);
         const Vec3 v = add(b.t.v, to_body(b.q, end_wind));
         const Vec3 w = scale(held.inverse_length, b.t.u);
+        auto sane = hn::And(hn::And(sane_pose(b.x, b.q), sane_motion(v, w)), not_held(a, at));
+        if constexpr (is_aerodynamic(kLoads)) sane = hn::And(sane, sane_gust(b.gust));
+        const bool all_sane = hn::AllTrue(d, sane);
+        BodiesBefore before;
+        if (HWY_UNLIKELY(!all_sane)) before.take(a, at, hn::Lanes(d));
+        if constexpr (is_aerodynamic(kLoads)) store3(a, field_gust_x, at, b.gust);
         store3(a, field_x, at, b.x);
         hn::Store(b.q.x, d, a.field[field_qx] + at);
         hn::Store(b.q.y, d, a.field[field_qy] + at);
@@ -103,6 +109,8 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         store3(a, field_wx, at, without_dust(w));
         hn::Store(b.age, d, a.field[field_age] + at);
         hn::Store(b.age_rest, d, a.field[field_age_rest] + at);
+        if (HWY_UNLIKELY(!all_sane))
+            before.hold(a, at, hn::Lanes(d), in.h * static_cast<float>(in.substeps), is_aerodynamic(kLoads), in.faults);
     }
 }
 

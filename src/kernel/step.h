@@ -36,7 +36,8 @@ struct StepInput {
     BodyConstants body;
     TableConstants table;
     ExternalInput external;
-    const WaterBody* water; // null without a surface
+    const WaterBody* water;     // null without a surface
+    uint32_t* faults = nullptr; // is set where a body leaves physics (kernel/faults.h); null: nobody asks
 };
 
 // begin: a multiple of lane_block; end: of the target's lanes.
@@ -50,7 +51,7 @@ using EvaluateFunction = void (*)(const FieldInstant&, size_t count, FieldBlock&
 using CombineFunction = void (*)(float h, size_t count, const FieldBlock& block, FluidSample& out);
 // After the substep: bodies met the wind of their mean velocity over it, not that of their first.
 using SettleFunction = void (*)(const BodyConstants&, float h, const FieldBlock& block, const FluidSample& sample,
-                                const BatchArrays&, size_t begin, size_t end);
+                                const BatchArrays&, size_t begin, size_t end, uint32_t* faults);
 
 struct KernelTarget {
     int32_t simd; // LR_SIMD_*

@@ -5,6 +5,7 @@
 
 #include "hwy/highway.h"
 #include "kernel/external-inl.h"
+#include "kernel/faults-inl.h"
 #include "kernel/rows-inl.h"
 #include "kernel/substep-inl.h"
 #include "kernel/surface-inl.h"
@@ -199,8 +200,14 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         const VF beta_unit = hn::Mul(c.speed_beta, inverse_length);
         one_substep<kFull, kLoads, kIntegrator>(in, c, held, key, 0, beta_unit, b);
 
-        if constexpr (is_aerodynamic(kLoads)) store3(a, field_gust_x, at, b.gust);
         b.t.v = add(b.t.v, to_body(b.q, add(held.wind, half_change)));
+        const auto motion = sane_motion(b.t.v, scale(inverse_length, b.t.u));
+        auto sane = hn::And(hn::And(sane_pose(b.x, b.q), motion), not_held(a, at));
+        if constexpr (is_aerodynamic(kLoads)) sane = hn::And(sane, sane_gust(b.gust));
+        const bool all_sane = hn::AllTrue(d, sane);
+        BodiesBefore before;
+        if (HWY_UNLIKELY(!all_sane)) before.take(a, at, hn::Lanes(d));
+        if constexpr (is_aerodynamic(kLoads)) store3(a, field_gust_x, at, b.gust);
         store3(a, field_x, at, b.x);
         hn::Store(b.q.x, d, a.field[field_qx] + at);
         hn::Store(b.q.y, d, a.field[field_qy] + at);
@@ -209,6 +216,7 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         store_velocities(a, at, inverse_length, b.t);
         hn::Store(b.age, d, a.field[field_age] + at);
         hn::Store(b.age_rest, d, a.field[field_age_rest] + at);
+        if (HWY_UNLIKELY(!all_sane)) before.hold(a, at, hn::Lanes(d), in.h, is_aerodynamic(kLoads), in.faults);
     }
 }
 
@@ -229,7 +237,13 @@ HWY_NOINLINE void settle_bodies(const StepInput& in, const WetSubstep& s, const 
         const Twist t{sub(load3(a, field_vx, at), stream), scale(length, load3(a, field_wx, at))};
         Twist after = struck<kFull>(*s.body, hn::Load(d, s.fraction + at), end.fraction, t);
         after.v = add(after.v, stream);
-        store_velocities(a, at, hn::Div(constant(1.0f), length), after);
+        const VF inverse_length = hn::Div(constant(1.0f), length);
+        const auto sane = hn::And(sane_motion(after.v, scale(inverse_length, after.u)), not_held(a, at));
+        const bool all_sane = hn::AllTrue(d, sane);
+        BodiesBefore before;
+        if (HWY_UNLIKELY(!all_sane)) before.take(a, at, hn::Lanes(d));
+        store_velocities(a, at, inverse_length, after);
+        if (HWY_UNLIKELY(!all_sane)) before.hold(a, at, hn::Lanes(d), 0.0f, false, in.faults);
     }
 }
 

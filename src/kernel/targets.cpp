@@ -19,7 +19,7 @@ void predict(const BatchArrays& a, size_t begin, size_t end, float h, FieldBlock
 void evaluate(const FieldInstant& instant, size_t count, FieldBlock& block);
 void combine(float h, size_t count, const FieldBlock& block, FluidSample& out);
 void settle(const BodyConstants& c, float h, const FieldBlock& block, const FluidSample& sample, const BatchArrays& a,
-            size_t begin, size_t end);
+            size_t begin, size_t end, uint32_t* faults);
 // kernel/surface.cpp
 void near_surface(const SurfaceInstant& plane, float highest, const WaterBody& w, float dt, float gravity,
                   const BatchArrays& a, size_t begin, size_t end, uint32_t* near);

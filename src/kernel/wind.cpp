@@ -5,6 +5,7 @@
 #include "hwy/foreach_target.h" // IWYU pragma: keep
 
 #include "hwy/highway.h"
+#include "kernel/faults-inl.h"
 #include "kernel/rows-inl.h"
 #include "kernel/step.h"
 #include "kernel/wind-inl.h"
@@ -182,7 +183,7 @@ void combine(float h, size_t count, const FieldBlock& b, FluidSample& out) {
 // The substep took the wind's change along the way from the velocity at its beginning. What the mean of both ends makes
 // of it is d more: the wind at the end is that much stronger, and -m d has been missing in the momentum.
 void settle(const BodyConstants& c, float h, const FieldBlock& b, const FluidSample& sample, const BatchArrays& a,
-            size_t begin, size_t end) {
+            size_t begin, size_t end, uint32_t* faults) {
     const DF d;
     const VF half = constant(0.5f), hv = constant(h), mass = constant(0.5f * (1.0f + c.weight));
     const auto field = [&](size_t f, size_t at) HWY_ATTR { return hn::Load(d, a.field[f] + at); };
@@ -201,16 +202,23 @@ void settle(const BodyConstants& c, float h, const FieldBlock& b, const FluidSam
         const Vec3 taken = load3(sample.half_change, i);
         const Vec3 more = to_body(q, sub(met, add(taken, taken)));
         const Vec3 lost = scale(mass, more);
+        const Vec3 w{field(field_wx, at), field(field_wy, at), field(field_wz, at)};
+        Vec3 settled, turns = w;
         if (c.diagonal) {
-            store(field_vx, at, add(v, sub(more, scaled_by(c.inverse_mass, lost))));
+            settled = add(v, sub(more, scaled_by(c.inverse_mass, lost)));
         } else {
             const VF zero = hn::Zero(d);
             const Twist t = symmetric6(c.full_inverse, {lost, {zero, zero, zero}});
             const VF length = hn::Mul(field(field_scale, at), constant(c.length));
-            const Vec3 w{field(field_wx, at), field(field_wy, at), field(field_wz, at)};
-            store(field_vx, at, add(v, sub(more, t.v)));
-            store(field_wx, at, sub(w, scale(hn::Div(constant(1.0f), length), t.u)));
+            settled = add(v, sub(more, t.v));
+            turns = sub(w, scale(hn::Div(constant(1.0f), length), t.u));
         }
+        const bool all_sane = hn::AllTrue(d, hn::And(sane_motion(settled, turns), not_held(a, at)));
+        BodiesBefore before;
+        if (HWY_UNLIKELY(!all_sane)) before.take(a, at, hn::Lanes(d));
+        store(field_vx, at, settled);
+        if (!c.diagonal) store(field_wx, at, turns);
+        if (HWY_UNLIKELY(!all_sane)) before.hold(a, at, hn::Lanes(d), 0.0f, false, faults);
     }
 }
 

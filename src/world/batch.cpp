@@ -1,6 +1,7 @@
 #include "world/batch.h"
 
 #include "kernel/aerodynamics.h"
+#include "kernel/faults.h"
 #include "world/lifecycle.h"
 #include "world/step_chunks.h"
 
@@ -52,6 +53,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->step = StepInput{};
     batch->step.loads = settings.loads;
     batch->step.integrator = settings.integrator;
+    batch->step.faults = &batch->faults.noted;
     if (!make_body_constants(asset.data, asset.diagonal, settings.fluid_density, batch->step.body)) {
         status = LR_ERROR_INTERNAL;
     } else {
@@ -182,7 +184,16 @@ void Batch::swap(uint32_t a, uint32_t b) {
     if (resting_) resting_->swap(a, b);
 }
 
+bool Batch::held(uint32_t index) const {
+    return !rests(index) && is_held(arrays_.field[field_age_rest][index]);
+}
+
+void Batch::judge(uint32_t index) {
+    hold_if_insane(arrays_, index, &faults.noted, [&](size_t f) { return arrays_.field[f][index]; });
+}
+
 uint32_t Batch::rest(uint32_t index) {
+    if (held(index)) arrays_.field[field_age_rest][index] = 0.0f; // a body at rest as any other
     if (awake_ == count_) resting_->begin();
     const uint32_t to = --awake_;
     swap(index, to);

@@ -10,6 +10,7 @@
 #include "world/allocator.h"
 #include "world/contact_events.h"
 #include "world/external_forces.h"
+#include "world/faults.h"
 #include "world/handles.h"
 #include "world/pace.h"
 #include "world/resting.h"
@@ -79,6 +80,8 @@ public:
     uint32_t padded_count() const; // whole lane blocks
     uint32_t padded_awake() const;
     bool rests(uint32_t index) const { return index >= awake_; }
+    bool held(uint32_t index) const; // where it was when it left physics
+    void judge(uint32_t index);      // a body that moves, after a change of its velocity: it may have left physics
     // Return the body's new index. Its velocities and the forces on it end where it comes to rest; its age is exact when it wakes.
     uint32_t rest(uint32_t index); // awake, and reserve_rest() has held
     uint32_t wake(uint32_t index); // at rest
@@ -152,6 +155,7 @@ public:
     bool reserve_events();                            // false when out of memory
     void drop_events();
 
+    Faults faults;
     StepInput step; // constants of the shape, filled up by World::step
     Pace pace;
     std::atomic<uint64_t> spent{0}; // ns of all threads in this step; where a budget asks for it

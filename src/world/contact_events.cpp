@@ -11,7 +11,7 @@ using lr::Batch;
 namespace lr {
 namespace {
 
-static_assert(LR_EVENTS_ALL == (1u << LR_BODY_KILLED) - 1);
+static_assert(LR_EVENTS_ALL == (1u << LR_BODY_FAULTED) - 1);
 static_assert(sizeof(lr_contact_event) == 64);
 static_assert(most_touches == most_touched);
 
@@ -74,8 +74,9 @@ TouchNotes ContactEvents::notes(const lr_body* ids) {
     return {ids, noted_.data(), met_.data(), all_};
 }
 
-void ContactEvents::note_killed(lr_body body, uint32_t key, const float (&position)[3]) {
-    killed_[killed_count_++] = {body, key, {position[0], position[1], position[2]}};
+void ContactEvents::note_killed(lr_body body, uint32_t key, const float (&position)[3], bool for_fault) {
+    killed_[for_fault ? killed_.size() - ++fault_count_ : killed_count_++] = {
+        body, key, {position[0], position[1], position[2]}};
 }
 
 void ContactEvents::clear(uint32_t slot) {
@@ -85,7 +86,7 @@ void ContactEvents::clear(uint32_t slot) {
 }
 
 void ContactEvents::resume(const Batch& batch, const Colliders& colliders) {
-    killed_count_ = 0;
+    killed_count_ = fault_count_ = 0;
     all_ = false;
     for (uint32_t i = 0; i < noted_.size(); ++i) clear(i);
     const ContactArrays contact = batch.contact_arrays();
@@ -165,6 +166,8 @@ void ContactEvents::tell_body(const Batch& batch, uint32_t index, lr_batch handl
     if (notes & noted_landing) to.add(event);
     event.kind = LR_BODY_WOKE;
     if (notes & noted_waking) to.add(event);
+    event.kind = LR_BODY_FAULTED;
+    if (notes & noted_fault) to.add(event);
     clear(slot);
     held_[slot] = now;
 }
@@ -177,8 +180,13 @@ void ContactEvents::tell(const Batch& batch, lr_batch handle, const Colliders& c
         if (noted_[slot] != 0 || (all_ && (stepped || batch.rests(i))))
             entries_[count++] = {batch.arrays().key[i], slot, i};
     }
-    for (uint32_t k = 0; k < killed_count_; ++k)
-        entries_[count++] = {killed_[k].key, unpack(killed_[k].body).slot, k | killed_bit};
+    const auto enter_killed = [&](size_t from, uint32_t number) {
+        for (size_t k = from; k < from + number; ++k)
+            entries_[count++] = {killed_[k].key, unpack(killed_[k].body).slot, static_cast<uint32_t>(k) | killed_bit};
+    };
+    const size_t for_faults = killed_.size() - fault_count_;
+    enter_killed(0, killed_count_);
+    enter_killed(for_faults, fault_count_);
     std::sort(entries_.data(), entries_.data() + count, [](const Entry& a, const Entry& b) {
         return a.key != b.key ? a.key < b.key : a.slot != b.slot ? a.slot < b.slot : a.at > b.at;
     });
@@ -195,8 +203,10 @@ void ContactEvents::tell(const Batch& batch, lr_batch handle, const Colliders& c
         event.body = killed.body;
         std::copy(killed.position, killed.position + 3, event.position);
         to.add(event);
+        event.kind = LR_BODY_FAULTED;
+        if ((at & ~killed_bit) >= for_faults) to.add(event);
     }
-    killed_count_ = 0;
+    killed_count_ = fault_count_ = 0;
     if (stepped) all_ = false;
 }
 

@@ -42,7 +42,8 @@ public:
     // It has been put back to rest before it moved.
     void take_back_woke(uint32_t slot) { noted_[slot] &= static_cast<uint8_t>(~noted_waking); }
     // Called for each once in a step.
-    void note_killed(lr_body body, uint32_t key, const float (&position)[3]);
+    void note_killed(lr_body body, uint32_t key, const float (&position)[3], bool for_fault);
+    void note_fault(uint32_t slot) { noted_[slot] |= noted_fault; } // it is held where it was
     // The slot's body is a new one, or none.
     void clear(uint32_t slot);
     // Bodies touch what the batch's arrays say, and nothing has happened.
@@ -79,9 +80,9 @@ private:
     Buffer<uint8_t> noted_;
     Buffer<Held> held_; // at the end of the last step
     Buffer<Meetings> met_;
-    Buffer<Killed> killed_;
+    Buffer<Killed> killed_; // those that left physics from the back
     Buffer<Entry> entries_;
-    uint32_t killed_count_ = 0;
+    uint32_t killed_count_ = 0, fault_count_ = 0;
     bool all_ = false, looks_ = false;
 };
 

@@ -1,6 +1,7 @@
 // What the bodies of a crowd touch is solved: those that touch no other that moves by themselves, the rest together.
 #include "world/crowd_step.h"
 
+#include "kernel/faults.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -82,11 +83,13 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
     for (uint32_t i = 0; i < count && which == Held::apart; ++i)
         if (touches(i)) take_out(group, i, place[i]);
     group.solve(began_rows, h);
-    for (size_t f = 0; f < pose_fields; ++f)
-        for (uint32_t i = 0; i < count; ++i)
-            if (which == Held::apart || touches(i)) from.field[f][first + i] = field[f][i];
     for (uint32_t i = 0; i < count; ++i) {
-        if (touches(i) != (which == Held::touching)) continue;
+        if (which != Held::apart && !touches(i)) continue;
+        hold_if_insane(arrays, i, member.item.batch->step.faults, [&](size_t f) { return began_rows[f][i]; });
+        for (size_t f = 0; f < field_count && from.field[f]; ++f) from.field[f][first + i] = field[f][i];
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        if (touches(i) != (which == Held::touching) || is_held(field[field_age_rest][i])) continue;
         BodyAfter body = body_after(
             member.run, group, i, first + i, [&](size_t f) { return field[f][i]; }, began_rows);
         if (std::count(body.now, body.now + most_touches, touching_body) != 0) {
@@ -254,6 +257,8 @@ void CrowdStep::put_back(uint32_t place, uint32_t substep) {
     give(field_qx, from.q, 4);
     give(field_vx, from.v, 3);
     give(field_wx, from.w, 3);
+    if (hold_if_insane(a, index, member.item.batch->step.faults, [&](size_t f) { return *before(index_in_crowd, f); }))
+        return;
     BodyAfter body =
         body_moved(index, *member.run.step.shape, from.scale, member.run.still, vector_of(from.v), vector_of(from.w),
                    {vector_of(from.x0), {from.q0[0], from.q0[1], from.q0[2], from.q0[3]}},

@@ -2,6 +2,7 @@
 #include "world/crowd_step.h"
 
 #include "contact/pair_batch.h"
+#include "kernel/faults.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -123,10 +124,11 @@ bool CrowdStep::find_pairs() {
     workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
         for (uint32_t body = begin; body < end; ++body) {
             const CrowdMember& member = member_of(body);
-            if (body - member.first < member.count) {
-                set_box(member, body - member.first);
+            const uint32_t index = body - member.first;
+            if (index < member.count && !is_held(member.item.batch->arrays().field[field_age_rest][index])) {
+                set_box(member, index);
             } else {
-                MeetingBox& box = c.grid.boxes()[body]; // padding meets nothing
+                MeetingBox& box = c.grid.boxes()[body]; // padding and what is held meet nothing
                 std::fill_n(box.low, 3, 1.0f);
                 std::fill_n(box.high, 3, -1.0f);
                 box.body = body;

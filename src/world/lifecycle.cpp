@@ -60,8 +60,24 @@ void Lifecycle::judge(EndedFunction ended, const BatchArrays& arrays, uint32_t b
 void Lifecycle::finish(Batch& batch, lr_world& world, double dt) {
     pass();
     ended_respawned_ = respawns();
-    if (has_rules_) end_bodies(batch, world);
+    if (has_rules_ || faulted_) end_bodies(batch, world);
     if (has_emitter_) bear(batch, world, dt);
+}
+
+bool Lifecycle::ends(uint32_t index) const {
+    return has_rules_ && cut_has_ended_[index / cut_bodies] != 0 && cause_[index] != cause_none;
+}
+
+void Lifecycle::end_for_fault(uint32_t index) {
+    if (!has_rules_ && !faulted_) std::fill_n(cut_has_ended_.data(), cut_has_ended_.size(), uint8_t{0});
+    faulted_ = true;
+    uint8_t& any = cut_has_ended_[index / cut_bodies];
+    if (any == 0) {
+        const size_t begin = index / cut_bodies * cut_bodies;
+        std::fill_n(cause_.data() + begin, std::min<size_t>(cut_bodies, cause_.size() - begin), uint32_t{cause_none});
+    }
+    any = 1;
+    cause_[index] = cause_not_finite;
 }
 
 void Lifecycle::judge_rest(EndedFunction ended, Batch& batch) {
@@ -104,7 +120,8 @@ void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
         if (!batch.events()) return;
         const BatchArrays& a = batch.arrays();
         batch.events()->note_killed(batch.ids()[i], a.key[i],
-                                    {a.field[field_x][i], a.field[field_y][i], a.field[field_z][i]});
+                                    {a.field[field_x][i], a.field[field_y][i], a.field[field_z][i]},
+                                    cause_[i] == cause_not_finite);
     };
     if (ended_respawned_) {
         for_ended(0, awake, [&](uint32_t i) { note(i), respawn(batch, world, i); });
@@ -116,7 +133,7 @@ void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
         if (rest_judged_) for_ended(awake, count, end);
         for_ended(0, awake, end);
     }
-    rest_judged_ = false;
+    rest_judged_ = faulted_ = false;
     (ended_respawned_ ? total_respawned_ : total_destroyed_) += ended_;
 }
 

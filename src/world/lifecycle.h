@@ -33,6 +33,9 @@ public:
     // Those at rest, where the rules may have something new to say about them.
     void judge_rest(EndedFunction ended, Batch& batch);
     void finish(Batch& batch, lr_world& world, double dt);
+    // Between these: a body that moves ends for having left physics, whatever the rules; and whether it ends by them.
+    void end_for_fault(uint32_t index);
+    bool ends(uint32_t index) const;
     // A step of the world in which the batch waits.
     void pass() { ended_ = born_ = missed_ = 0, std::fill_n(by_cause_, cause_count, 0u); }
 
@@ -75,6 +78,7 @@ private:
 
     bool has_rules_ = false, has_emitter_ = false;
     bool rest_judged_ = false; // in this step
+    bool faulted_ = false;     // some end in it whatever the rules
     lr_batch_rules rules_{};
     Emitter emitter_;
     double due_ = 0.0, burst_clock_ = 0.0; // bodies; s since the last burst

@@ -107,16 +107,7 @@ public:
             const uint32_t v = word_at(table, i);
             bad |= v >= infinite && v != minus ? 1u : 0u;
         }
-        // Other fields may hold anything: a body that left physics must not make its world unrestorable.
-        const auto column = [&](size_t f) { return body + 4 * (f * even(h.count)); };
-        for (uint32_t i = 0; i < h.count; ++i) {
-            const uint32_t scale = word_at(column(field_scale), i), age = word_at(column(field_age), i),
-                           rest = word_at(column(field_age_rest), i);
-            bad |= scale - 1 >= infinite - 1 ? 1u : 0u;
-            bad |= age >= infinite && age != minus ? 1u : 0u;
-            bad |= (rest & infinite) == infinite ? 1u : 0u;
-        }
-        return bad == 0;
+        return bad == 0 && states_consistent(body, even(h.count), h.fields, h.count);
     }
 
     static void restore(lr_world::BatchSlot& slot, const SnapshotBatch& h, const unsigned char* body,

@@ -21,6 +21,7 @@ struct SettingsRecord {
 };
 constexpr uint64_t settings_words = sizeof(SettingsRecord) / 4;
 static_assert(sizeof(SettingsRecord) % 8 == 0);
+constexpr uint64_t fault_words = sizeof(Faults::Record) / 4;
 constexpr uint64_t rest_words = sizeof(Resting::Record) / 4;
 static_assert(sizeof(Lifecycle::Record) % 8 == 0 && force_components % 2 == 0);
 
@@ -68,7 +69,7 @@ uint32_t parts_of(const Batch& batch) {
     return (batch.external.on_batch() ? part_batch_force : 0u) | (batch.external.pending() ? part_body_forces : 0u) |
            (lifecycle && lifecycle->in_use() ? part_lifecycle : 0u) | (batch.awake() < batch.count() ? part_rest : 0u) |
            (batch.resting() && batch.resting()->any_contact(batch.count()) ? part_contact : 0u) |
-           (batch.contact == ContactSettings{} ? 0u : part_settings);
+           (batch.contact == ContactSettings{} ? 0u : part_settings) | (batch.faults.in_use() ? part_faults : 0u);
 }
 
 // A birth for each body, of which those that move have none: so that the size depends on these two alone.
@@ -85,7 +86,8 @@ uint64_t part_column_words(uint32_t parts, uint32_t count, uint32_t column) {
     if (next(1)) return parts & part_rest ? rest_words : 0;
     if (next(1)) return parts & part_rest ? 2 * uint64_t{count} : 0;
     if (next(1 + stay_rows + most_touched)) return parts & part_contact ? even(count) : 0;
-    return parts & part_settings ? settings_words : 0;
+    if (next(1)) return parts & part_settings ? settings_words : 0;
+    return parts & part_faults ? fault_words : 0;
 }
 
 uint64_t parts_bytes(uint32_t parts, uint32_t count) {
@@ -135,6 +137,10 @@ void save_parts(Batch& batch, uint32_t parts, unsigned char* to) {
                                     s.rolling, s.ground_effect, s.may_rest ? 1u : 0u};
         put(&record, settings_words);
     }
+    if (parts & part_faults) {
+        const Faults::Record record = batch.faults.record();
+        put(&record, fault_words);
+    }
 }
 
 bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const unsigned char* from) {
@@ -176,13 +182,20 @@ bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const u
         SettingsRecord record;
         std::memcpy(&record, from, sizeof record);
         if (record.may_rest > 1 || wrong_in(settings_of(record))) return false;
+        from += sizeof record;
+    }
+    if (parts & part_faults) {
+        Faults::Record record;
+        std::memcpy(&record, from, sizeof record);
+        if (!Faults::consistent(record)) return false;
     }
     return true;
 }
 
 bool reserve_parts(Batch& batch, uint32_t parts) {
     if ((parts & part_body_forces) && !batch.reserve_forces()) return false;
-    if ((parts & part_lifecycle) && !batch.reserve_lifecycle()) return false;
+    // What a fault may end needs room for those that end.
+    if ((parts & (part_lifecycle | part_faults)) && !batch.reserve_lifecycle()) return false;
     if ((parts & part_rest) && !batch.reserve_rest()) return false;
     return !(parts & part_contact) || batch.reserve_contact();
 }
@@ -215,10 +228,14 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, uint32_t before
         for (uint32_t* touching : contact.touching) get(touching, count);
     }
     batch.contact = {};
-    if (!(parts & part_settings)) return;
-    SettingsRecord record;
-    get(&record, settings_words);
-    batch.contact = settings_of(record);
+    if (parts & part_settings) {
+        SettingsRecord record;
+        get(&record, settings_words);
+        batch.contact = settings_of(record);
+    }
+    Faults::Record faults{};
+    if (parts & part_faults) get(&faults, fault_words);
+    batch.faults.restore(faults);
 }
 
 } // namespace lr

@@ -14,14 +14,15 @@ enum SnapshotPart : uint32_t {
     part_lifecycle = 4,
     part_rest = 8,
     part_contact = 16,
-    part_settings = 32
+    part_settings = 32,
+    part_faults = 64
 };
 inline constexpr uint32_t all_parts =
-    part_batch_force | part_body_forces | part_lifecycle | part_rest | part_contact | part_settings;
+    part_batch_force | part_body_forces | part_lifecycle | part_rest | part_contact | part_settings | part_faults;
 
 // Each part is one column or some, in the order of the bits: the force on the batch; forces on bodies by component; rules and
-// emitter, lives; the record of rest, births; what contact notes; settings of contact.
-inline constexpr uint32_t part_columns = 1 + force_components + 2 + 2 + (1 + stay_rows + most_touched) + 1;
+// emitter, lives; the record of rest, births; what contact notes; settings of contact; faults.
+inline constexpr uint32_t part_columns = 1 + force_components + 2 + 2 + (1 + stay_rows + most_touched) + 1 + 1;
 
 uint32_t parts_of(const Batch& batch);
 // Words of a column, an even number; 0 for one of a part that is not there.

@@ -451,6 +451,7 @@ float lr_world::contact_gain(const Batch& batch, float dt) const {
 }
 
 void lr_world::finish_batches(double dt) {
+    lr::FaultReport faults;
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
         if (!batch) continue;
@@ -458,6 +459,7 @@ void lr_world::finish_batches(double dt) {
         lr::Lifecycle* const lifecycle = batch->lifecycle();
         const lr_batch handle = lr::pack(lr::BatchHandle{i, batches[i].generation});
         if (waits) {
+            batch->faults.last = 0;
             if (lifecycle) lifecycle->pass();
             if (batch->events()) batch->events()->tell(*batch, handle, colliders, false, contact_events);
             continue;
@@ -467,13 +469,13 @@ void lr_world::finish_batches(double dt) {
         batch->external.stepped();
         batch->pace.stepped(batch->awake());
         const bool turn = batch->awake() < batch->count() && batch->resting()->pass(seconds, steps);
-        if (lifecycle) {
-            if (turn) lifecycle->judge_rest(target->ended, *batch);
-            lifecycle->finish(*batch, *this, seconds);
-        }
+        if (lifecycle && turn) lifecycle->judge_rest(target->ended, *batch);
+        lr::settle_faults(*this, *batch, handle, faults);
+        if (lifecycle) lifecycle->finish(*batch, *this, seconds);
         batch->settle_noted();
         if (batch->events()) batch->events()->tell(*batch, handle, colliders, !still, contact_events);
     }
+    lr::log_faults(*this, faults);
     wake_left();
 }
 
@@ -534,6 +536,7 @@ uint64_t lr_world::hash() const {
                  {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
                   std::bit_cast<uint32_t>(c.rolling), std::bit_cast<uint32_t>(c.ground_effect), c.may_rest ? 1u : 0u})
                 result = mix(result ^ word);
+        if (batch.faults.policy != LR_FAULT_AUTO) result = mix(result ^ static_cast<uint32_t>(batch.faults.policy));
         if (batch.awake() < batch.count()) {
             const lr::Resting::Record rest = batch.resting()->record(batch.awake());
             for (uint64_t word : {std::bit_cast<uint64_t>(rest.clock), rest.steps | uint64_t{rest.unjudged} << 32})

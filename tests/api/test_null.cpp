@@ -252,6 +252,11 @@ TEST_CASE("every pointer that must be given is asked for") {
     CHECK(lr_batch_set_contact(w, batch, nullptr) == LR_OK);
     CHECK(lr_batch_get_contact(nullptr, batch, &contact) == null);
     CHECK(lr_batch_get_contact(w, batch, nullptr) == null);
+    int32_t policy = 9;
+    CHECK(lr_batch_set_fault_policy(nullptr, batch, LR_FAULT_FREEZE) == null);
+    CHECK(lr_batch_get_fault_policy(nullptr, batch, &policy) == null);
+    CHECK(lr_batch_get_fault_policy(w, batch, nullptr) == null);
+    CHECK(policy == 9);
     int32_t enabled = 9;
     CHECK(lr_batch_set_pair_contact(nullptr, batch, batch, 1) == null);
     CHECK(lr_batch_get_pair_contact(nullptr, batch, batch, &enabled) == null);

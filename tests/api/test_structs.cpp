@@ -436,6 +436,8 @@ TEST_CASE("results go to callers that were built before there were bodies at res
           [&](lr_batch_view* v) { return lr_batch_get_view(world.get(), batch, v); });
     check(lr_world_info{}, offsetof(lr_world_info, collider_count),
           [&](lr_world_info* i) { return lr_world_get_info(world.get(), i); });
+    check(lr_batch_events{}, offsetof(lr_batch_events, faulted),
+          [&](lr_batch_events* e) { return lr_batch_get_events(world.get(), batch, e); });
     lr_body_state old = body_state();
     old.struct_size = offsetof(lr_body_state, resting);
     CHECK(lr_body_set_state(world.get(), body, &old) == LR_OK);

@@ -27,7 +27,7 @@ std::vector<PlayedScene> played_scenes() {
         scene.loads = loads, scene.clock = clock;
         return scene;
     };
-    // Runge-Kutta blows up where substeps are long: what then comes differs between processors.
+    // Runge-Kutta blows up where substeps are long: of that there are scenes of their own.
     const auto rk4 = [](PlayedScene& scene, uint32_t substeps = 3) {
         scene.integrator = LR_INTEGRATOR_RK4, scene.substeps = substeps;
     };
@@ -148,6 +148,21 @@ std::vector<PlayedScene> played_scenes() {
     PlayedScene& apart_pile = pile("pile_at_two_rates", Solids::terrain);
     apart_pile.divisors[0] = 3, apart_pile.divisors[1] = 1, apart_pile.resting = true;
 
+    // Bodies that leave physics by forces, and in a scheme that blows up by itself: in air, wind, water, in front of colliders, in a heap.
+    const auto faulty = [&](PlayedScene& scene) -> PlayedScene& {
+        scene.faulty = true;
+        return scene;
+    };
+    faulty(with("faults", LR_LOADS_NONE));
+    PlayedScene& unstable = faulty(with("faults_rk4", LR_LOADS_AERODYNAMIC));
+    rk4(unstable, 1), unstable.dt = 0.2f, unstable.windy = true;
+    PlayedScene& faults_in_field = faulty(blown("faults_in_a_field", every));
+    rk4(faults_in_field, 2), faults_in_field.afloat = faults_in_field.called_back = true;
+    PlayedScene& faults_in_landing = faulty(landing("faults_in_landing", Solids::ground));
+    rk4(faults_in_landing, 2), faults_in_landing.governed = true;
+    PlayedScene& faults_in_pile = faulty(pile("faults_in_a_pile", Solids::ground));
+    rk4(faults_in_pile, 2);
+
     // Storms of more bodies than are stepped in one piece.
     const auto storm = [&](const char* name) -> PlayedScene& {
         PlayedScene& scene = add(name);
@@ -178,6 +193,9 @@ Play::Play(const PlayedScene& scene, const Circumstances& how) : scene_(scene), 
         populate(b);
         if (scene_.forced) push_batch(b);
         if (scene_.governed) govern(b);
+        if (scene_.faulty)
+            REQUIRE(lr_batch_set_fault_policy(world.get(), batches[b], b == 0 ? LR_FAULT_FREEZE : LR_FAULT_REMOVE) ==
+                    LR_OK);
         lr_batch_rate rate = initialised(lr_batch_rate_init);
         rate.divisor = scene_.divisors[b];
         if (rate.divisor > 1) rate.longest_substep = 0.06f;
@@ -204,10 +222,12 @@ uint64_t Play::run() {
         if (scene_.windy && frame % 10 == 5) set_wind(world, 0.1f * static_cast<float>(frame), 0.0f, 1.0f);
         if (scene_.born_and_dying) turn_over();
         if (scene_.resting) lie_and_wake(static_cast<uint32_t>(frame));
+        if (scene_.faulty && frame % 3 == 1) carry_off(static_cast<uint32_t>(frame));
         colliders_.move(world, frame);
         steps(world, 1, scene_.dt, scene_.substeps);
     }
-    CHECK(all_finite()); // nothing is promised of others
+    CHECK(all_finite());
+    if (scene_.faulty) check_faults();
     return hash_of(world);
 }
 
@@ -292,6 +312,31 @@ lr_body_desc Play::body(uint32_t key) const {
     d.scale = random.real(0.5, 2.0);
     d.age = random.real(0.0, 0.5);
     return d;
+}
+
+void Play::check_faults() const {
+    for (const lr_batch batch : batches) {
+        lr_batch_events e = initialised(lr_batch_events_init);
+        REQUIRE(lr_batch_get_events(world.get(), batch, &e) == LR_OK);
+        CHECK(e.total_faulted > 10);
+        if (batch == batches[0]) CHECK(view_of(world, batch).count > 10); // in the other they end
+    }
+}
+
+void Play::carry_off(uint32_t frame) {
+    for (const lr_batch batch : batches) {
+        std::vector<lr_body_force> forces;
+        const lr_batch_view v = view_of(world, batch);
+        for (uint32_t i = 0; i < v.count; ++i) {
+            if (v.key[i] % 31 != frame) continue;
+            lr_body_force f = initialised(lr_body_force_init);
+            f.body = v.ids[i];
+            f.mode = LR_FORCE_MODE_ACCELERATION;
+            f.force[v.key[i] % 3] = 1e9f;
+            forces.insert(forces.end(), 40, f);
+        }
+        REQUIRE(lr_body_add_force(world.get(), forces.data(), static_cast<uint32_t>(forces.size())) == LR_OK);
+    }
 }
 
 void Play::populate(size_t b) {

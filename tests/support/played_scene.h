@@ -28,6 +28,7 @@ struct PlayedScene {
     Solids solids = Solids::none;      // to land on: bodies begin near them, the second batch's are bricks
     bool meeting = false;              // all bodies meet each other, close together over what they land on
     uint64_t budget = 0;               // body-substeps a step
+    bool faulty = false;               // some bodies are carried out of physics: held in one batch, ended in the other
     float dt = 1.0f / 60.0f;           // s
     uint32_t substeps = 3;             // neither a power of two nor an even division: every rounding is there
     int frames = 30;                   // steps of dt
@@ -61,6 +62,7 @@ private:
     static void shear(void*, const lr_wind_query* q);
     static void swell(void*, const lr_surface_query* q);
     bool all_finite() const;
+    void check_faults() const;
     // The same body for the same key, wherever and whenever it is made.
     lr_body_desc body(uint32_t key) const;
     void populate(size_t b);
@@ -69,6 +71,8 @@ private:
     void govern(size_t b);
     // What pushes a body depends on its key and place, not on its index.
     void push();
+    // By key: beyond all measure.
+    void carry_off(uint32_t frame);
     // Bodies with certain keys die, new ones are born: by key, not by place.
     void turn_over();
     // By key; for a while one batch rests as a whole.

@@ -174,6 +174,18 @@ namespace LangevinRigid
             return events;
         }
 
+        /// <summary>What becomes of bodies that have left physics.</summary>
+        public FaultPolicy FaultPolicy
+        {
+            get
+            {
+                FaultPolicy policy;
+                Leave(Native.lr_batch_get_fault_policy(Enter(), _id, &policy), "lr_batch_get_fault_policy");
+                return policy;
+            }
+            set { Leave(Native.lr_batch_set_fault_policy(EnterChange(), _id, value), "lr_batch_set_fault_policy"); }
+        }
+
         /// <summary>Whether bodies of this batch and of another, or of this one among themselves, meet each other.</summary>
         public void SetPairContact(Batch other, bool enabled)
         {

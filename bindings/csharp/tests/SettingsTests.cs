@@ -208,6 +208,10 @@ static unsafe class SettingsTests
             Check.Equal(15u, events.ByVolume[0], "by the volume");
             batch.ClearRules();
             Check.Equal(0, batch.Count, "none left");
+            Check.Equal(FaultPolicy.Auto, batch.FaultPolicy, "policy");
+            batch.FaultPolicy = FaultPolicy.Remove;
+            Check.Equal(FaultPolicy.Remove, batch.FaultPolicy, "policy");
+            Check.Status(Status.InvalidArgument, () => batch.FaultPolicy = (FaultPolicy)9);
         }
     }
 

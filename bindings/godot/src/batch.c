@@ -364,6 +364,7 @@ static const gd_signal signals[] = {
     {"landed", 2, {BODIES, POSITIONS}},
     {"woke", 2, {BODIES, POSITIONS}},
     {"ended", 2, {BODIES, POSITIONS}},
+    {"faulted", 2, {BODIES, POSITIONS}},
     {.name = NULL},
 };
 

@@ -427,9 +427,9 @@ static const gd_property properties[] = {
      .type = GDX_INT,
      .offset = F(events),
      .hint = GD_HINT_FLAGS,
-     .hint_string = "Touched:1,Landed:4,Woke:8,Ended:16",
+     .hint_string = "Touched:1,Landed:4,Woke:8,Ended:16,Faulted:32",
      .minimum = 0,
-     .maximum = 31,
+     .maximum = 63,
      .changed = events_changed},
     {.name = "event_capacity",
      .type = GDX_INT,
@@ -466,6 +466,7 @@ static const gd_constant constants[] = {
     {"Events", "EVENTS_LANDED", LR_EVENTS_LANDED},
     {"Events", "EVENTS_WOKE", LR_EVENTS_WOKE},
     {"Events", "EVENTS_ENDED", LR_EVENTS_KILLED},
+    {"Events", "EVENTS_FAULTED", LR_EVENTS_FAULTED},
     {.name = NULL},
 };
 

@@ -1,5 +1,5 @@
 /*
- * Signals: what touched, landed, woke and ended in a step, once for each batch and kind, with packed arrays of all of them.
+ * Signals: what touched, landed, woke, ended and left physics in a step, once for each batch and kind, with packed arrays of all of them.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -19,8 +19,9 @@ static const struct {
 } kinds[] = {{LR_CONTACT_BEGIN, GD_N_touched},
              {LR_BODY_LANDED, GD_N_landed},
              {LR_BODY_WOKE, GD_N_woke},
-             {LR_BODY_KILLED, GD_N_ended}};
-#define KINDS 4u
+             {LR_BODY_KILLED, GD_N_ended},
+             {LR_BODY_FAULTED, GD_N_faulted}};
+#define KINDS 5u
 
 static int fill(report* r, const lr_contact_event_list* list, const batch_node* batch, int kind) {
     int64_t count = 0;

@@ -512,7 +512,7 @@ class BatchEvents(Record):
     destroyed: by the rules
     respawned
     missed: births for which there was no room
-    by_not_finite: Why bodies ended: the first cause that held, in this order.
+    by_not_finite: Why bodies ended: the first cause that held, in this order. bodies that have left physics: lr_batch_set_fault_policy
     by_age
     by_volume
     total_born: with those of lr_batch_emit
@@ -521,8 +521,10 @@ class BatchEvents(Record):
     total_missed
     ended_ids: destroyed or respawned in the last step: destroyed + respawned of them, in no order
     born_ids: `born` of them
+    faulted: bodies that have left physics in the last step, held or ended
+    total_faulted: since the batch began
     """
-    __slots__ = ('born', 'destroyed', 'respawned', 'missed', 'by_not_finite', 'by_age', 'by_volume', 'total_born', 'total_destroyed', 'total_respawned', 'total_missed', 'ended_ids', 'born_ids')
+    __slots__ = ('born', 'destroyed', 'respawned', 'missed', 'by_not_finite', 'by_age', 'by_volume', 'total_born', 'total_destroyed', 'total_respawned', 'total_missed', 'ended_ids', 'born_ids', 'faulted', 'total_faulted')
     born: int
     destroyed: int
     respawned: int
@@ -536,3 +538,5 @@ class BatchEvents(Record):
     total_missed: int
     ended_ids: np.ndarray
     born_ids: np.ndarray
+    faulted: int
+    total_faulted: int

@@ -92,6 +92,7 @@ LR_TRANSFORM_4X4_ROW_MAJOR = 4
 LR_TRANSFORM_4X4_COLUMN_MAJOR = 5
 LR_REST_AWAKE = 0
 LR_REST_RESTING = 1
+LR_REST_HELD = 2
 LR_FORCE_MODE_FORCE = 0
 LR_FORCE_MODE_ACCELERATION = 1
 LR_FORCE_MODE_IMPULSE = 2
@@ -118,12 +119,14 @@ LR_CONTACT_END = 2
 LR_BODY_LANDED = 3
 LR_BODY_WOKE = 4
 LR_BODY_KILLED = 5
+LR_BODY_FAULTED = 6
 LR_EVENTS_BEGIN = 1
 LR_EVENTS_END = 2
 LR_EVENTS_LANDED = 4
 LR_EVENTS_WOKE = 8
 LR_EVENTS_KILLED = 16
-LR_EVENTS_ALL = 31
+LR_EVENTS_FAULTED = 32
+LR_EVENTS_ALL = 63
 LR_RAY_BODIES = 1
 LR_RAY_COLLIDERS = 2
 LR_OVERLAP_SPHERE = 1
@@ -136,6 +139,9 @@ LR_VOLUME_SPHERE = 2
 LR_KILL_INSIDE = 0
 LR_KILL_OUTSIDE = 1
 LR_MAX_KILL_VOLUMES = 8
+LR_FAULT_AUTO = 0
+LR_FAULT_FREEZE = 1
+LR_FAULT_REMOVE = 2
 LR_EMIT_POINT = 0
 LR_EMIT_BOX = 1
 LR_EMIT_SPHERE = 2
@@ -811,7 +817,9 @@ class lr_kill_volume(ctypes.Structure):
 
 
 class lr_batch_rules(ctypes.Structure):
-    """When the bodies of a batch end. A body with a position that is not finite ends under any rules."""
+    """When the bodies of a batch end. A body that has left physics ends under any rules, unless lr_batch_set_fault_policy says
+    that it is held.
+    """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('action', ctypes.c_int32),
@@ -866,6 +874,9 @@ class lr_batch_events(ctypes.Structure):
         ('total_missed', ctypes.c_uint64),
         ('ended_ids', ctypes.POINTER(ctypes.c_uint64)),
         ('born_ids', ctypes.POINTER(ctypes.c_uint64)),
+        ('faulted', ctypes.c_uint32),
+        ('reserved_1', ctypes.c_uint32),
+        ('total_faulted', ctypes.c_uint64),
     ]
 
 
@@ -1208,7 +1219,7 @@ FIELD_DOCS = {
         'batch': '',
         'body': 'stale where it has been destroyed',
         'collider': '`EventKind`; else 0',
-        'position': 'm, world frame: of `EventKind.CONTACT_BEGIN` where they touch, else of the centre of mass; of a body that was killed for not being finite as it is',
+        'position': 'm, world frame: of `EventKind.CONTACT_BEGIN` where they touch, else of the centre of mass; of one that has left physics where that was last sane',
         'normal': '`EventKind.CONTACT_BEGIN`: unit, world frame, from the collider to the body; else 0',
         'speed': 'm/s, `EventKind.CONTACT_BEGIN`: at which they approach each other along the normal, >= 0; else 0',
         'impulse': 'N s, `EventKind.CONTACT_BEGIN`: along the normal, of the substep in which they meet; else 0',
@@ -1277,7 +1288,7 @@ FIELD_DOCS = {
         'destroyed': 'by the rules',
         'respawned': '',
         'missed': 'births for which there was no room',
-        'by_not_finite': 'Why bodies ended: the first cause that held, in this order.',
+        'by_not_finite': 'Why bodies ended: the first cause that held, in this order. bodies that have left physics: lr_batch_set_fault_policy',
         'by_age': '',
         'by_volume': '',
         'total_born': 'with those of lr_batch_emit',
@@ -1286,6 +1297,8 @@ FIELD_DOCS = {
         'total_missed': '',
         'ended_ids': 'destroyed or respawned in the last step: destroyed + respawned of them, in no order',
         'born_ids': '`born` of them',
+        'faulted': 'bodies that have left physics in the last step, held or ended',
+        'total_faulted': 'since the batch began',
     },
 }
 
@@ -2578,9 +2591,9 @@ PROTOTYPES = {
         bodies lie in memory. Bodies that share a key are in order of their slots.
         Contact is looked at after each substep, and ends only at the end of a step: what bounces within one begins once. What touches
         and leaves within a step begins and ends in it. A body at rest still touches what it lies on. Of a body that ends there is one
-        LR_BODY_KILLED and nothing else; of those destroyed by lr_body_destroy there is nothing. At most four colliders of a body count,
-        those that press it most; other bodies that it touches count as one of the four, and neither begin nor end. A body that comes to
-        rest on other bodies has landed.
+        LR_BODY_KILLED and nothing else, but LR_BODY_FAULTED where that is why; of those destroyed by lr_body_destroy there is nothing. At
+        most four colliders of a body count, those that press it most; other bodies that it touches count as one of the four, and neither
+        begin nor end. A body that comes to rest on other bodies has landed.
 
         world: the world
         list: initialised, or with struct_size set.
@@ -2668,6 +2681,41 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also LR_END_RESPAWN without an emitter), LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
+    'lr_batch_set_fault_policy': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_int32],
+        ('world', 'batch', 'policy'),
+        """lr_status lr_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t policy)
+
+        What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a collider that shoots it out of
+        the world. Every body is judged in each step, and after impulses: a number that is not finite, a coordinate over 1e10 m, a velocity
+        over 2e6 m/s or rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
+        in lr_batch_events, and logged once for all; others are not touched by it. docs/faults.md
+        A body that is held has the position and orientation of the beginning of that step or substep, and no velocity. Nothing moves or
+        touches it, it moves and touches nothing, forces on it are taken and have no effect; it grows older, and rules may end it.
+        lr_body_set_state sets it free, and lr_body_set_rest puts it to rest like any other. lr_body_state.resting tells.
+        Initially LR_FAULT_AUTO. From the next step on, also for the others; those that are held stay so. Part of snapshots and hash.
+
+        world: the world
+        batch: handle of a batch of the world
+        policy: LR_FAULT_*. LR_FAULT_REMOVE takes memory as lr_batch_set_rules.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
+        """,
+    ),
+    'lr_batch_get_fault_policy': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(ctypes.c_int32)],
+        ('world', 'batch', 'policy'),
+        """lr_status lr_batch_get_fault_policy(const lr_world* world, lr_batch batch, int32_t* policy)
+
+        world: the world
+        batch: handle of a batch of the world
+        policy: receives LR_FAULT_*; unchanged after an error.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH.
+        """,
+    ),
     'lr_emitter_desc_init': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_emitter_desc), ctypes.c_uint32],
@@ -2726,7 +2774,7 @@ PROTOTYPES = {
         ('world', 'batch', 'events'),
         """lr_status lr_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events)
 
-        Lists are valid until the next call that is not a query. All 0 and null for a batch that never had rules or an
+        Lists are valid until the next call that is not a query. All but faults is 0 and null for a batch that never had rules or an
         emitter. Totals are part of snapshots; after a restore there are no events of the last step.
 
         world: the world

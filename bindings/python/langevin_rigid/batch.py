@@ -11,7 +11,7 @@ import numpy as np
 from . import _native as native
 from ._fields import Aerodynamics, BatchContact, BatchEvents, BatchPace
 from ._structs import address, as_fields, contiguous, elements, init, make, takes, vectors
-from .enums import ForceMode, Frame, Transform
+from .enums import FaultPolicy, ForceMode, Frame, Transform
 from .view import View
 
 if TYPE_CHECKING:
@@ -230,6 +230,17 @@ class Batch:
         return bool(enabled.value)
 
     # Births and ends.
+
+    @property
+    def fault_policy(self) -> FaultPolicy:
+        """What becomes of bodies that have left physics."""
+        policy = ctypes.c_int32()
+        self.world._ask("lr_batch_get_fault_policy", self.id, ctypes.byref(policy))
+        return FaultPolicy(policy.value)
+
+    @fault_policy.setter
+    def fault_policy(self, policy: int) -> None:
+        self.world._change("lr_batch_set_fault_policy", self.id, int(policy))
 
     def set_rules(self, *, max_age: Optional[float] = None, volumes: "Sequence[KillVolumeOptions]" = (),
                   action: Optional[int] = None) -> None:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class ContactEvents(NamedTuple):
-    """What touched, left, landed, woke and ended in the last step.
+    """What touched, left, landed, woke, ended and left physics in the last step.
 
     events: structured, with kind (`EventKind`), batch, body, collider, position, normal, speed and impulse; a copy.
     lost: those of the last step for which there was no room; total_lost: since `World.keep_events`.

@@ -14,6 +14,7 @@ __all__ = [
     'EndAction',
     'EventKind',
     'EventKinds',
+    'FaultPolicy',
     'ForceFlags',
     'ForceMode',
     'Frame',
@@ -200,6 +201,7 @@ class Rest(IntEnum):
     """Whether a body is at rest."""
     AWAKE = 0
     RESTING = 1
+    HELD = 2  # read only: it has left physics, and lr_batch_set_fault_policy holds it where it was
 
 
 class ForceMode(IntEnum):
@@ -251,6 +253,7 @@ class EventKind(IntEnum):
     LANDED = 3  # it has come to rest by itself
     WOKE = 4  # it has left rest since the step before, whatever for
     KILLED = 5  # its batch's rules have ended it; with `EndAction.RESPAWN` it goes on with the same id
+    FAULTED = 6  # it has left physics: lr_batch_set_fault_policy
 
 
 class EventKinds(IntFlag):
@@ -260,7 +263,8 @@ class EventKinds(IntFlag):
     LANDED = 4
     WOKE = 8
     KILLED = 16
-    ALL = 31
+    FAULTED = 32
+    ALL = 63
 
 
 class RayFlags(IntFlag):
@@ -292,6 +296,13 @@ class KillSide(IntEnum):
     """On which side of a kill volume bodies end."""
     INSIDE = 0
     OUTSIDE = 1
+
+
+class FaultPolicy(IntEnum):
+    """What becomes of bodies that have left physics."""
+    AUTO = 0  # as `FaultPolicy.REMOVE` in a batch with rules, as `FaultPolicy.FREEZE` in others
+    FREEZE = 1  # it is held where it last was sane
+    REMOVE = 2  # it ends: respawns where the batch's rules do that, else is destroyed
 
 
 class EmitShape(IntEnum):

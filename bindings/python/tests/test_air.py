@@ -290,6 +290,24 @@ class Storms(WorldCase):
         with self.assertRaises(lr.InvalidArgumentError):
             self.batch.emit(1)
 
+    def test_bodies_that_leave_physics(self):
+        calm = self.world.create_batch(thin_leaf(), 10, load_model=lr.Loads.NONE)
+        self.world.keep_events(100)
+        self.assertEqual(calm.fault_policy, lr.FaultPolicy.AUTO)
+        ids = calm.create(position=[(0, 0, 0), (1, 0, 0), (2, 0, 0)])
+        for policy, left in ((lr.FaultPolicy.FREEZE, 3), (lr.FaultPolicy.REMOVE, 2)):
+            calm.fault_policy = policy
+            body = ids[0 if policy == lr.FaultPolicy.FREEZE else 1]
+            self.world.add_forces([int(body)] * 50, (1e9, 0, 0), mode=lr.ForceMode.ACCELERATION)
+            self.world.step(1 / 60)
+            told = self.world.events.of(lr.EventKind.FAULTED)
+            self.assertEqual(told["body"].tolist(), [int(body)])
+            self.assertEqual((calm.events.faulted, len(calm.ids)), (1, left))
+        self.assertEqual(self.world.state(ids[0]).resting, lr.Rest.HELD)
+        self.assertEqual(calm.events.total_faulted, 2)
+        with self.assertRaises(lr.InvalidArgumentError):
+            calm.fault_policy = 9
+
     def test_rates_and_budgets(self):
         self.batch.create(10)
         self.batch.set_rate(divisor=4)

@@ -173,6 +173,18 @@ export class Batch {
     this.#set('lr_emitter_desc', emitter, 'lr_batch_set_emitter');
   }
 
+  set faultPolicy(policy) {
+    this.#call('lr_batch_set_fault_policy', policy);
+  }
+
+  get faultPolicy() {
+    return this.#host.scratch((scratch) => {
+      const out = scratch.bytes(4);
+      this.#call('lr_batch_get_fault_policy', out);
+      return this.#host.heap.view.getInt32(out, true);
+    });
+  }
+
   get events() {
     const { endedIds, bornIds, ...events } = this.#get('lr_batch_events', 'lr_batch_get_events');
     const list = (address, length) => this.#host.heap.array(BigUint64Array, address, length).slice();

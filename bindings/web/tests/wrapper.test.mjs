@@ -252,6 +252,11 @@ test('rules, emitters, rates, budgets, gains, tables', () => {
   assert.ok(born > 55 && ended > 20, `${born} ${ended}`);
   batch.setRules(null);
   batch.setEmitter(null);
+  assert.equal(batch.faultPolicy, LR.FAULT_AUTO);
+  batch.faultPolicy = LR.FAULT_FREEZE;
+  assert.equal(batch.faultPolicy, LR.FAULT_FREEZE);
+  assert.throws(() => (batch.faultPolicy = 7), refused('INVALID_ARGUMENT'));
+  assert.equal(batch.events.totalFaulted, 0);
   batch.setRate({ divisor: 4 });
   assert.equal(batch.pace.divisor, 4);
   batch.setRate(null);

@@ -14,6 +14,18 @@ namespace LangevinRigid
         Respawn = 1,
     }
 
+    /// <summary>What becomes of a body that has left physics.</summary>
+    public enum FaultPolicy : int
+    {
+        /// <summary>As <see cref="FaultPolicy.Remove"/> in a batch with rules, as <see cref="FaultPolicy.Freeze"/> in
+        /// others.</summary>
+        Auto = 0,
+        /// <summary>It is held where it last was sane.</summary>
+        Freeze = 1,
+        /// <summary>It ends: respawns where the batch's rules do that, else is destroyed.</summary>
+        Remove = 2,
+    }
+
     /// <summary>Shapes of kill volumes.</summary>
     public enum VolumeShape : int
     {
@@ -74,8 +86,8 @@ namespace LangevinRigid
         public Float3 Size;
     }
 
-    /// <summary>When the bodies of a batch end. A body with a position that is not finite ends under any
-    /// rules.</summary>
+    /// <summary>When the bodies of a batch end. A body that has left physics ends under any rules, unless
+    /// <see cref="Native.lr_batch_set_fault_policy"/> says that it is held.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BatchRules
     {
@@ -189,7 +201,7 @@ namespace LangevinRigid
         public uint Respawned;
         /// <summary>births for which there was no room</summary>
         public uint Missed;
-        /// <summary>Why bodies ended: the first cause that held, in this order.</summary>
+        /// <summary>bodies that have left physics: <see cref="Native.lr_batch_set_fault_policy"/></summary>
         public uint ByNotFinite;
         /// <summary>By age.</summary>
         public uint ByAge;
@@ -209,6 +221,12 @@ namespace LangevinRigid
         public BodyId* EndedIds;
         /// <summary><c>Born</c> of them</summary>
         public BodyId* BornIds;
+        /// <summary>bodies that have left physics in the last step, held or ended</summary>
+        public uint Faulted;
+        /// <summary>0.</summary>
+        public uint Reserved1;
+        /// <summary>since the batch began</summary>
+        public ulong TotalFaulted;
 
         /// <summary>One with its initial values and its size.</summary>
         public static BatchEvents Create()

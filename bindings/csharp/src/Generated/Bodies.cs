@@ -12,6 +12,9 @@ namespace LangevinRigid
         Awake = 0,
         /// <summary>The header's <c>LR_REST_RESTING</c>.</summary>
         Resting = 1,
+        /// <summary>Read only: it has left physics, and <see cref="Native.lr_batch_set_fault_policy"/> holds it where
+        /// it was.</summary>
+        Held = 2,
     }
 
     /// <summary>The header's <c>struct lr_body_desc</c>.</summary>

@@ -19,6 +19,8 @@ namespace LangevinRigid
         /// <summary>Its batch's rules have ended it; with <see cref="EndAction.Respawn"/> it goes on with the same
         /// id.</summary>
         BodyKilled = 5,
+        /// <summary>It has left physics: <see cref="Native.lr_batch_set_fault_policy"/>.</summary>
+        BodyFaulted = 6,
     }
 
     /// <summary>Bits for <see cref="Native.lr_world_set_contact_events"/>.</summary>
@@ -37,8 +39,10 @@ namespace LangevinRigid
         Woke = 8,
         /// <summary>The header's <c>LR_EVENTS_KILLED</c>.</summary>
         Killed = 16,
+        /// <summary>The header's <c>LR_EVENTS_FAULTED</c>.</summary>
+        Faulted = 32,
         /// <summary>The header's <c>LR_EVENTS_ALL</c>.</summary>
-        All = 31,
+        All = 63,
     }
 
     /// <summary>Never changes: 64 bytes, an element of arrays without gaps.</summary>
@@ -54,7 +58,7 @@ namespace LangevinRigid
         /// <summary><see cref="ContactFlags"/>; else 0</summary>
         public ColliderId Collider;
         /// <summary>m, world frame: of <see cref="ContactEventKind.ContactBegin"/> where they touch, else of the centre
-        /// of mass; of a body that was killed for not being finite as it is</summary>
+        /// of mass; of one that has left physics where that was last sane</summary>
         public Float3 Position;
         /// <summary><see cref="ContactEventKind.ContactBegin"/>: unit, world frame, from the collider to the body; else
         /// 0</summary>

@@ -27,6 +27,36 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_set_rules(IntPtr world, BatchId batch, BatchRules* rules);
 
+        /// <summary>What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a
+        /// collider that shoots it out of the world. Every body is judged in each step, and after impulses: a number
+        /// that is not finite, a coordinate over 1e10 m, a velocity over 2e6 m/s or rad/s, or an orientation that is
+        /// none must not be seen. At the end of the step it is told by <see cref="ContactEventKind.BodyFaulted"/>,
+        /// counted in <see cref="BatchEvents"/>, and logged once for all; others are not touched by it. docs/faults.md
+        /// A body that is held has the position and orientation of the beginning of that step or substep, and no
+        /// velocity. Nothing moves or touches it, it moves and touches nothing, forces on it are taken and have no
+        /// effect; it grows older, and rules may end it. <see cref="Native.lr_body_set_state"/> sets it free, and
+        /// <see cref="Native.lr_body_set_rest"/> puts it to rest like any other. <see cref="BodyState.Resting"/> tells.
+        /// Initially <see cref="FaultPolicy.Auto"/>. From the next step on, also for the others; those that are held
+        /// stay so. Part of snapshots and hash.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="batch">handle of a batch of the world</param>
+        /// <param name="policy"><see cref="FaultPolicy"/>. <see cref="FaultPolicy.Remove"/> takes memory as
+        /// <see cref="Native.lr_batch_set_rules"/>.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>,
+        /// <see cref="Status.InvalidArgument"/>, <see cref="Status.OutOfMemory"/>.</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_batch_set_fault_policy(IntPtr world, BatchId batch, FaultPolicy policy);
+
+        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
+        /// <see cref="Status.StaleBatch"/>.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="batch">handle of a batch of the world</param>
+        /// <param name="policy">receives <see cref="FaultPolicy"/>; unchanged after an error.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
+        /// <see cref="Status.StaleBatch"/>.</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_batch_get_fault_policy(IntPtr world, BatchId batch, FaultPolicy* policy);
+
         /// <summary>Fills a struct with its initial values; <c>EmitterDesc.Create()</c> does it with the right size.</summary>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
         /// <param name="structSize">sizeof the struct as the caller sees it</param>
@@ -64,9 +94,9 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_events_init(BatchEvents* events, uint structSize);
 
-        /// <summary>Lists are valid until the next call that is not a query. All 0 and null for a batch that never had
-        /// rules or an emitter. Totals are part of snapshots; after a restore there are no events of the last
-        /// step.</summary>
+        /// <summary>Lists are valid until the next call that is not a query. All but faults is 0 and null for a batch
+        /// that never had rules or an emitter. Totals are part of snapshots; after a restore there are no events of the
+        /// last step.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="events">events</param>

@@ -31,7 +31,8 @@ namespace LangevinRigid
         /// bodies lie in memory. Bodies that share a key are in order of their slots. Contact is looked at after each
         /// substep, and ends only at the end of a step: what bounces within one begins once. What touches and leaves
         /// within a step begins and ends in it. A body at rest still touches what it lies on. Of a body that ends there
-        /// is one <see cref="ContactEventKind.BodyKilled"/> and nothing else; of those destroyed by
+        /// is one <see cref="ContactEventKind.BodyKilled"/> and nothing else, but
+        /// <see cref="ContactEventKind.BodyFaulted"/> where that is why; of those destroyed by
         /// <see cref="Native.lr_body_destroy"/> there is nothing. At most four colliders of a body count, those that
         /// press it most; other bodies that it touches count as one of the four, and neither begin nor end. A body that
         /// comes to rest on other bodies has landed.</summary>

@@ -74,6 +74,7 @@
     X(update_configuration_warnings)                                                                                   \
     X(_tree_changed)                                                                                                   \
     X(ended)                                                                                                           \
+    X(faulted)                                                                                                         \
     X(landed)                                                                                                          \
     X(touched)                                                                                                         \
     X(woke)                                                                                                            \

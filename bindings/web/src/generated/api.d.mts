@@ -159,6 +159,8 @@ export declare const LR: {
   readonly TRANSFORM_4X4_COLUMN_MAJOR: 5;
   readonly REST_AWAKE: 0;
   readonly REST_RESTING: 1;
+  /** read only: it has left physics, and lr_batch_set_fault_policy holds it where it was */
+  readonly REST_HELD: 2;
   /** N, N m */
   readonly FORCE_MODE_FORCE: 0;
   /** m/s^2, rad/s^2 */
@@ -203,12 +205,15 @@ export declare const LR: {
   readonly BODY_WOKE: 4;
   /** its batch's rules have ended it; with LR_END_RESPAWN it goes on with the same id */
   readonly BODY_KILLED: 5;
+  /** it has left physics: lr_batch_set_fault_policy */
+  readonly BODY_FAULTED: 6;
   readonly EVENTS_BEGIN: 1;
   readonly EVENTS_END: 2;
   readonly EVENTS_LANDED: 4;
   readonly EVENTS_WOKE: 8;
   readonly EVENTS_KILLED: 16;
-  readonly EVENTS_ALL: 31;
+  readonly EVENTS_FAULTED: 32;
+  readonly EVENTS_ALL: 63;
   readonly RAY_BODIES: 1;
   readonly RAY_COLLIDERS: 2;
   /** size[0]: radius */
@@ -228,6 +233,12 @@ export declare const LR: {
   readonly KILL_INSIDE: 0;
   readonly KILL_OUTSIDE: 1;
   readonly MAX_KILL_VOLUMES: 8;
+  /** as LR_FAULT_REMOVE in a batch with rules, as LR_FAULT_FREEZE in others */
+  readonly FAULT_AUTO: 0;
+  /** it is held where it last was sane */
+  readonly FAULT_FREEZE: 1;
+  /** it ends: respawns where the batch's rules do that, else is destroyed */
+  readonly FAULT_REMOVE: 2;
   readonly EMIT_POINT: 0;
   /** the first three fill their shape evenly */
   readonly EMIT_BOX: 1;
@@ -927,7 +938,7 @@ export interface ContactEvent {
   body: bigint;
   /** LR_CONTACT_*; else 0 */
   collider: bigint;
-  /** 3 elements. m, world frame: of LR_CONTACT_BEGIN where they touch, else of the centre of mass; of a body that was killed for not being finite as it is */
+  /** 3 elements. m, world frame: of LR_CONTACT_BEGIN where they touch, else of the centre of mass; of one that has left physics where that was last sane */
   position: number[];
   /** 3 elements. LR_CONTACT_BEGIN: unit, world frame, from the collider to the body; else 0 */
   normal: number[];
@@ -1000,7 +1011,10 @@ export interface KillVolume {
   size: number[];
 }
 
-/** When the bodies of a batch end. A body with a position that is not finite ends under any rules. */
+/**
+ * When the bodies of a batch end. A body that has left physics ends under any rules, unless lr_batch_set_fault_policy says
+ * that it is held.
+ */
 export interface BatchRules {
   /** LR_END_*; initially LR_END_DESTROY */
   action: number;
@@ -1062,7 +1076,7 @@ export interface BatchEvents {
   respawned: number;
   /** births for which there was no room */
   missed: number;
-  /** Why bodies ended: the first cause that held, in this order. */
+  /** bodies that have left physics: lr_batch_set_fault_policy */
   byNotFinite: number;
   byAge: number;
   /** 8 elements. */
@@ -1076,6 +1090,10 @@ export interface BatchEvents {
   endedIds: BigUint64Array;
   /** `born` of them */
   bornIds: BigUint64Array;
+  /** bodies that have left physics in the last step, held or ended */
+  faulted: number;
+  /** since the batch began */
+  totalFaulted: number;
 }
 
 /** The C functions as the module exports them: addresses are numbers, 64 bits are bigints. */
@@ -1477,9 +1495,9 @@ export interface RawFunctions {
    * bodies lie in memory. Bodies that share a key are in order of their slots.
    * Contact is looked at after each substep, and ends only at the end of a step: what bounces within one begins once. What touches
    * and leaves within a step begins and ends in it. A body at rest still touches what it lies on. Of a body that ends there is one
-   * LR_BODY_KILLED and nothing else; of those destroyed by lr_body_destroy there is nothing. At most four colliders of a body count,
-   * those that press it most; other bodies that it touches count as one of the four, and neither begin nor end. A body that comes to
-   * rest on other bodies has landed.
+   * LR_BODY_KILLED and nothing else, but LR_BODY_FAULTED where that is why; of those destroyed by lr_body_destroy there is nothing. At
+   * most four colliders of a body count, those that press it most; other bodies that it touches count as one of the four, and neither
+   * begin nor end. A body that comes to rest on other bodies has landed.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
    */
   lr_world_get_contact_events(world: number, list: number): number;
@@ -1509,6 +1527,20 @@ export interface RawFunctions {
    * LR_ERROR_INVALID_ARGUMENT (also LR_END_RESPAWN without an emitter), LR_ERROR_OUT_OF_MEMORY.
    */
   lr_batch_set_rules(world: number, batch: number, rules: number): number;
+  /**
+   * What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a collider that shoots it out of
+   * the world. Every body is judged in each step, and after impulses: a number that is not finite, a coordinate over 1e10 m, a velocity
+   * over 2e6 m/s or rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
+   * in lr_batch_events, and logged once for all; others are not touched by it. docs/faults.md
+   * A body that is held has the position and orientation of the beginning of that step or substep, and no velocity. Nothing moves or
+   * touches it, it moves and touches nothing, forces on it are taken and have no effect; it grows older, and rules may end it.
+   * lr_body_set_state sets it free, and lr_body_set_rest puts it to rest like any other. lr_body_state.resting tells.
+   * Initially LR_FAULT_AUTO. From the next step on, also for the others; those that are held stay so. Part of snapshots and hash.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
+   */
+  lr_batch_set_fault_policy(world: number, batch: number, policy: number): number;
+  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH. */
+  lr_batch_get_fault_policy(world: number, batch: number, policy: number): number;
   lr_emitter_desc_init(desc: number, struct_size: number): number;
   /**
    * Bodies are born at the end of each step, after others have ended, up to the batch's capacity; those that find no room
@@ -1526,7 +1558,7 @@ export interface RawFunctions {
   lr_batch_emit(world: number, batch: number, count: number, out_ids: number): number;
   lr_batch_events_init(events: number, struct_size: number): number;
   /**
-   * Lists are valid until the next call that is not a query. All 0 and null for a batch that never had rules or an
+   * Lists are valid until the next call that is not a query. All but faults is 0 and null for a batch that never had rules or an
    * emitter. Totals are part of snapshots; after a restore there are no events of the last step.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
    */

@@ -29,6 +29,8 @@ enum class ELangevinContact : uint8 {
     Woke = 4,
     /** The rules of its batch have ended it, or let it begin anew. */
     Ended = 5,
+    /** It has left physics, and is held where it was, or has ended for it: then there is Ended too. */
+    Faulted = 6,
 };
 
 USTRUCT(BlueprintType)

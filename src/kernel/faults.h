@@ -1,0 +1,88 @@
+// What of a body's state is no body's any more, and what becomes of it: it stays as it was, without motion, and is marked.
+// docs/faults.md
+#pragma once
+
+#include "kernel/batch_arrays.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace lr {
+
+// Beyond what any caller can ask for: what has come farther or faster has been carried there by numbers, not by forces.
+inline constexpr float farthest_place = 1e10f;                      // m, each coordinate
+inline constexpr float fastest_motion = 2e6f;                       // m/s and rad/s, magnitudes
+inline constexpr float shortest_turn = 0.98f, longest_turn = 1.02f; // squares of a unit quaternion's length
+inline constexpr float fastest_squared = 4e12f;
+static_assert(fastest_motion * fastest_motion == fastest_squared);
+
+// In place of what rounding has added to the age: of a body that is held where it was, and of one that is to be by the end of the step.
+inline constexpr float held_mark = -1e30f, fault_mark = -2e30f, least_age_rest = -1e29f;
+inline bool is_held(float age_rest) {
+    return age_rest <= least_age_rest;
+}
+
+// As in kernel/faults-inl.h, to the bit. gusts: there are some.
+inline bool is_sane(const BatchArrays& a, size_t i, bool gusts) {
+    const auto at = [&](size_t field) { return a.field[field][i]; };
+    const auto size = [](float x) { return x < 0.0f ? -x : x; };
+    const auto squared = [&](size_t f) { return at(f) * at(f) + (at(f + 1) * at(f + 1) + at(f + 2) * at(f + 2)); };
+    const float turn = at(field_qx) * at(field_qx) +
+                       (at(field_qy) * at(field_qy) + (at(field_qz) * at(field_qz) + at(field_qw) * at(field_qw)));
+    bool sane = turn >= shortest_turn && turn <= longest_turn; // false for NaN, like the others
+    for (size_t f = field_x; f <= field_z; ++f) sane = sane && size(at(f)) <= farthest_place;
+    sane = sane && squared(field_vx) <= fastest_squared && squared(field_wx) <= fastest_squared;
+    return sane && (!gusts || squared(field_gust_x) <= fastest_squared);
+}
+
+// Once in a step is enough; from any thread. to: may be null.
+inline void note_fault(uint32_t* to) {
+    if (to) __atomic_store_n(to, 1u, __ATOMIC_RELAXED);
+}
+
+// before(field): of the body, x to w of its orientation, when all was well.
+template <class Before> void hold_body(const BatchArrays& a, size_t i, float mark, const Before& before) {
+    for (size_t f = field_x; f <= field_qw; ++f) a.field[f][i] = before(f);
+    for (size_t f = field_vx; f <= field_wz; ++f) a.field[f][i] = 0.0f;
+    for (size_t f = field_gust_x; f < field_count && a.field[f]; ++f) a.field[f][i] = 0.0f;
+    a.field[field_age_rest][i] = mark;
+}
+
+// After something that may have carried it off. Returns whether it is held.
+template <class Before>
+bool hold_if_insane(const BatchArrays& a, size_t i, uint32_t* faults, const Before& before, bool gusts = false) {
+    const float age_rest = a.field[field_age_rest][i];
+    const bool held = is_held(age_rest);
+    if (!held && is_sane(a, i, gusts)) return false;
+    hold_body(a, i, held ? age_rest : fault_mark, before);
+    if (!held) note_fault(faults);
+    return true;
+}
+
+// A vector's bodies as they were, where one of them is not sane any more.
+class BodiesBefore {
+public:
+    __attribute__((noinline)) void take(const BatchArrays& a, size_t begin, size_t count) {
+        for (size_t f = 0; f < field_count; ++f)
+            if (a.field[f]) std::copy_n(a.field[f] + begin, count, value_[f]);
+    }
+    // a: as they are now; seconds: since then; gusts: as in is_sane().
+    __attribute__((noinline)) void hold(const BatchArrays& a, size_t begin, size_t count, float seconds, bool gusts,
+                                        uint32_t* faults) {
+        for (size_t i = 0; i < count; ++i) {
+            const float age = value_[field_age][i], age_rest = value_[field_age_rest][i];
+            if (is_held(age_rest)) {
+                a.field[field_age][begin + i] = age + seconds;
+                a.field[field_age_rest][begin + i] = age_rest;
+            }
+            hold_if_insane(
+                a, begin + i, faults, [&](size_t f) { return value_[f][i]; }, gusts);
+        }
+    }
+
+private:
+    float value_[field_count][lane_block];
+};
+
+} // namespace lr

@@ -1,0 +1,49 @@
+// Worlds of everything that the API takes, as extreme as it takes it.
+#pragma once
+
+#include "support/random.h"
+#include "support/scene.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace test {
+
+// Of a batch's bodies as they can be seen: a number that is none, or that the header says no body has. Empty when all is well.
+std::string beyond_limits(const World& world, lr_batch batch);
+
+class HostileWorld {
+public:
+    struct How {
+        int32_t simd = LR_SIMD_AUTO;
+        uint32_t workers = 0;
+        int through_snapshot = -1; // before this frame, into a new world
+    };
+    HostileWorld(uint64_t seed, const How& how);
+
+    static constexpr int frames = 10;
+    void step(int frame); // what happens to it, and a step; every body is within limits, or a check fails
+    uint64_t faults() const { return faults_; }
+    uint64_t faults_ever = 0; // by events
+
+    World world;
+    std::vector<lr_batch> batches;
+
+private:
+    void build();
+    void add_batches(Random& random);
+    void add_solids(Random& random);
+    void add_fluids(Random& random);
+    void populate(Random& random, lr_batch batch, uint32_t count);
+    void push(Random& random);
+    void check();
+
+    uint64_t seed_;
+    How how_;
+    std::vector<Asset> assets_;
+    std::vector<lr_collider> colliders_;
+    uint64_t faults_ = 0;
+};
+
+} // namespace test
