@@ -1,5 +1,7 @@
-// Any bytes: either refused with a status, or an asset that can be stepped.
+// Any bytes: either refused with a status and numbered faults, or an asset whose bodies can be stepped and stay finite.
 #include "format/asset_file.h"
+#include "fuzz/asset/falls.h"
+#include "fuzz/asset/mutate.h"
 #include "langevin_rigid.h"
 #include "support/asset_bytes.h"
 
@@ -10,45 +12,49 @@
 
 namespace {
 
-void step_asset(const lr_asset* asset) {
-    lr_world_desc world_desc;
-    lr_world_desc_init(&world_desc, sizeof world_desc);
-    lr_world* world = nullptr;
-    if (lr_world_create(&world_desc, &world) != LR_OK) std::abort();
-    lr_batch_desc batch_desc;
-    lr_batch_desc_init(&batch_desc, sizeof batch_desc);
-    batch_desc.asset = asset;
-    batch_desc.capacity = 4;
-    lr_batch batch = 0;
-    if (lr_batch_create(world, &batch_desc, &batch) == LR_OK) {
-        lr_body_desc body;
-        lr_body_desc_init(&body, sizeof body);
-        if (lr_body_create(world, batch, &body, 1, nullptr) != LR_OK) std::abort();
-        for (int i = 0; i < 20; ++i)
-            if (lr_world_step(world, 1.0f / 60.0f, 4) != LR_OK) std::abort();
-    }
-    lr_world_destroy(world);
+void load_and_fall(const uint8_t* data, size_t size) {
+    lr_asset* asset = nullptr;
+    const lr_status status = lr_asset_load_memory(data, size, &asset);
+    if ((asset != nullptr) != (status == LR_OK)) std::abort();
+    if (lr_asset_check_memory(data, size, nullptr, nullptr) != status) std::abort();
+    if (!asset) return;
+    lr::Fnv1a hash;
+    hash.add(data, size);
+    // Each file in two of all the ways, always the same ones.
+    fuzz::fall(asset, static_cast<uint32_t>(hash.value()) % 1000003u);
+    fuzz::fall(asset, static_cast<uint32_t>(hash.value() >> 32) % 1000003u);
+    lr_asset_release(asset);
 }
 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    lr_asset* asset = nullptr;
-    if (lr_asset_load_memory(data, size, &asset) == LR_OK) {
-        step_asset(asset);
-        lr_asset_release(asset);
-    } else if (asset) {
-        std::abort();
-    }
+    load_and_fall(data, size);
     // The checksum stops changed bytes early: mend it where only it is wrong, so that what lies behind is reached too.
     lr::AssetData unused;
     lr::Faults faults;
     if (lr::read_asset(data, size, unused, faults) || faults.back().id != lr::FaultId::asset_checksum) return 0;
     std::vector<uint8_t> mended(data, data + size);
     test::seal(mended);
-    if (lr_asset_load_memory(mended.data(), mended.size(), &asset) == LR_OK) {
-        step_asset(asset);
-        lr_asset_release(asset);
-    }
+    load_and_fall(mended.data(), mended.size());
     return 0;
 }
+
+#ifdef LR_LIBFUZZER
+extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
+
+// In one of eight as bytes, which is what the verifier is for; else as an asset, which gets to the checks behind it.
+extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t most, unsigned int seed) {
+    if (seed % 8 == 0) return LLVMFuzzerMutate(data, size, most);
+    lr::AssetData asset;
+    lr::Faults faults;
+    // What was refused for its numbers has been read all the same.
+    if (!lr::read_asset(data, size, asset, faults) && faults.front().id < lr::FaultId::asset_wrong_length)
+        asset = test::leaf_data();
+    fuzz::mutate_asset(asset, seed);
+    const std::vector<uint8_t> bytes = lr::write_asset(asset);
+    if (bytes.size() > most) return LLVMFuzzerMutate(data, size, most);
+    std::copy(bytes.begin(), bytes.end(), data);
+    return bytes.size();
+}
+#endif

@@ -1,0 +1,127 @@
+// What acts on a batch as a whole: coefficients, gains, tables, fields of force.
+#include "fuzz/api/model.h"
+
+namespace fuzz {
+namespace {
+
+void aerodynamics(Fuzzer& f) {
+    World& w = f.world();
+    Input& in = f.in;
+    const lr_batch id = f.pick_batch(w, in.handle(0));
+    const Batch* const b = w.find(id);
+    lr_aerodynamics a = initialised(LR_CALL(lr_aerodynamics_init));
+    if (b && w.at && LR_CALL(lr_batch_get_aerodynamics)(w.at, id, &a) != LR_OK)
+        defect("lr_batch_get_aerodynamics", "failed");
+    in.change(a.axes, a.drag, a.drag_blunt, a.drag_layer, a.drag_stokes, a.lift, a.spin_lift, a.lift_moment,
+              a.spin_drag, a.spin_drag_stream, a.spin_drag_stokes, a.intensity, a.length, a.wake_reynolds, a.broadside,
+              a.lift_stall, a.lift_moment_stalled, a.roll_damping, a.center, a.reserved);
+    Expected e;
+    if (!in.null(1)) {
+        for (const auto* v : {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.spin_drag, &a.spin_drag_stream,
+                              &a.spin_drag_stokes, &a.roll_damping})
+            e.range(*v, 0.0, 1e300);
+        for (const auto* v : {&a.lift, &a.spin_lift, &a.lift_moment, &a.lift_moment_stalled, &a.center})
+            for (double x : *v) e.finite(x);
+        for (double x : a.axes) e.finite(x);
+        for (double x : {a.length, a.wake_reynolds, a.lift_stall}) e.finite(x);
+        e.range(a.intensity, 0.0, 10.0);
+        e.range(a.broadside, 0.0, 1.0);
+        e.add_if(a.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
+        e.may(LR_ERROR_INVALID_ARGUMENT); // axes that are no rotation, or not the body's on the fast path
+    }
+    e.add_if(!b, LR_ERROR_STALE_BATCH);
+    Given<lr_aerodynamics> given(in, a, 1, e, true);
+    Call call(f, w, "lr_batch_set_aerodynamics", e);
+    if (!call.ended(LR_CALL(lr_batch_set_aerodynamics)(call.world(), id, given.get())) || !given.get() || w.state.loose)
+        return;
+    lr_aerodynamics got = initialised(LR_CALL(lr_aerodynamics_init));
+    if (LR_CALL(lr_batch_get_aerodynamics)(w.at, id, &got) != LR_OK || std::memcmp(&got, &a, sizeof a) != 0)
+        defect("lr_batch_get_aerodynamics", "not what was set");
+    if ((in.value(0) | in.value(1)) != 0 && in.flag(3)) w.state.wild = true; // coefficients of no body
+}
+
+void gains(Fuzzer& f) {
+    World& w = f.world();
+    Input& in = f.in;
+    lr_load_gains g = initialised(LR_CALL(lr_load_gains_init));
+    in.change(g.drag, g.lift, g.spin_drag, g.turbulence, g.reserved);
+    const lr_batch id = f.pick_batch(w, in.handle(0));
+    Expected e;
+    if (!in.null(1)) {
+        for (float v : {g.drag, g.lift, g.spin_drag, g.turbulence}) e.range(v, 0.0, 100.0);
+        e.add_if(g.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
+    }
+    e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
+    Given<lr_load_gains> given(in, g, 1, e, true);
+    Call call(f, w, "lr_batch_set_load_gains", e);
+    call.ended(LR_CALL(lr_batch_set_load_gains)(call.world(), id, given.get()));
+}
+
+void table(Fuzzer& f) {
+    World& w = f.world();
+    Input& in = f.in;
+    constexpr uint32_t most = 8;
+    float chi[most], epsilon[most];
+    for (uint32_t i = 0; i < most; ++i) chi[i] = epsilon[i] = 1.0f / static_cast<float>(i + 1);
+    lr_turbulence_table t = initialised(LR_CALL(lr_turbulence_table_init));
+    t.count = 1 + in.handle(1) % most, t.dt = 0.1f, t.u0 = 1.0f, t.l = 0.05f;
+    in.change(t.count, t.dt, t.u0, t.l, t.c0, t.stationary, chi[0], epsilon[0], t.reserved);
+    if (t.count > most && t.count <= 65536) t.count = most; // or the caller would be lying
+    // Copied to blocks of their very size.
+    std::vector<float> c(chi, chi + std::min(t.count, most)), s(epsilon, epsilon + std::min(t.count, most));
+    t.chi = in.variant() == 1 && in.flag(flag_null) ? nullptr : c.data();
+    t.epsilon = in.variant() == 2 && in.flag(flag_null) ? nullptr : s.data();
+    const lr_batch id = f.pick_batch(w, in.handle(0));
+    Expected e;
+    if (!in.null(1)) {
+        for (float v : {t.dt, t.u0, t.l, t.c0}) {
+            e.range(v, 0.0, 1e30);
+            e.add_if(v == 0.0f, LR_ERROR_INVALID_ARGUMENT);
+            e.may_if(v < 1e-8f || v > 99.0f, LR_ERROR_INVALID_ARGUMENT);
+        }
+        e.add_if(t.count == 0 || t.count > 65536 || t.stationary >= t.count || t.reserved != 0,
+                 LR_ERROR_INVALID_ARGUMENT);
+        e.add_if(!t.chi || !t.epsilon, LR_ERROR_NULL_ARGUMENT);
+        if (!c.empty() && t.chi && t.epsilon)
+            for (float v : {c[0], s[0]}) {
+                e.range(v, 0.0, 1e38);
+                e.may_if(v > 1e8f, LR_ERROR_INVALID_ARGUMENT);
+            }
+    }
+    e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
+    Given<lr_turbulence_table> given(in, t, 1, e, true);
+    Call call(f, w, "lr_batch_set_turbulence_table", e);
+    call.ended(LR_CALL(lr_batch_set_turbulence_table)(call.world(), id, given.get()));
+}
+
+void field(Fuzzer& f) {
+    World& w = f.world();
+    Input& in = f.in;
+    lr_batch_force d = initialised(LR_CALL(lr_batch_force_init));
+    in.change(d.force, d.torque, d.acceleration, d.angular_acceleration, d.body_force, d.body_torque,
+              d.body_acceleration, d.body_angular_acceleration, d.reserved);
+    const lr_batch id = f.pick_batch(w, in.handle(0));
+    Expected e;
+    bool strong = false;
+    if (!in.null(1)) {
+        for (const auto* v : {&d.force, &d.torque, &d.acceleration, &d.angular_acceleration, &d.body_force,
+                              &d.body_torque, &d.body_acceleration, &d.body_angular_acceleration}) {
+            e.range(*v, -1e9, 1e9);
+            for (float x : *v) strong = strong || x != 0.0f;
+        }
+        e.add_if(d.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
+    }
+    e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
+    Given<lr_batch_force> given(in, d, 1, e, true);
+    Call call(f, w, "lr_batch_set_force", e);
+    // Newtons on a leaf of a gram, for as long as the world lasts.
+    if (call.ended(LR_CALL(lr_batch_set_force)(call.world(), id, given.get())) && strong) w.state.wild = true;
+}
+
+} // namespace
+
+std::vector<Named> load_operations() {
+    return {{"aerodynamics", aerodynamics}, {"gains", gains}, {"table", table}, {"field", field}};
+}
+
+} // namespace fuzz

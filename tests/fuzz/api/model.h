@@ -1,0 +1,185 @@
+// What must be in the library's worlds after the calls so far.
+#pragma once
+
+#include "fuzz/api/memory.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace fuzz {
+
+struct Batch {
+    lr_batch id = 0;
+    lr_batch_desc desc{};
+    std::vector<lr_body> bodies;
+    bool emitter = false, rules = false, respawns = false;
+};
+struct Collider {
+    lr_collider id = 0;
+    lr_collider_desc desc{};
+};
+struct Wind {
+    lr_wind_source id = 0;
+    lr_wind_source_desc desc{};
+};
+
+// How a world's batches came to be: where that is the same, each can take the snapshots of the other.
+struct Past {
+    lr_batch_desc created{}; // of no asset: a batch was destroyed
+    lr_batch destroyed = 0;
+    bool operator==(const Past& o) const {
+        return created.asset == o.created.asset && created.capacity == o.created.capacity && destroyed == o.destroyed &&
+               created.load_model == o.created.load_model && created.integrator == o.created.integrator &&
+               created.tensor == o.created.tensor && created.clock == o.created.clock &&
+               created.table_end == o.created.table_end && created.damping_gain == o.created.damping_gain &&
+               created.noise_gain == o.created.noise_gain;
+    }
+};
+
+// What a snapshot brings back.
+struct State {
+    std::vector<Batch> batches;
+    std::vector<Collider> colliders;
+    std::vector<Wind> winds;
+    uint64_t substeps = 0;
+    double time = 0.0;
+    bool wild = false;  // numbers beyond physics were given: states need not be finite
+    bool loose = false; // a damaged snapshot was taken: anything possible may be there
+    bool timed = false; // a budget of time: not deterministic
+};
+
+struct World {
+    lr_world* at = nullptr;
+    std::unique_ptr<Memory> memory = std::make_unique<Memory>();
+    lr_world_desc desc{};
+    State state;
+    std::vector<Past> past;
+    std::vector<lr_body> stale_bodies;
+    std::vector<lr_collider> stale_colliders;
+    std::vector<lr_batch> stale_batches;
+    std::vector<lr_wind_source> stale_winds;
+    uint32_t wind_callback = 0, surface_callback = 0; // 0: none
+    uint32_t event_capacity = 0;
+
+    const Batch* find(lr_batch id) const {
+        for (const Batch& b : state.batches)
+            if (b.id == id) return &b;
+        return nullptr;
+    }
+    Batch* find(lr_batch id) { return const_cast<Batch*>(static_cast<const World*>(this)->find(id)); }
+    Batch* owner(lr_body id) {
+        for (Batch& b : state.batches)
+            if (std::find(b.bodies.begin(), b.bodies.end(), id) != b.bodies.end()) return &b;
+        return nullptr;
+    }
+    Collider* collider(lr_collider id) {
+        for (Collider& c : state.colliders)
+            if (c.id == id) return &c;
+        return nullptr;
+    }
+};
+
+struct Saved {
+    std::vector<unsigned char> bytes;
+    State state;
+    std::vector<Past> past;
+    uint64_t hash = 0;
+};
+
+class Fuzzer {
+public:
+    explicit Fuzzer(Input input) : in(input) {}
+    ~Fuzzer();
+    Fuzzer(const Fuzzer&) = delete;
+    Fuzzer& operator=(const Fuzzer&) = delete;
+
+    World& world() { return worlds[in.selector() % 8 == 7 ? 2 : in.selector() % 8 >= 5 ? 1 : 0]; }
+    // A handle: mostly one of those that there are, else an old one, or made up.
+    template <class Id, class List> Id pick(const List& live, const std::vector<Id>& stale, uint8_t byte) const {
+        if (byte < 208 && !live.empty()) return id_of(live[byte % live.size()]);
+        if (byte < 232 && !stale.empty()) return stale[byte % stale.size()];
+        const Id some = live.empty() ? Id{1} : id_of(live[0]);
+        const Id made_up[] = {Id{0},
+                              Id{1},
+                              static_cast<Id>(~Id{0}),
+                              static_cast<Id>(some ^ (Id{1} << 14)),
+                              static_cast<Id>(some + 1),
+                              Id{0x7fff},
+                              static_cast<Id>(some ^ (Id{1} << (sizeof(Id) * 8 - 1))),
+                              Id{1} << 26};
+        return made_up[byte % 8];
+    }
+    lr_batch pick_batch(World& w, uint8_t byte) const { return pick(w.state.batches, w.stale_batches, byte); }
+    lr_body pick_body(World& w, uint8_t byte) const;
+    lr_collider pick_collider(World& w, uint8_t byte) const { return pick(w.state.colliders, w.stale_colliders, byte); }
+    lr_wind_source pick_wind(World& w, uint8_t byte) const { return pick(w.state.winds, w.stale_winds, byte); }
+    lr_asset* pick_asset() { return assets[in.selector() / 8u % assets.size()]; }
+
+    Input in;
+    World worlds[3];
+    std::vector<lr_asset*> assets; // one reference each is ours
+    std::vector<Saved> saved;
+    uint32_t substeps_left = 48;
+    uint32_t assets_left = 2; // to be made: an ellipsoid's surface takes longer than a step
+
+private:
+    static lr_batch id_of(const Batch& b) { return b.id; }
+    static lr_collider id_of(const Collider& c) { return c.id; }
+    static lr_wind_source id_of(const Wind& w) { return w.id; }
+    static lr_body id_of(lr_body b) { return b; }
+};
+
+// Around each call on a world: what must come, and that a refused call changes nothing.
+class Call {
+public:
+    Call(Fuzzer& fuzzer, World& world, const char* function, Expected& expected);
+    // True when the call succeeded.
+    bool ended(lr_status status);
+    // The world to be given, which the record may want to be null.
+    lr_world* world() const { return null_ ? nullptr : world_.at; }
+
+private:
+    Fuzzer& fuzzer_;
+    World& world_;
+    const char* function_;
+    Expected& expected_;
+    bool null_, compared_ = false;
+    uint64_t hash_ = 0;
+    lr_world_info info_{};
+};
+
+uint64_t hash_of(const World& w);
+lr_world_info info_of(const World& w);
+lr_batch_view view_of(const World& w, lr_batch batch);
+// Everything that can be seen of a world against its model.
+void check_world(World& w);
+void remember(std::vector<lr_body>& stale, lr_body id);
+
+// Which of these a record's first byte stands for.
+using Operation = void (*)(Fuzzer&);
+struct Named {
+    const char* name;
+    Operation run;
+};
+std::vector<Named> asset_operations();
+std::vector<Named> world_operations();
+std::vector<Named> wind_operations();
+std::vector<Named> batch_operations();
+std::vector<Named> load_operations();
+std::vector<Named> body_operations();
+std::vector<Named> force_operations();
+std::vector<Named> collider_operations();
+std::vector<Named> query_operations();
+std::vector<Named> lifecycle_operations();
+std::vector<Named> step_operations();
+std::vector<Named> snapshot_operations();
+
+void step_world(Fuzzer& f, World& w, float dt, uint32_t substeps);
+// A first world with a batch and bodies, so that few bytes are enough to get somewhere.
+void begin_scene(Fuzzer& f);
+const std::vector<lr_asset*>& common_assets();
+const std::vector<unsigned char>& asset_bytes();
+void set_callbacks(World& w, lr_world* at);
+lr_job_system hostile_jobs(uint32_t kind);
+
+} // namespace fuzz

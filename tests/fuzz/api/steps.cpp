@@ -1,0 +1,92 @@
+// Steps, and what rules and emitters have done in them.
+#include "fuzz/api/model.h"
+
+#include <set>
+
+namespace fuzz {
+namespace {
+
+// Who is there after a step: those before, without the ended, with the born.
+void account(World& w, Batch& b) {
+    const lr_batch_view view = view_of(w, b.id);
+    lr_batch_events events = initialised(LR_CALL(lr_batch_events_init));
+    if (LR_CALL(lr_batch_get_events)(w.at, b.id, &events) != LR_OK) defect("lr_batch_get_events", "failed");
+    std::set<lr_body> expected(b.bodies.begin(), b.bodies.end());
+    uint64_t causes = uint64_t{events.by_not_finite} + events.by_age;
+    for (uint32_t n : events.by_volume) causes += n;
+    if (causes != uint64_t{events.destroyed} + events.respawned) defect("lr_batch_get_events", "causes");
+    if (events.total_born < events.born || events.total_destroyed < events.destroyed)
+        defect("lr_batch_get_events", "totals");
+    if ((events.destroyed != 0 && !b.rules) || (events.born != 0 && !b.emitter) ||
+        (events.respawned != 0 && !b.respawns))
+        defect("lr_batch_get_events", "without rules or emitter");
+    for (uint32_t i = 0; i < events.destroyed + events.respawned; ++i) {
+        const lr_body id = events.ended_ids[i];
+        if (expected.count(id) == 0) defect("lr_batch_get_events", "one ended that was not there");
+        if (!b.respawns) {
+            expected.erase(id);
+            remember(w.stale_bodies, id);
+        }
+    }
+    for (uint32_t i = 0; i < events.born; ++i)
+        if (!expected.insert(events.born_ids[i]).second)
+            defect("lr_batch_get_events", "born with the handle of another");
+    if (expected != std::set<lr_body>(view.ids, view.ids + view.count))
+        defect("lr_world_step", "bodies came or went unseen");
+    b.bodies.assign(view.ids, view.ids + view.count);
+    lr_batch_pace pace = initialised(LR_CALL(lr_batch_pace_init));
+    if (LR_CALL(lr_batch_get_pace)(w.at, b.id, &pace) != LR_OK) defect("lr_batch_get_pace", "failed");
+    // Rules end whatever is nowhere.
+    for (uint32_t i = 0; b.rules && pace.substeps != 0 && i < view.awake_count; ++i)
+        for (size_t k = 0; k < 3; ++k)
+            if (!std::isfinite(view.position[k][i])) defect("lr_world_step", "rules left a body that is not finite");
+}
+
+void step(Fuzzer& f) {
+    World& w = f.world();
+    static constexpr float times[] = {1.0f / 60.0f, 1.0f / 60.0f, 1.0f / 30.0f, 0.001f,
+                                      0.1f,         0.5f,         1.0f,         1.0f / 240.0f};
+    float dt = times[f.in.handle(0) % 8];
+    uint32_t substeps = 1 + f.in.handle(1) % 4;
+    f.in.change(dt);
+    if (f.in.flag(flag_size)) substeps = f.in.handle(1) % 2 ? 0 : LR_MAX_SUBSTEPS + 1 + f.in.handle(2);
+    step_world(f, w, dt, substeps);
+}
+
+} // namespace
+
+void step_world(Fuzzer& f, World& w, float dt, uint32_t substeps) {
+    Expected e;
+    e.add_if(!std::isfinite(dt), LR_ERROR_TIMESTEP_NOT_FINITE);
+    e.add_if(dt == 0.0f, LR_ERROR_TIMESTEP_ZERO);
+    e.add_if(dt < 0.0f, LR_ERROR_TIMESTEP_NEGATIVE);
+    e.add_if(substeps == 0 || substeps > LR_MAX_SUBSTEPS, LR_ERROR_SUBSTEPS);
+    e.add_if(std::isfinite(dt) && substeps != 0 &&
+                 static_cast<double>(dt) / substeps > static_cast<double>(LR_MAX_SUBSTEP),
+             LR_ERROR_TIMESTEP_TOO_LARGE);
+    if (!e.fails() && w.at && f.substeps_left < substeps) return; // enough for one run
+    Call call(f, w, "lr_world_step", e);
+    const bool wild = w.state.wild;
+    const lr_status status = LR_CALL(lr_world_step)(call.world(), dt, substeps);
+    w.memory->begin(); // a step that finds no memory for more contacts goes on
+    const bool ok = call.ended(status);
+    w.state.wild = wild;
+    if (!ok) return;
+    f.substeps_left -= substeps;
+    w.state.substeps += substeps;
+    w.state.time += static_cast<double>(dt);
+    for (Batch& b : w.state.batches)
+        if (w.state.loose) {
+            const lr_batch_view view = view_of(w, b.id);
+            b.bodies.assign(view.ids, view.ids + view.count);
+        } else {
+            account(w, b);
+        }
+    check_world(w);
+}
+
+std::vector<Named> step_operations() {
+    return {{"step", step}, {"step", step}, {"step", step}, {"step", step}};
+}
+
+} // namespace fuzz

@@ -1,0 +1,14 @@
+// What any asset that loads must be able to do.
+#pragma once
+
+#include "langevin_rigid.h"
+
+#include <cstdint>
+
+namespace fuzz {
+
+// Steps it 100 times with `variant`'s model, clock, scale and surroundings: wind, water, a plane to land on, others of its kind.
+// Ends the program where a number is not finite.
+void fall(const lr_asset* asset, uint32_t variant);
+
+} // namespace fuzz

@@ -1,0 +1,171 @@
+#include "fuzz/asset/mutate.h"
+
+#include "support/random.h"
+
+#include <cmath>
+#include <limits>
+
+namespace fuzz {
+namespace {
+
+// Every number of an asset but the samples and the hull, whose places count besides.
+std::vector<double*> numbers_of(lr::AssetData& d) {
+    std::vector<double*> all = {&d.mass,     &d.volume,   &d.density,  &d.fluid_density,  &d.fluid_viscosity,
+                                &d.length_d, &d.length_b, &d.length_l, &d.projected_area, &d.u0};
+    const auto each = [&](auto& values) {
+        for (double& v : values) all.push_back(&v);
+    };
+    each(d.center_of_mass), each(d.center_of_buoyancy), each(d.inertia), each(d.added_mass), each(d.added_mass_error);
+    lr::AerodynamicData& a = d.aerodynamics;
+    each(a.axes);
+    for (auto* v :
+         {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.lift, &a.spin_lift, &a.lift_moment, &a.broadside,
+          &a.lift_moment_stalled, &a.spin_drag, &a.spin_drag_stream, &a.spin_drag_stokes, &a.roll_damping, &a.center})
+        each(*v);
+    for (double* v : {&a.lift_stall, &a.intensity, &a.wake_reynolds, &a.length, &d.turbulence.dt, &d.turbulence.c0,
+                      &d.turbulence.intensity, &d.turbulence.max_divergence})
+        all.push_back(v);
+    each(d.turbulence.domain);
+    return all;
+}
+
+double other(double v, test::Random& random) {
+    static constexpr double odd[] = {std::numeric_limits<double>::quiet_NaN(),
+                                     std::numeric_limits<double>::infinity(),
+                                     -std::numeric_limits<double>::infinity(),
+                                     0.0,
+                                     -0.0,
+                                     1.0,
+                                     -1.0,
+                                     1e-300,
+                                     1e300,
+                                     5e-324,
+                                     1e30,
+                                     1e-30,
+                                     1e9,
+                                     1e-9,
+                                     1e6,
+                                     10.0,
+                                     100.0};
+    switch (random.below(8)) {
+    case 0:
+        return odd[random.below(sizeof odd / sizeof odd[0])];
+    case 1:
+        return -v;
+    case 2:
+        return v * std::pow(10.0, random.uniform(-6.0, 6.0));
+    case 3:
+        return v * (1.0 + random.uniform(-1e-5, 1e-5));
+    case 4:
+        return std::pow(10.0, random.uniform(-12.0, 12.0));
+    default:
+        return v * random.uniform(0.1, 10.0);
+    }
+}
+
+template <class T> void change_values(std::vector<T>& values, test::Random& random) {
+    const auto size = static_cast<uint32_t>(values.size());
+    switch (random.below(4)) {
+    case 0:
+        values.resize(random.below(size + 4));
+        break;
+    case 1:
+        if (size != 0) values.push_back(values[random.below(size)]);
+        break;
+    default:
+        for (uint32_t n = random.below(4); size != 0 && n <= 2; ++n) {
+            T& v = values[random.below(size)];
+            if constexpr (std::is_floating_point_v<T>)
+                v = static_cast<T>(other(static_cast<double>(v), random));
+            else
+                v = random.below(3) ? random.below(size) : static_cast<T>(random.bits());
+        }
+    }
+}
+
+// Another length: all that is of lengths changes by its power.
+void scale_lengths(lr::AssetData& d, double f) {
+    const double f2 = f * f, f3 = f2 * f, f4 = f2 * f2, f5 = f4 * f;
+    const auto by = [](auto& values, double factor) {
+        for (auto& v : values) v = static_cast<std::decay_t<decltype(v)>>(static_cast<double>(v) * factor);
+    };
+    d.mass *= f3, d.volume *= f3, d.projected_area *= f2;
+    d.length_d *= f, d.length_b *= f, d.length_l *= f;
+    by(d.center_of_mass, f), by(d.center_of_buoyancy, f), by(d.inertia, f5), by(d.hull.vertices, f);
+    for (size_t i = 0; i < 36; ++i) d.added_mass[i] *= f3 * (i / 6 < 3 ? 1.0 : f) * (i % 6 < 3 ? 1.0 : f);
+    lr::AerodynamicData& a = d.aerodynamics;
+    by(a.drag, f2), by(a.drag_blunt, f2), by(a.drag_layer, f * std::sqrt(f)), by(a.drag_stokes, f), by(a.lift, f2);
+    by(a.spin_lift, f3), by(a.lift_moment, f3), by(a.lift_moment_stalled, f3), by(a.spin_drag, f5);
+    by(a.spin_drag_stream, f4), by(a.spin_drag_stokes, f3), by(a.roll_damping, f4), by(a.center, f);
+    a.length *= f;
+}
+
+void make_denser(lr::AssetData& d, double f) {
+    d.mass *= f, d.density *= f;
+    for (double& v : d.inertia) v *= f;
+}
+
+void change_coefficients(lr::AssetData& d, double f, uint32_t which) {
+    lr::AerodynamicData& a = d.aerodynamics;
+    std::array<double, 3>* const all[] = {
+        &a.drag,         &a.drag_blunt,         &a.drag_layer, &a.drag_stokes,      &a.lift,
+        &a.spin_lift,    &a.lift_moment,        &a.spin_drag,  &a.spin_drag_stream, &a.spin_drag_stokes,
+        &a.roll_damping, &a.lift_moment_stalled};
+    for (double& v : *all[which % 12]) v *= f;
+}
+
+void one_change(lr::AssetData& d, test::Random& random) {
+    const std::vector<double*> numbers = numbers_of(d);
+    const auto any = [&]() -> double& { return *numbers[random.below(static_cast<uint32_t>(numbers.size()))]; };
+    switch (random.below(14)) {
+    case 0:
+        return scale_lengths(d, random.logarithmic(1e-3, 1e3));
+    case 1:
+        return make_denser(d, random.logarithmic(1e-4, 1e4));
+    case 2:
+        d.fluid_density *= random.logarithmic(1e-4, 1e4);
+        d.fluid_viscosity *= random.logarithmic(1e-4, 1e4);
+        return;
+    case 3:
+        return change_coefficients(d, random.logarithmic(1e-3, 1e6), random.below(12));
+    case 4:
+        std::swap(any(), any());
+        return;
+    case 5: { // both entries, so that it stays symmetric
+        const uint32_t i = random.below(6), j = random.below(6);
+        d.added_mass[i * 6 + j] = d.added_mass[j * 6 + i] = other(d.added_mass[i * 6 + j], random);
+        return;
+    }
+    case 6: {
+        const uint32_t i = random.below(3), j = random.below(3);
+        d.inertia[i * 3 + j] = d.inertia[j * 3 + i] = other(d.inertia[i * 3 + j], random);
+        return;
+    }
+    case 7:
+        return change_values(random.below(2) ? d.turbulence.chi : d.turbulence.epsilon, random);
+    case 8:
+        return random.below(2) ? change_values(d.hull.vertices, random) : change_values(d.hull.triangles, random);
+    case 9:
+        (random.below(2) ? d.turbulence.stationary : d.turbulence.loop_end) = static_cast<uint32_t>(random.bits());
+        return;
+    case 10:
+        if (random.below(2)) d.has_aerodynamics = !d.has_aerodynamics;
+        if (random.below(4) == 0) d.hull = {};
+        d.name.assign(random.below(300), static_cast<char>(random.bits()));
+        d.provenance.options.assign(random.below(3), 'x');
+        return;
+    default: {
+        double& v = any();
+        v = other(v, random);
+    }
+    }
+}
+
+} // namespace
+
+void mutate_asset(lr::AssetData& data, uint32_t seed) {
+    test::Random random(seed);
+    for (uint32_t n = 1 + random.below(3); n > 0; --n) one_change(data, random);
+}
+
+} // namespace fuzz
