@@ -1,27 +1,17 @@
 #include "api/aerodynamics.h"
 #include "api/arguments.h"
 #include "asset/asset.h"
+#include "asset/asset_bytes.h"
 #include "format/asset_file.h"
 #include "shape/aerodynamics.h"
 #include "shape/ellipsoid.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <vector>
-
-#if defined(_WIN32)
-#include <string>
-#define WIN32_LEAN_AND_MEAN
-#include <windows.h>
-#endif
 
 namespace {
 
 using lr::api::guarded;
-
-constexpr uint64_t max_asset_bytes = uint64_t{1} << 30;
 
 lr_status status_of(const lr::Faults& faults) {
     for (const lr::Fault& f : faults) {
@@ -52,18 +42,6 @@ lr_status load(const void* bytes, uint64_t size, lr_asset** out) {
     return LR_OK;
 }
 
-std::FILE* open_utf8(const char* path) {
-#if defined(_WIN32)
-    const int length = MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, nullptr, 0);
-    if (length <= 0) return nullptr;
-    std::wstring wide(static_cast<size_t>(length), L'\0');
-    MultiByteToWideChar(CP_UTF8, 0, path, -1, wide.data(), length);
-    return _wfopen(wide.c_str(), L"rb");
-#else
-    return std::fopen(path, "rb");
-#endif
-}
-
 } // namespace
 
 extern "C" {
@@ -74,18 +52,9 @@ lr_status lr_asset_load_file(const char* path_utf8, lr_asset** out) {
     *out = nullptr;
     if (!path_utf8) return LR_ERROR_NULL_ARGUMENT;
     return guarded([&]() -> lr_status {
-        errno = 0;
-        const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_utf8(path_utf8), &std::fclose);
-        if (!file) return errno == ENOENT || errno == ENOTDIR ? LR_ERROR_FILE_NOT_FOUND : LR_ERROR_FILE_READ;
         std::vector<unsigned char> bytes;
-        for (size_t got = 1; got != 0;) {
-            const size_t at = bytes.size();
-            if (at > max_asset_bytes) return LR_ERROR_ASSET_CORRUPT;
-            bytes.resize(at + std::max<size_t>(65536, at));
-            got = std::fread(bytes.data() + at, 1, bytes.size() - at, file.get());
-            bytes.resize(at + got);
-        }
-        if (std::ferror(file.get())) return LR_ERROR_FILE_READ;
+        const lr_status status = lr::read_asset_bytes(path_utf8, bytes);
+        if (status != LR_OK) return status;
         return load(bytes.data(), bytes.size(), out);
     });
 }

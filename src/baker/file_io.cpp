@@ -3,13 +3,17 @@
 #include "baker/file_faults.h"
 #include "baker/signals_held.h"
 
+#include <dirent.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
+#include <memory>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -39,8 +43,13 @@ private:
 bool write_all(int fd, std::span<const uint8_t> bytes) {
     while (!bytes.empty()) {
         const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-        if (n < 0 && errno != EINTR) return false;
-        if (n > 0) bytes = bytes.subspan(static_cast<std::size_t>(n));
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return false;
+        if (n == 0) {
+            errno = EIO;
+            return false;
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(n));
     }
     return true;
 }
@@ -75,7 +84,20 @@ std::string folder_of(const std::string& path) {
     return slash == std::string::npos ? "." : path.substr(0, slash + 1);
 }
 
-// A file beside its target, without a name as long as the file system can do that: then not even a kill leaves it.
+constexpr const char* aside_prefix = ".lr_bake-";
+constexpr const char* aside_suffix = ".part";
+
+// Held until the end of the process at the latest: who can lock a file aside knows that nobody needs it. False where it has been
+// removed before it was locked; file systems without locks keep what a kill leaves.
+bool lock(int fd) {
+    while (::flock(fd, LOCK_EX) != 0 && errno == EINTR) {
+    }
+    struct stat info {};
+    return ::fstat(fd, &info) == 0 && info.st_nlink != 0;
+}
+
+// A file beside its target, without a name as long as the file system can do that: then a kill leaves it only in the moment
+// between its name and its target's.
 class AsideFile {
 public:
     AsideFile(std::string shown, std::string target, mode_t mode)
@@ -90,13 +112,13 @@ public:
 
     bool stage(std::span<const uint8_t> bytes, Faults& faults) {
         const bool good = open() && write_all(file_.get(), bytes) &&
-                          (mode_ == 0 || ::fchmod(file_.get(), mode_) == 0) && ::fsync(file_.get()) == 0 && name() &&
-                          file_.close();
+                          (mode_ == 0 || ::fchmod(file_.get(), mode_) == 0) && ::fsync(file_.get()) == 0 && name();
         return good || cannot_write(faults, shown_, errno);
     }
     bool commit(Faults& faults) {
         if (::rename(name_.c_str(), target_.c_str()) != 0) return cannot_write(faults, shown_, errno);
         name_.clear();
+        file_.close(); // it has been flushed: there is nothing left to fail
         // Without this a power cut could bring the old file back; some file systems refuse, which does no harm.
         const Descriptor folder(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
         if (folder.get() >= 0) ::fsync(folder.get());
@@ -107,7 +129,7 @@ private:
     template <class Try> bool with_free_name(const Try& attempt) {
         for (int i = 0; i < 1000; ++i) {
             const std::string candidate =
-                folder_ + "/.lr_bake-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".part";
+                folder_ + "/" + aside_prefix + std::to_string(::getpid()) + "-" + std::to_string(i) + aside_suffix;
             if (attempt(candidate.c_str())) {
                 name_ = candidate;
                 return true;
@@ -122,14 +144,19 @@ private:
         // Naming it later goes through /proc.
         if (::access("/proc/self/fd", X_OK) == 0) fd = ::open(folder_.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
 #endif
-        if (fd < 0)
-            with_free_name([&](const char* name) {
-                fd = ::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-                return fd >= 0;
-            });
-        if (fd < 0) return false;
-        file_ = Descriptor(fd);
-        return true;
+        if (fd >= 0) {
+            file_ = Descriptor(fd);
+            while (::flock(fd, LOCK_EX) != 0 && errno == EINTR) {
+            }
+            return true;
+        }
+        return with_free_name([&](const char* name) {
+            file_ = Descriptor(::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666));
+            if (file_.get() < 0) return false;
+            if (lock(file_.get())) return true;
+            errno = EEXIST;
+            return false;
+        });
     }
     bool name() {
         if (!name_.empty()) return true;
@@ -217,6 +244,32 @@ bool is_same_file(const std::string& a, const std::string& b) {
     const std::filesystem::path p = std::filesystem::weakly_canonical(std::filesystem::absolute(a, error), error);
     const std::filesystem::path q = std::filesystem::weakly_canonical(std::filesystem::absolute(b, error), error);
     return !error && p == q;
+}
+
+void clear_abandoned(const std::string& path) {
+    std::string target = path;
+    mode_t mode = 0;
+    if (path.empty() || path.back() != '/') {
+        const Target kind = find_target(target, mode);
+        if (kind == Target::direct || kind == Target::impossible) return;
+    }
+    const std::string folder = folder_of(target);
+    const std::unique_ptr<DIR, int (*)(DIR*)> entries(::opendir(folder.c_str()), &::closedir);
+    if (!entries) return;
+    const int in = ::dirfd(entries.get());
+    while (const dirent* const entry = ::readdir(entries.get())) {
+        const std::string_view name = entry->d_name;
+        if (!name.starts_with(aside_prefix) || !name.ends_with(aside_suffix)) continue;
+        const Descriptor file(::openat(in, entry->d_name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+        struct stat open_one {
+        }, named_one{};
+        if (file.get() < 0 || ::fstat(file.get(), &open_one) != 0 || !S_ISREG(open_one.st_mode) ||
+            ::flock(file.get(), LOCK_EX | LOCK_NB) != 0)
+            continue;
+        // It may have become its target since it was opened, and the name another's.
+        if (::fstatat(in, entry->d_name, &named_one, AT_SYMLINK_NOFOLLOW) == 0 && named_one.st_ino == open_one.st_ino)
+            ::unlinkat(in, entry->d_name, 0);
+    }
 }
 
 bool write_files(const std::vector<OutputFile>& files, Faults& faults) {

@@ -28,6 +28,10 @@ struct OutputFile {
     std::span<const uint8_t> bytes;
 };
 
+// What killed bakes may have left aside in the folder of this output, or in this folder (with a slash at its end): removed, but
+// for what another process still writes.
+void clear_abandoned(const std::string& path_utf8);
+
 // All of them or none: each is written aside in the folder of its target, flushed to the disk, and then renamed over
 // the target. Signals wait until that is done. Devices and pipes are written directly. Fault 103.
 bool write_files(const std::vector<OutputFile>& files, Faults& faults);

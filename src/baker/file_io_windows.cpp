@@ -260,6 +260,26 @@ bool is_same_file(const std::string& a, const std::string& b) {
     return !error && CompareStringOrdinal(p.c_str(), -1, q.c_str(), -1, TRUE) == CSTR_EQUAL;
 }
 
+// Who writes one shares it with nobody until all are written; the hour is for the moments after that.
+void clear_abandoned(const std::string& path) {
+    const std::wstring folder = folder_of(to_wide(path));
+    WIN32_FIND_DATAW found{};
+    const HANDLE search = FindFirstFileW((folder + L".lr_bake-*.part").c_str(), &found);
+    if (search == INVALID_HANDLE_VALUE) return;
+    FILETIME now{};
+    GetSystemTimeAsFileTime(&now);
+    const auto ticks = [](const FILETIME& t) { return uint64_t{t.dwHighDateTime} << 32 | t.dwLowDateTime; };
+    constexpr uint64_t hour = uint64_t{3600} * 10000000;
+    do {
+        if ((found.dwFileAttributes & (FILE_ATTRIBUTE_DIRECTORY | FILE_ATTRIBUTE_REPARSE_POINT)) != 0 ||
+            ticks(found.ftLastWriteTime) + hour > ticks(now))
+            continue;
+        const Handle file(CreateFileW((folder + found.cFileName).c_str(), DELETE, 0, nullptr, OPEN_EXISTING,
+                                      FILE_FLAG_DELETE_ON_CLOSE, nullptr));
+    } while (FindNextFileW(search, &found) != 0);
+    FindClose(search);
+}
+
 bool write_files(const std::vector<OutputFile>& files, Faults& faults) {
     const SignalsHeld held; // one between creating a file aside and renaming it would leave the file behind
     std::vector<AsideFile> staged;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -40,7 +41,9 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     status = LR_ERROR_OUT_OF_MEMORY;
     void* const memory = allocator.allocate(sizeof(Batch));
     if (!memory) return nullptr;
-    Batch* const batch = new (memory) Batch(allocator, asset.data.length_d);
+    // Shapes are made with the C++ library's memory, which throws where it ends.
+    std::unique_ptr<Batch, void (*)(Batch*)> made(new (memory) Batch(allocator, asset.data.length_d), &Batch::destroy);
+    Batch* const batch = made.get();
     batch->settings_ = settings;
     batch->index_ = index;
     batch->first_generation_ = first_generation;
@@ -63,9 +66,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
         else if (batch->allocate(capacity) && batch->set_asset_table())
             status = LR_OK;
     }
-    if (status == LR_OK) return batch;
-    destroy(batch);
-    return nullptr;
+    return status == LR_OK ? made.release() : nullptr;
 }
 
 void Batch::destroy(Batch* batch) {

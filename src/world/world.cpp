@@ -230,6 +230,7 @@ void lr_world::wake_left() {
         });
     for (uint32_t i = 0; i < batch_slots && left_all; ++i)
         if (batches[i].batch && pairs.meets(i)) batches[i].batch->wake_all();
+    if (left_all) log(LR_LOG_WARNING, "bodies that ended", "out of memory: all that may have lain on them have woken");
     left_count = 0;
     left_all = false;
 }

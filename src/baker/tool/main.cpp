@@ -46,6 +46,7 @@ int run_bake(const CommandLine& line) {
     job.report = line.report;
     job.plots = line.plots;
     job.if_changed = line.if_changed;
+    for (const std::string& path : job.outputs()) clear_abandoned(path);
     Progress progress(line.quiet);
     BakeOutcome outcome =
         make_outputs(job, [&](const char* phase, double fraction) { progress.update(phase, fraction); }, {});
@@ -91,6 +92,8 @@ int run_batch(const CommandLine& line) {
             print(folder, faults, true);
             return 1;
         }
+    for (const std::string& folder : {line.output, line.report, line.plots})
+        if (!folder.empty()) clear_abandoned(folder + "/");
     BatchLimits limits;
     limits.threads = line.jobs > 0 ? line.jobs : std::max(std::thread::hardware_concurrency(), 1U);
     limits.memory = available_memory() / 10 * 8;
