@@ -25,6 +25,7 @@ __all__ = [
     'OverlapShape',
     'Pose',
     'RayFlags',
+    'RecordingFlags',
     'Rest',
     'SimdTarget',
     'Status',
@@ -151,6 +152,11 @@ class BudgetKind(IntEnum):
     NONE = 0
     BODY_SUBSTEPS = 1  # a count of substeps of single bodies, whatever each of them costs
     TIME = 2  # time of lr_world_step on the wall; costs are learnt from the steps before
+
+
+class RecordingFlags(IntFlag):
+    """Of a recording."""
+    CALLBACKS = 1
 
 
 class Loads(IntEnum):
