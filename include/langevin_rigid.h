@@ -331,7 +331,7 @@ LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamic
 /* Bits of lr_world_desc.checks: misuse that is found at run time, for development. Without them it is undefined. */
 
 /* A call on a world while another thread is inside one, or from inside one of the world's own callbacks (wind, surface,
- * allocator, log, job system), is refused: it changes nothing, a message names both functions, and the call
+ * allocator, log, job system, recording), is refused: it changes nothing, a message names both functions, and the call
  * that is under way goes on unharmed. A world that is destroyed so stays alive, and its memory is lost;
  * lr_world_snapshot_size returns 0. A call after lr_world_destroy has returned is not found. docs/threads.md */
 #define LR_CHECK_THREADS 1u
@@ -360,7 +360,7 @@ LR_API lr_status lr_world_desc_init(lr_world_desc* desc, uint32_t struct_size);
  * LR_ERROR_UNSUPPORTED (simd_target), LR_ERROR_OUT_OF_MEMORY, LR_ERROR_THREADS. Any thread. */
 LR_API lr_status lr_world_create(const lr_world_desc* desc, lr_world** out);
 
-/* Frees a world with all its batches and bodies, and ends its worker threads. Null is fine. */
+/* Frees a world with all its batches and bodies, and ends its worker threads. A recording ends. Null is fine. */
 LR_API void lr_world_destroy(lr_world* world);
 
 typedef struct lr_world_info {
@@ -678,6 +678,42 @@ LR_API lr_status lr_snapshot_delta_encode(const void* base, uint64_t base_size, 
  * thread. */
 LR_API lr_status lr_snapshot_delta_apply(const void* base, uint64_t base_size, const void* delta, uint64_t delta_size,
                                          void* memory, uint64_t capacity, uint64_t* written);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Recording: what was done to a world, to be done again elsewhere by lr_replay. docs/replay.md                       */
+
+/* Takes the next `size` bytes of a recording, valid during the call only: append them to a file, or to a ring in memory.
+ * Returns 0; anything else ends the recording. Called within functions that take the world, by their thread; with
+ * LR_RECORD_CALLBACKS also by those that run wind and surface callbacks, never by two at a time. Must not call the library on
+ * the same world, throw or longjmp. */
+typedef int32_t (*lr_record_fn)(void* user, const void* bytes, uint64_t size);
+
+/* What the wind and surface callbacks answer is recorded too, up to 72 bytes a body and substep each: without it the replay
+ * of a world with callbacks stops where one is asked. */
+#define LR_RECORD_CALLBACKS 1u
+
+typedef struct lr_recording_desc {
+    uint32_t struct_size;
+    uint32_t flags;         /* bits LR_RECORD_*; initially LR_RECORD_CALLBACKS */
+    uint32_t hash_interval; /* steps from one hash of the world in the recording to the next; 0: none; initially 1 */
+    uint32_t reserved;      /* 0 */
+    lr_record_fn write;     /* must be given */
+    void* user;
+} lr_recording_desc;
+
+LR_API lr_status lr_recording_desc_init(lr_recording_desc* desc, uint32_t struct_size);
+
+/* From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
+ * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB
+ * of memory, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording ends, a message
+ * is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world
+ * is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc);
+
+/* Ends a recording.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (none is under way: also where `write` has refused). */
+LR_API lr_status lr_world_record_stop(lr_world* world);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Batches                                                                                                            */

@@ -10,7 +10,7 @@ source packaging/platforms.sh
 select_platform "${1:?which platform}"
 folder=$(platform_folder "$platform")
 dependencies=$folder/dependencies
-targets=(langevin_rigid lr_bake)
+targets=(langevin_rigid lr_bake lr_replay)
 tests=OFF
 if [ "${2:-}" = --tests ]; then
     targets+=(tests_core tests_api tests_determinism snapshot_file)

@@ -36,6 +36,7 @@ ENUMS = [
     ("EmitterShape", "int", False, r"LR_EMIT_(.+)", "Where an emitter bears bodies."),
     ("EmitterPose", "int", False, r"LR_POSE_(.+)", "How bodies are turned at birth."),
     ("WorldChecks", "uint", True, r"LR_CHECK_(.+)", "Misuse that is found at run time."),
+    ("RecordingFlags", "uint", True, r"LR_RECORD_(.+)", "Of a recording."),
 ]
 LIMITS = r"LR_(MAX_.+)"
 

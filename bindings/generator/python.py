@@ -54,6 +54,7 @@ FAMILIES = [
     ("LR_EMIT_", "EmitShape", False, "Where bodies are born."),
     ("LR_POSE_", "Pose", False, "How bodies lie when they are born."),
     ("LR_CHECK_", "WorldChecks", True, "Misuse that is found at run time."),
+    ("LR_RECORD_", "RecordingFlags", True, "Of a recording."),
     ("LR_MAX_", None, False, ""),
     ("LR_OK", "Status", False, "What a call says: exceptions have it as `status`."),
     ("LR_ERROR_", "Status", False, ""),

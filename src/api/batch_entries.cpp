@@ -2,26 +2,93 @@
 #include "api/entry.h"
 
 using namespace lr::api;
+using lr::record::BatchRecord;
+using lr::record::TableRecord;
+using lr::record::Where;
+
+namespace {
+
+void tell_batch(Call& call, const lr_batch_desc* desc) {
+    lr_batch_desc d;
+    if (!desc) return call.value(static_cast<uint32_t>(Where::null));
+    if (lr::api::read_struct(desc, d) != LR_OK || !d.asset || d.reserved != 0) {
+        call.cut();
+        return;
+    }
+    const BatchRecord record{call.asset(*d.asset), d.capacity, d.load_model,   d.clock,      d.table_end,
+                             d.integrator,         d.tensor,   d.damping_gain, d.noise_gain, 0};
+    call.value(static_cast<uint32_t>(Where::here));
+    call.raw(&record, sizeof record);
+}
+
+void tell_table(Call& call, const lr_turbulence_table* table) {
+    lr_turbulence_table t;
+    if (!table) return call.value(static_cast<uint32_t>(Where::null));
+    if (lr::api::read_struct(table, t) != LR_OK || t.count > 65536) {
+        call.cut();
+        return;
+    }
+    const TableRecord record{t.count, t.dt, t.u0, t.l, t.c0, t.stationary, t.reserved};
+    call.value(static_cast<uint32_t>(Where::here));
+    call.raw(&record, sizeof record);
+    call.shared_array(t.chi, sizeof(float) * uint64_t{t.count});
+    call.shared_array(t.epsilon, sizeof(float) * uint64_t{t.count});
+}
+
+// Arrays without gaps.
+void tell_forces(Call& call, const lr_world& world, lr_batch batch, const lr_force_arrays* arrays) {
+    lr_force_arrays a;
+    const lr::Batch* const b = world.find(batch);
+    if (!call.structure(arrays, a)) return;
+    if (!b || a.first > b->count() || a.count > b->count() - a.first || a.stride % sizeof(float) != 0) {
+        call.cut();
+        return;
+    }
+    const uint64_t stride = a.stride == 0 ? sizeof(float) : a.stride;
+    for (const auto* three : {&a.force, &a.torque})
+        for (const float* from : *three) {
+            call.value(static_cast<uint32_t>(from ? Where::here : Where::null));
+            for (uint32_t i = 0; from && i < a.count; ++i)
+                call.raw(reinterpret_cast<const unsigned char*>(from) + stride * i, sizeof(float));
+        }
+}
+
+} // namespace
 
 extern "C" {
 
 lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* out) {
     if (out) *out = 0;
-    return change(world, "lr_batch_create", [&] { return lr_inner_batch_create(world, desc, out); });
+    return change(
+        world, Op::batch_create, [&] { return lr_inner_batch_create(world, desc, out); },
+        [&](Call& call) {
+            tell_batch(call, desc);
+            call.output(out);
+        });
 }
 
 lr_status lr_batch_destroy(lr_world* world, lr_batch batch) {
-    return change(world, "lr_batch_destroy", [&] { return lr_inner_batch_destroy(world, batch); });
+    return change(
+        world, Op::batch_destroy, [&] { return lr_inner_batch_destroy(world, batch); },
+        [&](Call& call) { call.value(batch); });
 }
 
 lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table) {
-    return change(world, "lr_batch_set_turbulence_table",
-                  [&] { return lr_inner_batch_set_turbulence_table(world, batch, table); });
+    return change(
+        world, Op::batch_set_turbulence_table, [&] { return lr_inner_batch_set_turbulence_table(world, batch, table); },
+        [&](Call& call) {
+            call.value(batch);
+            tell_table(call, table);
+        });
 }
 
 lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
-    return change(world, "lr_batch_set_aerodynamics",
-                  [&] { return lr_inner_batch_set_aerodynamics(world, batch, aerodynamics); });
+    return change(
+        world, Op::batch_set_aerodynamics, [&] { return lr_inner_batch_set_aerodynamics(world, batch, aerodynamics); },
+        [&](Call& call) {
+            call.value(batch);
+            call.structure(aerodynamics);
+        });
 }
 
 lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics) {
@@ -30,11 +97,21 @@ lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_ae
 }
 
 lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains) {
-    return change(world, "lr_batch_set_load_gains", [&] { return lr_inner_batch_set_load_gains(world, batch, gains); });
+    return change(
+        world, Op::batch_set_load_gains, [&] { return lr_inner_batch_set_load_gains(world, batch, gains); },
+        [&](Call& call) {
+            call.value(batch);
+            call.structure(gains);
+        });
 }
 
 lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate) {
-    return change(world, "lr_batch_set_rate", [&] { return lr_inner_batch_set_rate(world, batch, rate); });
+    return change(
+        world, Op::batch_set_rate, [&] { return lr_inner_batch_set_rate(world, batch, rate); },
+        [&](Call& call) {
+            call.value(batch);
+            call.structure(rate);
+        });
 }
 
 lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace) {
@@ -61,15 +138,30 @@ lr_status lr_batch_write_first_transforms(const lr_world* world, lr_batch batch,
 }
 
 lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays) {
-    return change(world, "lr_batch_add_forces", [&] { return lr_inner_batch_add_forces(world, batch, arrays); });
+    return change(
+        world, Op::batch_add_forces, [&] { return lr_inner_batch_add_forces(world, batch, arrays); },
+        [&](Call& call) {
+            call.value(batch);
+            tell_forces(call, *world, batch, arrays);
+        });
 }
 
 lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force) {
-    return change(world, "lr_batch_set_force", [&] { return lr_inner_batch_set_force(world, batch, force); });
+    return change(
+        world, Op::batch_set_force, [&] { return lr_inner_batch_set_force(world, batch, force); },
+        [&](Call& call) {
+            call.value(batch);
+            call.structure(force);
+        });
 }
 
 lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_contact* contact) {
-    return change(world, "lr_batch_set_contact", [&] { return lr_inner_batch_set_contact(world, batch, contact); });
+    return change(
+        world, Op::batch_set_contact, [&] { return lr_inner_batch_set_contact(world, batch, contact); },
+        [&](Call& call) {
+            call.value(batch);
+            call.structure(contact);
+        });
 }
 
 lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact) {
@@ -77,8 +169,13 @@ lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_c
 }
 
 lr_status lr_batch_set_pair_contact(lr_world* world, lr_batch a, lr_batch b, int32_t enabled) {
-    return change(world, "lr_batch_set_pair_contact",
-                  [&] { return lr_inner_batch_set_pair_contact(world, a, b, enabled); });
+    return change(
+        world, Op::batch_set_pair_contact, [&] { return lr_inner_batch_set_pair_contact(world, a, b, enabled); },
+        [&](Call& call) {
+            call.value(a);
+            call.value(b);
+            call.value(enabled);
+        });
 }
 
 lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled) {
@@ -87,15 +184,31 @@ lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch 
 }
 
 lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules) {
-    return change(world, "lr_batch_set_rules", [&] { return lr_inner_batch_set_rules(world, batch, rules); });
+    return change(
+        world, Op::batch_set_rules, [&] { return lr_inner_batch_set_rules(world, batch, rules); },
+        [&](Call& call) {
+            call.value(batch);
+            call.structure(rules);
+        });
 }
 
 lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc) {
-    return change(world, "lr_batch_set_emitter", [&] { return lr_inner_batch_set_emitter(world, batch, desc); });
+    return change(
+        world, Op::batch_set_emitter, [&] { return lr_inner_batch_set_emitter(world, batch, desc); },
+        [&](Call& call) {
+            call.value(batch);
+            call.structure(desc);
+        });
 }
 
 lr_status lr_batch_emit(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids) {
-    return change(world, "lr_batch_emit", [&] { return lr_inner_batch_emit(world, batch, count, out_ids); });
+    return change(
+        world, Op::batch_emit, [&] { return lr_inner_batch_emit(world, batch, count, out_ids); },
+        [&](Call& call) {
+            call.value(batch);
+            call.value(count);
+            call.output(out_ids, count);
+        });
 }
 
 lr_status lr_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events) {

@@ -3,14 +3,52 @@
 
 using namespace lr::api;
 
+namespace {
+
+// Arrays whose lengths are in their range: others are refused before they are read.
+void tell_colliders(Call& call, const lr_collider_desc* descs, uint32_t count) {
+    call.structures(descs, count, [&](const lr_collider_desc& d) {
+        const uint64_t heights = uint64_t{d.counts[0]} * d.counts[1];
+        const bool hull = d.kind == LR_COLLIDER_HULL, mesh = d.kind == LR_COLLIDER_MESH;
+        const bool vertices =
+            hull ? d.vertex_count <= LR_MAX_HULL_VERTICES
+                 : mesh && d.vertex_count <= LR_MAX_COLLIDER_VERTICES && d.triangle_count <= LR_MAX_COLLIDER_VERTICES;
+        const bool field = d.kind == LR_COLLIDER_HEIGHTFIELD && heights <= LR_MAX_COLLIDER_VERTICES;
+        if ((hull || mesh) != vertices || (d.kind == LR_COLLIDER_HEIGHTFIELD) != field) {
+            call.cut();
+            return;
+        }
+        call.shared_array(vertices ? d.vertices : nullptr, 12 * uint64_t{d.vertex_count});
+        call.shared_array(mesh ? d.indices : nullptr, 12 * uint64_t{d.triangle_count});
+        call.shared_array(field ? d.heights : nullptr, 4 * heights);
+    });
+}
+
+} // namespace
+
 extern "C" {
 
 lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count, lr_body* out_ids) {
-    return change(world, "lr_body_create", [&] { return lr_inner_body_create(world, batch, descs, count, out_ids); });
+    return change(
+        world, Op::body_create, [&] { return lr_inner_body_create(world, batch, descs, count, out_ids); },
+        [&](Call& call) {
+            call.value(batch);
+            const lr::Batch* const b = world->find(batch);
+            if (b && count > b->capacity() - b->count())
+                call.cut(); // it may be any number
+            else
+                call.structures(descs, count);
+            call.output(out_ids, count);
+        });
 }
 
 lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count) {
-    return change(world, "lr_body_destroy", [&] { return lr_inner_body_destroy(world, bodies, count); });
+    return change(
+        world, Op::body_destroy, [&] { return lr_inner_body_destroy(world, bodies, count); },
+        [&](Call& call) {
+            call.value(count);
+            call.array(bodies, 8 * uint64_t{count});
+        });
 }
 
 lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state) {
@@ -18,27 +56,52 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
 }
 
 lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
-    return change(world, "lr_body_set_state", [&] { return lr_inner_body_set_state(world, body, state); });
+    return change(
+        world, Op::body_set_state, [&] { return lr_inner_body_set_state(world, body, state); },
+        [&](Call& call) {
+            call.value(body);
+            call.structure(state);
+        });
 }
 
 lr_status lr_body_set_rest(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest) {
-    return change(world, "lr_body_set_rest", [&] { return lr_inner_body_set_rest(world, bodies, count, rest); });
+    return change(
+        world, Op::body_set_rest, [&] { return lr_inner_body_set_rest(world, bodies, count, rest); },
+        [&](Call& call) {
+            call.value(count);
+            call.value(rest);
+            call.array(bodies, 8 * uint64_t{count});
+        });
 }
 
 lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32_t count) {
-    return change(world, "lr_body_add_force", [&] { return lr_inner_body_add_force(world, forces, count); });
+    return change(
+        world, Op::body_add_force, [&] { return lr_inner_body_add_force(world, forces, count); },
+        [&](Call& call) { call.structures(forces, count); });
 }
 
 lr_status lr_collider_create(lr_world* world, const lr_collider_desc* descs, uint32_t count, lr_collider* out_ids) {
-    return change(world, "lr_collider_create", [&] { return lr_inner_collider_create(world, descs, count, out_ids); });
+    return change(
+        world, Op::collider_create, [&] { return lr_inner_collider_create(world, descs, count, out_ids); },
+        [&](Call& call) {
+            tell_colliders(call, descs, count);
+            call.output(out_ids, count);
+        });
 }
 
 lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uint32_t count) {
-    return change(world, "lr_collider_destroy", [&] { return lr_inner_collider_destroy(world, colliders, count); });
+    return change(
+        world, Op::collider_destroy, [&] { return lr_inner_collider_destroy(world, colliders, count); },
+        [&](Call& call) {
+            call.value(count);
+            call.array(colliders, 8 * uint64_t{count});
+        });
 }
 
 lr_status lr_collider_move(lr_world* world, const lr_collider_motion* motions, uint32_t count) {
-    return change(world, "lr_collider_move", [&] { return lr_inner_collider_move(world, motions, count); });
+    return change(
+        world, Op::collider_move, [&] { return lr_inner_collider_move(world, motions, count); },
+        [&](Call& call) { call.structures(motions, count); });
 }
 
 lr_status lr_collider_get_state(const lr_world* world, lr_collider collider, lr_collider_state* state) {
@@ -47,8 +110,14 @@ lr_status lr_collider_get_state(const lr_world* world, lr_collider collider, lr_
 
 lr_status lr_collider_set_surface(lr_world* world, const lr_collider* colliders, uint32_t count,
                                   const lr_collider_surface* surface) {
-    return change(world, "lr_collider_set_surface",
-                  [&] { return lr_inner_collider_set_surface(world, colliders, count, surface); });
+    return change(
+        world, Op::collider_set_surface,
+        [&] { return lr_inner_collider_set_surface(world, colliders, count, surface); },
+        [&](Call& call) {
+            call.value(count);
+            call.structure(surface);
+            call.array(colliders, 8 * uint64_t{count});
+        });
 }
 
 } // extern "C"

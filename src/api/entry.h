@@ -1,10 +1,13 @@
-// How calls on a world come in: whoever else is inside it is found, where that is asked for.
+// How calls on a world come in: whoever else is inside it is found, and what changes it is recorded, where that is asked for.
 #pragma once
 
 #include "api/inner.h"
+#include "api/recorded_call.h"
 #include "world/world.h"
 
 namespace lr::api {
+
+using record::Op;
 
 // The world is the caller's as long as this lives, if `status` is LR_OK.
 class Entry {
@@ -29,9 +32,24 @@ template <class Inner> lr_status query(const lr_world* world, const char* functi
     return entry.status() == LR_OK ? inner() : entry.status();
 }
 
-// Of one that may change the world, also where it is refused.
-template <class Inner> lr_status change(const lr_world* world, const char* function, Inner&& inner) {
-    return query(world, function, inner);
+void end_recording(lr_world& world, const char* why); // why: null for no message
+
+// Of one that may change the world. `tell` says a Call what its arguments are, and what came out.
+template <class Inner, class Tell> lr_status change(lr_world* world, Op op, Inner&& inner, Tell&& tell) {
+    const auto go = [&]() -> lr_status {
+        record::Recorder* const recorder = world->recorder;
+        if (!recorder) return inner();
+        Call call(*recorder, op);
+        call.arguments(tell);
+        const lr_status status = inner();
+        call.result(tell, status, *world);
+        if (recorder->failed()) end_recording(*world, "the recording's `write` has refused: it has ended");
+        return status;
+    };
+    if (!world) return inner();
+    if (!world->use.checked()) return go();
+    const Entry entry(*world, record::name_of(op));
+    return entry.status() == LR_OK ? go() : entry.status();
 }
 
 } // namespace lr::api

@@ -1,7 +1,20 @@
 // Exported functions of worlds: how calls come in.
 #include "api/entry.h"
+#include "field/wind_source.h"
 
 using namespace lr::api;
+
+namespace {
+
+void tell_source(Call& call, const lr_wind_source_desc* desc) {
+    lr_wind_source_desc d;
+    if (!call.structure(desc, d)) return;
+    const char* why = nullptr;
+    const bool samples = d.kind == LR_WIND_SOURCE_GRID && d.samples && lr::check_wind_source(d, why) == LR_OK;
+    call.shared_array(samples ? d.samples : nullptr, samples ? sizeof(float) * lr::sample_count(d) : 0);
+}
+
+} // namespace
 
 extern "C" {
 
@@ -11,6 +24,7 @@ void lr_world_destroy(lr_world* world) {
         // Kept until the end: whoever calls from another thread, or from the allocator, is told.
         if (lr::enter(*world, "lr_world_destroy") != LR_OK) return;
     }
+    if (world->recorder) end_recording(*world, nullptr);
     lr_world::destroy(world);
 }
 
@@ -19,33 +33,57 @@ lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
 }
 
 lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
-    return change(world, "lr_world_set_gravity", [&] { return lr_inner_world_set_gravity(world, gravity); });
+    return change(
+        world, Op::world_set_gravity, [&] { return lr_inner_world_set_gravity(world, gravity); },
+        [&](Call& call) { call.array(gravity, 12); });
 }
 
 lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
-    return change(world, "lr_world_set_simd_target", [&] { return lr_inner_world_set_simd_target(world, target); });
+    return change(
+        world, Op::world_set_simd_target, [&] { return lr_inner_world_set_simd_target(world, target); },
+        [&](Call& call) { call.value(target); });
 }
 
 lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
-    return change(world, "lr_world_set_wind", [&] { return lr_inner_world_set_wind(world, desc); });
+    return change(
+        world, Op::world_set_wind, [&] { return lr_inner_world_set_wind(world, desc); },
+        [&](Call& call) { call.structure(desc); });
 }
 
 lr_status lr_world_add_wind(lr_world* world, const lr_wind_source_desc* desc, lr_wind_source* out) {
     if (out) *out = 0;
-    return change(world, "lr_world_add_wind", [&] { return lr_inner_world_add_wind(world, desc, out); });
+    return change(
+        world, Op::world_add_wind, [&] { return lr_inner_world_add_wind(world, desc, out); },
+        [&](Call& call) {
+            tell_source(call, desc);
+            call.output(out);
+        });
 }
 
 lr_status lr_world_update_wind(lr_world* world, lr_wind_source source, const lr_wind_source_desc* desc) {
-    return change(world, "lr_world_update_wind", [&] { return lr_inner_world_update_wind(world, source, desc); });
+    return change(
+        world, Op::world_update_wind, [&] { return lr_inner_world_update_wind(world, source, desc); },
+        [&](Call& call) {
+            call.value(source);
+            tell_source(call, desc);
+        });
 }
 
 lr_status lr_world_remove_wind(lr_world* world, lr_wind_source source) {
-    return change(world, "lr_world_remove_wind", [&] { return lr_inner_world_remove_wind(world, source); });
+    return change(
+        world, Op::world_remove_wind, [&] { return lr_inner_world_remove_wind(world, source); },
+        [&](Call& call) { call.value(source); });
 }
 
 lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user) {
-    return change(world, "lr_world_set_wind_callback",
-                  [&] { return lr_inner_world_set_wind_callback(world, callback, user); });
+    return change(
+        world, Op::world_set_wind_callback,
+        [&] {
+            const lr_status status = lr_inner_world_set_wind_callback(world, callback, user);
+            if (world && world->recorder) world->recorder->listen(*world);
+            return status;
+        },
+        [&](Call& call) { call.value(callback ? 1u : 0u); });
 }
 
 lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities) {
@@ -54,20 +92,35 @@ lr_status lr_world_sample_wind(const lr_world* world, const float* positions, ui
 }
 
 lr_status lr_world_set_surface(lr_world* world, const lr_surface_desc* desc) {
-    return change(world, "lr_world_set_surface", [&] { return lr_inner_world_set_surface(world, desc); });
+    return change(
+        world, Op::world_set_surface, [&] { return lr_inner_world_set_surface(world, desc); },
+        [&](Call& call) { call.structure(desc); });
 }
 
 lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn callback, void* user) {
-    return change(world, "lr_world_set_surface_callback",
-                  [&] { return lr_inner_world_set_surface_callback(world, callback, user); });
+    return change(
+        world, Op::world_set_surface_callback,
+        [&] {
+            const lr_status status = lr_inner_world_set_surface_callback(world, callback, user);
+            if (world && world->recorder) world->recorder->listen(*world);
+            return status;
+        },
+        [&](Call& call) { call.value(callback ? 1u : 0u); });
 }
 
 lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
-    return change(world, "lr_world_step", [&] { return lr_inner_world_step(world, dt, substeps); });
+    return change(
+        world, Op::world_step, [&] { return lr_inner_world_step(world, dt, substeps); },
+        [&](Call& call) {
+            call.value(dt);
+            call.value(substeps);
+        });
 }
 
 lr_status lr_world_set_budget(lr_world* world, const lr_budget* budget) {
-    return change(world, "lr_world_set_budget", [&] { return lr_inner_world_set_budget(world, budget); });
+    return change(
+        world, Op::world_set_budget, [&] { return lr_inner_world_set_budget(world, budget); },
+        [&](Call& call) { call.structure(budget); });
 }
 
 lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report) {
@@ -94,18 +147,29 @@ lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t s
 }
 
 lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
-    return change(world, "lr_world_snapshot_restore",
-                  [&] { return lr_inner_world_snapshot_restore(world, memory, size); });
+    return change(
+        world, Op::world_snapshot_restore, [&] { return lr_inner_world_snapshot_restore(world, memory, size); },
+        [&](Call& call) { call.array(memory, size); });
 }
 
 lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {
     if (woken) *woken = 0;
-    return change(world, "lr_world_wake_box", [&] { return lr_inner_world_wake_box(world, low, high, woken); });
+    return change(
+        world, Op::world_wake_box, [&] { return lr_inner_world_wake_box(world, low, high, woken); },
+        [&](Call& call) {
+            call.array(low, 12);
+            call.array(high, 12);
+            call.output(woken);
+        });
 }
 
 lr_status lr_world_set_contact_events(lr_world* world, uint32_t capacity, uint32_t kinds) {
-    return change(world, "lr_world_set_contact_events",
-                  [&] { return lr_inner_world_set_contact_events(world, capacity, kinds); });
+    return change(
+        world, Op::world_set_contact_events, [&] { return lr_inner_world_set_contact_events(world, capacity, kinds); },
+        [&](Call& call) {
+            call.value(capacity);
+            call.value(kinds);
+        });
 }
 
 lr_status lr_world_get_contact_events(const lr_world* world, lr_contact_event_list* list) {

@@ -76,6 +76,14 @@ public:
     uint32_t slots() const { return used_; }
     bool in_use(uint32_t slot) const { return slot < used_ && slots_[slot].where != Where::free; }
     const SharedGeometry* shared(uint32_t slot) const { return slots_[slot].shared; } // null where it has none
+    void rename_shared(uint32_t slot, uint64_t hash) {
+        if (slots_[slot].shared) geometries_.rename(slots_[slot].shared, hash);
+    }
+    // visit(hash, desc) of each collider with shared geometry: the desc makes the same again.
+    template <class Visit> void visit_shared(Visit&& visit) const {
+        for (uint32_t i = 0; i < used_; ++i)
+            if (in_use(i) && slots_[i].shared) visit(slots_[i].shared->hash, desc_of(*slots_[i].shared));
+    }
 
     // Those whose boxes, over all of the step, reach into `box` (m, world) and that are in one of `layers`: in order of slots and
     // parts, each once, at most most_candidates: the first ones behind `after`, which may be null. more: there are others behind

@@ -76,6 +76,10 @@ lr_status make_hull(Allocator& allocator, const lr_collider_desc& desc, SharedGe
     if (!copy(allocator, vertices.data(), vertices.size(), to.points) ||
         !copy(allocator, faces.data(), faces.size(), to.more))
         return LR_ERROR_OUT_OF_MEMORY;
+    const uint64_t given = uint64_t{3} * desc.vertex_count;
+    // By bits, as the hash goes: a negative zero is another number there.
+    const bool same = vertices.size() == given && std::memcmp(vertices.data(), desc.vertices, 4 * given) == 0;
+    if (!same && !copy(allocator, desc.vertices, given, to.given)) return LR_ERROR_OUT_OF_MEMORY;
     to.hull = {static_cast<uint32_t>(vertices.size() / 3), static_cast<uint32_t>(faces.size() / 4), to.points.data(),
                to.more.data()};
     to.box = around(to.points.data(), to.hull.vertex_count);
@@ -122,6 +126,34 @@ lr_status make_mesh(Allocator& allocator, const lr_collider_desc& desc, SharedGe
 }
 
 } // namespace
+
+lr_collider_desc desc_of(const SharedGeometry& geometry) {
+    lr_collider_desc d{};
+    d.struct_size = sizeof d;
+    d.kind = static_cast<int32_t>(geometry.kind);
+    d.orientation[3] = 1.0f;
+    d.layers = 1;
+    d.spacing[0] = d.spacing[1] = 1.0f;
+    switch (geometry.kind) {
+    case ColliderKind::hull: {
+        const Buffer<float>& made_of = geometry.given.size() != 0 ? geometry.given : geometry.points;
+        d.vertices = made_of.data();
+        d.vertex_count = static_cast<uint32_t>(made_of.size() / 3);
+        break;
+    }
+    case ColliderKind::heightfield:
+        std::copy_n(geometry.heightfield.counts, 2, d.counts);
+        std::copy_n(geometry.heightfield.spacing, 2, d.spacing);
+        d.heights = geometry.heightfield.heights;
+        break;
+    default:
+        d.vertices = geometry.mesh.vertices;
+        d.vertex_count = geometry.mesh.vertex_count;
+        d.indices = geometry.mesh.indices;
+        d.triangle_count = geometry.mesh.triangle_count;
+    }
+    return d;
+}
 
 GeometryStore::~GeometryStore() {
     for (size_t i = 0; i < table_.size(); ++i)
@@ -187,20 +219,35 @@ lr_status GeometryStore::acquire(const lr_collider_desc& desc, SharedGeometry*& 
         free(geometry);
         return status;
     }
-    size_t at = home(hash);
-    while (table_[at].geometry) at = (at + 1) & (table_.size() - 1);
-    table_[at].geometry = geometry;
-    ++count_;
+    insert(geometry);
     out = geometry;
     return LR_OK;
 }
 
+void GeometryStore::insert(SharedGeometry* geometry) {
+    size_t at = home(geometry->hash);
+    while (table_[at].geometry) at = (at + 1) & (table_.size() - 1);
+    table_[at].geometry = geometry;
+    ++count_;
+}
+
 void GeometryStore::release(SharedGeometry* geometry) {
     if (!geometry || --geometry->users != 0) return;
+    take_out(geometry);
+    free(geometry);
+}
+
+void GeometryStore::rename(SharedGeometry* geometry, uint64_t hash) {
+    if (find(geometry->kind, hash)) return;
+    take_out(geometry);
+    geometry->hash = hash;
+    insert(geometry);
+}
+
+void GeometryStore::take_out(SharedGeometry* geometry) {
     const size_t mask = table_.size() - 1;
     size_t hole = home(geometry->hash);
     while (table_[hole].geometry != geometry) hole = (hole + 1) & mask;
-    free(geometry);
     table_[hole].geometry = nullptr;
     --count_;
     // Those that the hole would cut off from their home move into it.

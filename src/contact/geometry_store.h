@@ -32,7 +32,12 @@ struct SharedGeometry {
     Buffer<uint32_t> indices;
     Buffer<uint8_t> hidden_edges;
     Buffer<MeshPart> parts; // of a mesh
+    Buffer<float> given;    // what a hull was made of, where that is more than its corners
 };
+
+// What makes it again: a collider at the origin. A mesh's triangles are in the order of its parts, which stays as it is when
+// they are made of it once more; but its hash is another.
+lr_collider_desc desc_of(const SharedGeometry& geometry);
 
 class GeometryStore {
 public:
@@ -46,10 +51,14 @@ public:
     SharedGeometry* find(ColliderKind kind, uint64_t hash) const; // null for none
     // The last user frees it.
     void release(SharedGeometry* geometry);
+    // It is found by another hash from now on, unless that is taken: that of a mesh whose triangles came in another order.
+    void rename(SharedGeometry* geometry, uint64_t hash);
 
 private:
     lr_status build(const lr_collider_desc& desc, SharedGeometry& to);
     bool grow();
+    void insert(SharedGeometry* geometry);
+    void take_out(SharedGeometry* geometry);
     size_t home(uint64_t hash) const { return hash & (table_.size() - 1); }
     void free(SharedGeometry* geometry);
 

@@ -36,6 +36,10 @@ public:
 
     void set_callback(lr_surface_fn function, void* user);
     bool has_callback() const { return callback_ != nullptr; }
+    lr_surface_fn callback() const { return callback_; }
+    void* callback_user() const { return callback_user_; }
+    // Another that gives the same answers: what was said of them holds.
+    void replace_callback(lr_surface_fn function, void* user) { callback_ = function, callback_user_ = user; }
     // Asks the callback about the first `count` bodies of a block that holds what the plane and the waves give. From
     // any worker.
     void ask(double time, lr_batch batch, uint32_t count, const SurfaceInstant& plane, SurfaceBlock& block);

@@ -44,6 +44,16 @@ public:
     void set_callback(lr_wind_fn function, void* user);
     lr_wind_fn callback() const { return callback_; }
     void* callback_user() const { return callback_user_; }
+    // Another that gives the same answers: what was said of them holds.
+    void replace_callback(lr_wind_fn function, void* user) { callback_ = function, callback_user_ = user; }
+    // visit(desc, hash, samples, count) of each source with a grid.
+    template <class Visit> void visit_grids(Visit&& visit) const {
+        for (const Slot& slot : slots_) {
+            if (!slot.source || !slot.source->grid) continue;
+            const GridSamples& grid = *slot.source->grid;
+            visit(slot.source->desc, grid.hash, grid.values.data(), uint64_t{grid.values.size()});
+        }
+    }
     // From any worker: the callback gave something that is no velocity.
     void blame_callback() { blamed_.store(true, std::memory_order_relaxed); }
     // True once for each callback.

@@ -16,6 +16,10 @@
 
 #include <cstdint>
 
+namespace lr::record {
+class Recorder;
+}
+
 struct lr_world {
     // Null after an error. The desc has been checked.
     static lr_world* create(const lr_world_desc& desc, lr_status& status);
@@ -94,6 +98,7 @@ struct lr_world {
     bool left_all = false;
 
     mutable lr::Use use;
+    lr::record::Recorder* recorder = nullptr; // while there is a recording
 
     lr_log_fn log_callback = nullptr;
     void* log_user = nullptr;

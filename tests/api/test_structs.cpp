@@ -177,6 +177,7 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_collider_state>(lr_collider_state_init);
     check_init<lr_collider_surface>(lr_collider_surface_init);
     check_init<lr_batch_contact>(lr_batch_contact_init);
+    check_init<lr_recording_desc>(lr_recording_desc_init);
 }
 
 TEST_CASE("initial values are those of the header") {
@@ -349,6 +350,14 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
                                 [&](lr_batch_contact* c) { return lr_batch_set_contact(w, batch, c); });
     check_use<lr_batch_contact>(initialised(lr_batch_contact_init),
                                 [&](lr_batch_contact* c) { return lr_batch_get_contact(w, batch, c); });
+    lr_recording_desc recording = initialised(lr_recording_desc_init);
+    CHECK((recording.flags == LR_RECORD_CALLBACKS && recording.hash_interval == 1 && !recording.write));
+    recording.write = [](void*, const void*, uint64_t) -> int32_t { return 0; };
+    check_use<lr_recording_desc>(recording, [&](lr_recording_desc* d) {
+        const lr_status status = lr_world_record_start(w, d);
+        if (status == LR_OK) CHECK(lr_world_record_stop(w) == LR_OK);
+        return status;
+    });
     check_use<lr_batch_view>(initialised(lr_batch_view_init),
                              [&](lr_batch_view* v) { return lr_batch_get_view(w, batch, v); });
 }

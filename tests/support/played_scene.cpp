@@ -210,6 +210,8 @@ Play::Play(const PlayedScene& scene, const Circumstances& how) : scene_(scene), 
 
 uint64_t Play::run() {
     for (int frame = 0; frame < scene_.frames; ++frame) {
+        if (how_.recording && frame == how_.record_at)
+            REQUIRE(lr_world_record_start(world.get(), how_.recording) == LR_OK);
         if (scene_.forced && frame % 3 != 1) push();
         if (frame == scene_.frames / 2 && how_.through_snapshot) {
             const std::vector<unsigned char> snapshot = snapshot_of(world);
@@ -243,6 +245,7 @@ void Play::build() {
             if (std::strstr(message, "inside the same world")) FAIL_CHECK(std::string(message));
         };
     world = make(wd);
+    if (how_.recording && how_.record_at < 0) REQUIRE(lr_world_record_start(world.get(), how_.recording) == LR_OK);
     for (size_t b = 0; b < 2; ++b) {
         lr_batch_desc bd = batch_desc();
         bd.load_model = scene_.loads;

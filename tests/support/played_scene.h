@@ -44,6 +44,8 @@ struct Circumstances {
     bool permuted = false;         // bodies lie in another order
     bool through_snapshot = false; // half-way into a new world
     lr_job_system jobs{};
+    const lr_recording_desc* recording = nullptr;
+    int record_at = -1;  // the frame before which that begins; -1: before anything is made
     uint32_t checks = 0; // LR_CHECK_*: what is said of misuse fails the play
 };
 

@@ -71,6 +71,7 @@ LR_MAX_WAVES = 8
 LR_BUDGET_NONE = 0
 LR_BUDGET_BODY_SUBSTEPS = 1
 LR_BUDGET_TIME = 2
+LR_RECORD_CALLBACKS = 1
 LR_LOADS_DEFAULT = 0
 LR_LOADS_NONE = 1
 LR_LOADS_LANGEVIN = 2
@@ -232,6 +233,14 @@ lr_surface_fn.__doc__ = """Called for bodies near the surface: once, and twice m
 A body whose values are not finite, too large (heights over `reach`, velocities over 1000 m/s, accelerations over
 1e6 m/s^2), or whose normal is none gets those of the plane, and a warning is logged once
 after the step.
+"""
+
+
+lr_record_fn = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64)
+lr_record_fn.__doc__ = """Takes the next `size` bytes of a recording, valid during the call only: append them to a file, or to a ring in memory.
+Returns 0; anything else ends the recording. Called within functions that take the world, by their thread; with
+LR_RECORD_CALLBACKS also by those that run wind and surface callbacks, never by two at a time. Must not call the library on
+the same world, throw or longjmp.
 """
 
 
@@ -481,6 +490,18 @@ class lr_step_report(ctypes.Structure):
         ('behind', ctypes.c_double),
         ('lost', ctypes.c_double),
         ('seconds', ctypes.c_double),
+    ]
+
+
+class lr_recording_desc(ctypes.Structure):
+    """lr_recording_desc: 32 bytes."""
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
+        ('flags', ctypes.c_uint32),
+        ('hash_interval', ctypes.c_uint32),
+        ('reserved', ctypes.c_uint32),
+        ('write', lr_record_fn),
+        ('user', ctypes.c_void_p),
     ]
 
 
@@ -1060,6 +1081,12 @@ FIELD_DOCS = {
         'lost': 's: the most that a batch has lost in this step. A batch whose budget does not even reach for its longest substeps goes in slow motion: lr_batch_rate.longest_substep',
         'seconds': 'that the step took; 0 without `BudgetKind.TIME`',
     },
+    'lr_recording_desc': {
+        'flags': 'bits `RecordingFlags`; initially `RecordingFlags.CALLBACKS`',
+        'hash_interval': 'steps from one hash of the world in the recording to the next; 0: none; initially 1',
+        'write': 'must be given',
+        'user': '',
+    },
     'lr_batch_desc': {
         'capacity': 'the most bodies at a time, 1 to 2^26; memory for all is taken at once',
         'asset': 'kept by reference until the batch ends',
@@ -1315,6 +1342,7 @@ INITS = {
     'lr_surface_desc': 'lr_surface_desc_init',
     'lr_budget': 'lr_budget_init',
     'lr_step_report': 'lr_step_report_init',
+    'lr_recording_desc': 'lr_recording_desc_init',
     'lr_batch_desc': 'lr_batch_desc_init',
     'lr_turbulence_table': 'lr_turbulence_table_init',
     'lr_load_gains': 'lr_load_gains_init',
@@ -1586,7 +1614,7 @@ PROTOTYPES = {
         ('world',),
         """void lr_world_destroy(lr_world* world)
 
-        Frees a world with all its batches and bodies, and ends its worker threads. Null is fine.
+        Frees a world with all its batches and bodies, and ends its worker threads. A recording ends. Null is fine.
 
         world: the world
         """,
@@ -1953,6 +1981,46 @@ PROTOTYPES = {
         written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after other errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any thread.
+        """,
+    ),
+    'lr_recording_desc_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_recording_desc), ctypes.c_uint32],
+        ('desc', 'struct_size'),
+        """lr_status lr_recording_desc_init(lr_recording_desc* desc, uint32_t struct_size)
+
+        desc: initialised by its `_init` function, or with struct_size set
+        struct_size: sizeof the struct as the caller sees it
+        """,
+    ),
+    'lr_world_record_start': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_recording_desc)],
+        ('world', 'desc'),
+        """lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc)
+
+        From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
+        its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB
+        of memory, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording ends, a message
+        is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+
+        world: the world
+        desc: initialised by its `_init` function, or with struct_size set
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY.
+        """,
+    ),
+    'lr_world_record_stop': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world)],
+        ('world',),
+        """lr_status lr_world_record_stop(lr_world* world)
+
+        Ends a recording.
+
+        world: the world
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (none is under way: also where `write` has refused).
         """,
     ),
     'lr_batch_desc_init': (

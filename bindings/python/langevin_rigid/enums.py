@@ -26,6 +26,7 @@ __all__ = [
     'OverlapShape',
     'Pose',
     'RayFlags',
+    'RecordingFlags',
     'Rest',
     'SimdTarget',
     'Status',
@@ -152,6 +153,11 @@ class BudgetKind(IntEnum):
     NONE = 0
     BODY_SUBSTEPS = 1  # a count of substeps of single bodies, whatever each of them costs
     TIME = 2  # time of lr_world_step on the wall; costs are learnt from the steps before
+
+
+class RecordingFlags(IntFlag):
+    """Of a recording."""
+    CALLBACKS = 1
 
 
 class Loads(IntEnum):

@@ -27,7 +27,8 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_create(WorldDesc* desc, IntPtr* @out);
 
-        /// <summary>Frees a world with all its batches and bodies, and ends its worker threads. Null is fine.</summary>
+        /// <summary>Frees a world with all its batches and bodies, and ends its worker threads. A recording ends. Null
+        /// is fine.</summary>
         /// <param name="world">the world</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void lr_world_destroy(IntPtr world);

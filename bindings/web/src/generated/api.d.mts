@@ -119,6 +119,7 @@ export declare const LR: {
   readonly BUDGET_BODY_SUBSTEPS: 1;
   /** time of lr_world_step on the wall; costs are learnt from the steps before */
   readonly BUDGET_TIME: 2;
+  readonly RECORD_CALLBACKS: 1;
   /** LR_LOADS_AERODYNAMIC in this version */
   readonly LOADS_DEFAULT: 0;
   /** gravity, buoyancy and added mass only: Kirchhoff's equations */
@@ -614,6 +615,16 @@ export interface StepReport {
   lost: number;
   /** that the step took; 0 without LR_BUDGET_TIME */
   seconds: number;
+}
+
+export interface RecordingDesc {
+  /** bits LR_RECORD_*; initially LR_RECORD_CALLBACKS */
+  flags: number;
+  /** steps from one hash of the world in the recording to the next; 0: none; initially 1 */
+  hashInterval: number;
+  /** must be given */
+  write: number;
+  user: number;
 }
 
 export interface BatchDesc {
@@ -1170,7 +1181,7 @@ export interface RawFunctions {
    * LR_ERROR_UNSUPPORTED (simd_target), LR_ERROR_OUT_OF_MEMORY, LR_ERROR_THREADS.
    */
   lr_world_create(desc: number, out: number): number;
-  /** Frees a world with all its batches and bodies, and ends its worker threads. Null is fine. */
+  /** Frees a world with all its batches and bodies, and ends its worker threads. A recording ends. Null is fine. */
   lr_world_destroy(world: number): void;
   lr_world_info_init(info: number, struct_size: number): number;
   /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
@@ -1286,6 +1297,21 @@ export interface RawFunctions {
    * thread.
    */
   lr_snapshot_delta_apply(base: number, base_size: bigint, delta: number, delta_size: bigint, memory: number, capacity: bigint, written: number): number;
+  lr_recording_desc_init(desc: number, struct_size: number): number;
+  /**
+   * From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
+   * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB
+   * of memory, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording ends, a message
+   * is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world
+   * is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY.
+   */
+  lr_world_record_start(world: number, desc: number): number;
+  /**
+   * Ends a recording.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (none is under way: also where `write` has refused).
+   */
+  lr_world_record_stop(world: number): number;
   lr_batch_desc_init(desc: number, struct_size: number): number;
   /**
    * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->asset), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,

@@ -68,6 +68,7 @@ export const LR = Object.freeze({
   BUDGET_NONE: 0,
   BUDGET_BODY_SUBSTEPS: 1,
   BUDGET_TIME: 2,
+  RECORD_CALLBACKS: 1,
   LOADS_DEFAULT: 0,
   LOADS_NONE: 1,
   LOADS_LANGEVIN: 2,
@@ -375,6 +376,15 @@ export const structs = {
       ['behind', 40, 'f64', 0],
       ['lost', 48, 'f64', 0],
       ['seconds', 56, 'f64', 0],
+    ],
+  },
+  lr_recording_desc: {
+    size: 24, init: 'lr_recording_desc_init', sized: true,
+    fields: [
+      ['flags', 4, 'u32', 0],
+      ['hashInterval', 8, 'u32', 0],
+      ['write', 16, 'pointer', 0],
+      ['user', 20, 'pointer', 0],
     ],
   },
   lr_batch_desc: {
@@ -742,6 +752,9 @@ export const functions = [
   'lr_snapshot_delta_bound',
   'lr_snapshot_delta_encode',
   'lr_snapshot_delta_apply',
+  'lr_recording_desc_init',
+  'lr_world_record_start',
+  'lr_world_record_stop',
   'lr_batch_desc_init',
   'lr_batch_create',
   'lr_batch_destroy',

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+using System;
+using System.Runtime.InteropServices;
+
+namespace LangevinRigid
+{
+    /// <summary>Of a recording.</summary>
+    [Flags]
+    public enum RecordingFlags : uint
+    {
+        /// <summary>No bit.</summary>
+        None = 0,
+        /// <summary>The header's <c>LR_RECORD_CALLBACKS</c>.</summary>
+        Callbacks = 1,
+    }
+
+    /// <summary>Takes the next <c>size</c> bytes of a recording, valid during the call only: append them to a file, or
+    /// to a ring in memory. Returns 0; anything else ends the recording. Called within functions that take the world,
+    /// by their thread; with <see cref="RecordingFlags.Callbacks"/> also by those that run wind and surface callbacks,
+    /// never by two at a time. Must not call the library on the same world, throw or longjmp.</summary>
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    public unsafe delegate int RecordFn(IntPtr user, IntPtr bytes, ulong size);
+
+    /// <summary>The header's <c>struct lr_recording_desc</c>.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct RecordingDesc
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary><see cref="RecordingFlags"/>; initially <see cref="RecordingFlags.Callbacks"/></summary>
+        public RecordingFlags Flags;
+        /// <summary>steps from one hash of the world in the recording to the next; 0: none; initially 1</summary>
+        public uint HashInterval;
+        /// <summary>0.</summary>
+        public uint Reserved;
+        /// <summary>must be given A function pointer of a <see cref="RecordFn"/>.</summary>
+        public IntPtr Write;
+        /// <summary>User.</summary>
+        public IntPtr User;
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static RecordingDesc Create()
+        {
+            var value = default(RecordingDesc);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_recording_desc_init(&value, (uint)sizeof(RecordingDesc)), "lr_recording_desc_init");
+            return value;
+        }
+    }
+}

@@ -1,0 +1,82 @@
+// Writes a recording: records cut into frames, each handed to the host when it is whole.
+#pragma once
+
+#include "record/stream.h"
+#include "world/allocator.h"
+
+#include <atomic>
+
+struct lr_asset;
+struct lr_world;
+
+namespace lr::record {
+
+class Recorder {
+public:
+    // Null when out of memory. The desc has been checked.
+    static Recorder* create(Allocator& allocator, const lr_recording_desc& desc);
+    static void destroy(Recorder* recorder);
+
+    // What was there: assets, batches, geometry, state. LR_OK, or why it cannot be recorded.
+    lr_status begin(lr_world& world);
+    // The world's callbacks are its own again.
+    void end(lr_world& world);
+
+    // A record: opened, filled, closed. Nothing happens any more once the host has refused.
+    void open(Kind kind);
+    void put(const void* bytes, uint64_t size);
+    template <class T> void value(const T& v) { put(&v, sizeof v); }
+    void close();
+    bool failed() const { return failed_; }
+
+    // The number of an asset, whose record is written where it is new. False when out of memory.
+    bool asset(const lr_asset& asset, uint32_t& id);
+    // Bytes that calls name by the hash returned. Written once, or now and then again: few are remembered.
+    uint64_t blob(const void* bytes, uint64_t size);
+    static uint64_t blob_hash(const void* bytes, uint64_t size) {
+        Hash hash(size);
+        hash.add(bytes, size);
+        return hash.value();
+    }
+
+    void enter() { inside_ = true; } // a call, which has been written
+    void result(Op op, lr_status status, uint64_t output, const lr_world& world);
+    // After lr_world_set_wind_callback and its like: answers go through here.
+    void listen(lr_world& world);
+
+private:
+    explicit Recorder(Allocator& allocator) : allocator_(&allocator) {}
+    void flush(uint16_t flags);
+    bool seen(uint64_t hash);
+    lr_status batches(lr_world& world);
+    void geometry(lr_world& world);
+    lr_status state(const lr_world& world);
+    static void wind_asked(void* self, const lr_wind_query* query);
+    static void surface_asked(void* self, const lr_surface_query* query);
+    void answer(Kind kind, uint32_t count, uint32_t batch, double time, const float* const* positions,
+                const float* const* values, uint32_t value_count);
+
+    struct SeenAsset {
+        uint64_t content_hash;
+        double extents[3];
+    };
+    Allocator* allocator_;
+    lr_recording_desc desc_{};
+    Buffer<unsigned char> frame_; // with its header
+    uint32_t used_ = 0;           // bytes behind the header
+    uint64_t frames_ = 0;
+    Kind kind_{};
+    bool failed_ = false, inside_ = false;
+    uint32_t steps_ = 0; // since a hash
+    static constexpr size_t most_seen = 4096;
+    Buffer<uint64_t> seen_; // a place for each hash that it may be in, the last one that came there
+    Buffer<SeenAsset> assets_;
+    uint32_t asset_count_ = 0;
+    lr_wind_fn wind_ = nullptr;
+    void* wind_user_ = nullptr;
+    lr_surface_fn surface_ = nullptr;
+    void* surface_user_ = nullptr;
+    std::atomic_flag writing_;
+};
+
+} // namespace lr::record

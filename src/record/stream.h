@@ -1,0 +1,195 @@
+// The format of a recording: what recorder and player agree on. docs/replay.md
+#pragma once
+
+#include "langevin_rigid.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace lr::record {
+
+// Little-endian throughout, as all that the library runs on.
+struct FileHeader {
+    char magic[8];
+    uint32_t format;
+    uint32_t library; // lr_version()
+};
+inline constexpr char magic[8] = {'L', 'R', 'R', 'E', 'C', 'O', 'R', 'D'};
+inline constexpr uint32_t format_version = 1;
+
+// Then frames. A record is one of them, or several of which all but the last say that there is more.
+struct FrameHeader {
+    uint32_t size; // bytes that follow
+    uint16_t kind;
+    uint16_t flags;
+    uint64_t checksum; // of these, of the frame's number, and of what follows
+};
+inline constexpr uint16_t frame_continues = 1;
+inline constexpr uint32_t most_frame = 65536; // with its header
+
+enum class Kind : uint16_t {
+    world = 1, // WorldRecord, first
+    asset,     // AssetRecord, then the bytes of an asset file
+    blob,      // its hash, then bytes that calls name by it
+    hole,      // a slot without a batch, between those that setups make
+    setup,     // a call that makes what there was, without result
+    begun,     // the world's hash: here the recording begins
+    call,      // Op, then arguments; before it is carried out
+    result,    // ResultRecord, of the call before
+    wind,      // answers of the wind callback within a call
+    surface,   // of the surface callback
+    geometry,  // the hash that the hull, heightfield or mesh of the setup before is known by
+};
+
+struct WorldRecord {
+    uint64_t seed;
+    uint64_t step_count;
+    float gravity[3]; // m/s^2
+    float fluid_density, fluid_viscosity;
+    int32_t simd;
+    uint32_t workers;
+    uint32_t flags; // LR_RECORD_*
+    uint32_t hash_interval;
+    uint32_t reserved;
+};
+struct AssetRecord {
+    uint32_t id; // counted from 0
+    uint32_t format;
+    uint64_t content_hash;
+    double extents[3]; // m
+};
+struct ResultRecord {
+    uint16_t op;
+    uint16_t hashed;
+    int32_t status;
+    uint64_t output; // a handle or number that came out, or the hash of several; 0 where nothing was asked for
+    uint64_t hash;   // of the world, where `hashed`
+};
+// Before `count` positions (x of all, then y, z) and a float of each for every bit of `given`.
+struct AnswerRecord {
+    uint32_t count;
+    uint32_t batch;
+    double time;
+    uint32_t given;
+    uint32_t reserved;
+};
+inline constexpr uint32_t wind_values = 15;    // velocity, rate, gradient
+inline constexpr uint32_t surface_values = 10; // height, normal, velocity, rate
+
+// Numbers are part of the format.
+#define LR_RECORDED_CALLS(X)                                                                                           \
+    X(1, world_step)                                                                                                   \
+    X(2, world_set_gravity)                                                                                            \
+    X(3, world_set_simd_target)                                                                                        \
+    X(4, world_set_wind)                                                                                               \
+    X(5, world_add_wind)                                                                                               \
+    X(6, world_update_wind)                                                                                            \
+    X(7, world_remove_wind)                                                                                            \
+    X(8, world_set_wind_callback)                                                                                      \
+    X(9, world_set_surface)                                                                                            \
+    X(10, world_set_surface_callback)                                                                                  \
+    X(11, world_set_budget)                                                                                            \
+    X(12, world_snapshot_restore)                                                                                      \
+    X(13, world_set_contact_events)                                                                                    \
+    X(14, world_wake_box)                                                                                              \
+    X(15, batch_create)                                                                                                \
+    X(16, batch_destroy)                                                                                               \
+    X(17, batch_set_turbulence_table)                                                                                  \
+    X(18, batch_set_aerodynamics)                                                                                      \
+    X(19, batch_set_load_gains)                                                                                        \
+    X(20, batch_set_rate)                                                                                              \
+    X(21, batch_add_forces)                                                                                            \
+    X(22, batch_set_force)                                                                                             \
+    X(23, batch_set_contact)                                                                                           \
+    X(24, batch_set_pair_contact)                                                                                      \
+    X(25, batch_set_rules)                                                                                             \
+    X(26, batch_set_emitter)                                                                                           \
+    X(27, batch_emit)                                                                                                  \
+    X(28, body_create)                                                                                                 \
+    X(29, body_destroy)                                                                                                \
+    X(30, body_set_state)                                                                                              \
+    X(31, body_set_rest)                                                                                               \
+    X(32, body_add_force)                                                                                              \
+    X(33, collider_create)                                                                                             \
+    X(34, collider_destroy)                                                                                            \
+    X(35, collider_move)                                                                                               \
+    X(36, collider_set_surface)
+
+enum class Op : uint16_t {
+#define LR_OP(number, name) name = number,
+    LR_RECORDED_CALLS(LR_OP)
+#undef LR_OP
+};
+
+// The exported function; null for no op.
+inline const char* name_of(Op op) {
+    switch (op) {
+#define LR_OP(number, name)                                                                                            \
+    case Op::name:                                                                                                     \
+        return "lr_" #name;
+        LR_RECORDED_CALLS(LR_OP)
+#undef LR_OP
+    }
+    return nullptr;
+}
+
+// Behind the op: whether arguments follow. Those of a call that could not be read are not there.
+inline constexpr uint16_t call_cut = 1;
+
+// Of an array: not given, here, or in a blob.
+enum class Where : uint32_t { null, here, blob };
+inline constexpr uint64_t most_here = 256; // bytes
+
+// Bytes of structs that are recorded: all but pointers, which come last or are written by themselves.
+template <class T> inline constexpr uint32_t recorded_bytes = sizeof(T);
+template <> inline constexpr uint32_t recorded_bytes<lr_wind_source_desc> = offsetof(lr_wind_source_desc, samples);
+template <> inline constexpr uint32_t recorded_bytes<lr_collider_desc> = offsetof(lr_collider_desc, vertices);
+template <> inline constexpr uint32_t recorded_bytes<lr_force_arrays> = offsetof(lr_force_arrays, force);
+
+struct BatchRecord { // lr_batch_desc without what is not the same on every machine
+    uint32_t asset;
+    uint32_t capacity;
+    int32_t load_model, clock, table_end, integrator, tensor;
+    float damping_gain, noise_gain;
+    uint32_t reserved;
+};
+struct TableRecord { // lr_turbulence_table likewise
+    uint32_t count;
+    float dt, u0, l, c0;
+    uint32_t stationary, reserved;
+};
+
+// Each step is a bijection of the state.
+class Hash {
+public:
+    explicit Hash(uint64_t start) : state_(start ^ 0x9e3779b97f4a7c15ull) {}
+    void add(uint64_t word) {
+        state_ = (state_ ^ word) * 0xbf58476d1ce4e5b9ull;
+        state_ ^= state_ >> 32;
+    }
+    void add(const void* bytes, uint64_t size) {
+        const auto* at = static_cast<const unsigned char*>(bytes);
+        uint64_t word = 0;
+        for (; size >= 8; size -= 8, at += 8) {
+            std::memcpy(&word, at, 8);
+            add(word);
+        }
+        word = size;
+        if (size != 0) std::memcpy(&word, at, static_cast<size_t>(size));
+        add(word ^ size << 56);
+    }
+    uint64_t value() const { return state_ != 0 ? state_ : 1; }
+
+private:
+    uint64_t state_;
+};
+
+inline uint64_t frame_checksum(const FrameHeader& h, uint64_t number, const void* payload) {
+    Hash hash(number);
+    hash.add(h.size | uint64_t{h.kind} << 32 | uint64_t{h.flags} << 48);
+    hash.add(payload, h.size);
+    return hash.value();
+}
+
+} // namespace lr::record
