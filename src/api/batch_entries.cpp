@@ -183,6 +183,20 @@ lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch 
                  [&] { return lr_inner_batch_get_pair_contact(world, a, b, enabled); });
 }
 
+lr_status lr_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t policy) {
+    return change(
+        world, Op::batch_set_fault_policy, [&] { return lr_inner_batch_set_fault_policy(world, batch, policy); },
+        [&](Call& call) {
+            call.value(batch);
+            call.value(policy);
+        });
+}
+
+lr_status lr_batch_get_fault_policy(const lr_world* world, lr_batch batch, int32_t* policy) {
+    return query(world, "lr_batch_get_fault_policy",
+                 [&] { return lr_inner_batch_get_fault_policy(world, batch, policy); });
+}
+
 lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules) {
     return change(
         world, Op::batch_set_rules, [&] { return lr_inner_batch_set_rules(world, batch, rules); },

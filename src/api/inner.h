@@ -64,6 +64,8 @@ lr_status lr_inner_world_ray_cast(const lr_world* world, const lr_ray* rays, uin
 lr_status lr_inner_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity,
                                  uint32_t* count);
 lr_status lr_inner_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules);
+lr_status lr_inner_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t policy);
+lr_status lr_inner_batch_get_fault_policy(const lr_world* world, lr_batch batch, int32_t* policy);
 lr_status lr_inner_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc);
 lr_status lr_inner_batch_emit(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids);
 lr_status lr_inner_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events);

@@ -83,7 +83,7 @@ lr_status lr_inner_batch_emit(lr_world* world, lr_batch batch, uint32_t count, l
     return LR_OK;
 }
 
-lr_status lr_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t policy) {
+lr_status lr_inner_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t policy) {
     constexpr const char* name = "lr_batch_set_fault_policy";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     lr::Batch* const b = world->find(batch);
@@ -95,7 +95,7 @@ lr_status lr_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t pol
     return LR_OK;
 }
 
-lr_status lr_batch_get_fault_policy(const lr_world* world, lr_batch batch, int32_t* policy) {
+lr_status lr_inner_batch_get_fault_policy(const lr_world* world, lr_batch batch, int32_t* policy) {
     constexpr const char* name = "lr_batch_get_fault_policy";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr::Batch* const b = world->find(batch);

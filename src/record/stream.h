@@ -114,7 +114,8 @@ inline constexpr uint32_t surface_values = 10; // height, normal, velocity, rate
     X(33, collider_create)                                                                                             \
     X(34, collider_destroy)                                                                                            \
     X(35, collider_move)                                                                                               \
-    X(36, collider_set_surface)
+    X(36, collider_set_surface)                                                                                        \
+    X(37, batch_set_fault_policy)
 
 enum class Op : uint16_t {
 #define LR_OP(number, name) name = number,

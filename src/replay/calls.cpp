@@ -286,6 +286,12 @@ lr_status perform(Op op, Arguments& from, Scene& scene, uint64_t& output) {
         from.end();
         return lr_batch_set_pair_contact(w, a, b, enabled);
     }
+    case Op::batch_set_fault_policy: {
+        const auto batch = from.value<lr_batch>();
+        const auto policy = from.value<int32_t>();
+        from.end();
+        return lr_batch_set_fault_policy(w, batch, policy);
+    }
     case Op::batch_set_rules:
         return set(&lr_batch_set_rules, from, scene);
     case Op::batch_set_emitter:

@@ -169,6 +169,8 @@ void do_everything(const World& world, const Asset& flat, const Asset& plate, Re
     lr_batch_contact contact = initialised(lr_batch_contact_init);
     contact.friction = 0.8f;
     twice(&lr_batch_set_contact, w, b, contact);
+    REQUIRE(lr_batch_set_fault_policy(w, b, LR_FAULT_FREEZE) == LR_OK);
+    CHECK(lr_batch_set_fault_policy(w, b, 99) == LR_ERROR_INVALID_ARGUMENT);
     REQUIRE(lr_batch_set_pair_contact(w, b, b, 1) == LR_OK);
     CHECK(lr_batch_set_pair_contact(w, b, b, 7) == LR_ERROR_INVALID_ARGUMENT);
     lr_emitter_desc emitter = initialised(lr_emitter_desc_init);
