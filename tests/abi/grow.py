@@ -9,20 +9,37 @@ import sys
 
 import surface
 
-tree = pathlib.Path(sys.argv[1])
-header, arguments = tree / "include" / "langevin_rigid.h", tree / "src" / "api" / "arguments.h"
-names = [name for name, struct in surface.Surface(header).structs.items() if struct["grows"]]
-text = header.read_text()
-for name in names:
-    text, count = re.subn(rf"^\}} {name};$", f"    float grown[2];\n}} {name};", text, flags=re.M)
-    assert count == 1, name
-header.write_text(text)
 
-text = arguments.read_text()
-sizes = dict(re.findall(r"earlier_sizes<(lr_\w+)>\{(.*)\};\n", text))
-text = re.sub(r"template <> inline constexpr std::array earlier_sizes<.*\n", "", text)
-lines = [f"template <> inline constexpr std::array earlier_sizes<{name}>{{{sizes.get(name, '')}{', ' if name in sizes else ''}"
-         f"offsetof({name}, grown)}};\n" for name in names]
-primary = re.search(r"template <class T> inline constexpr std::array<size_t, 0> earlier_sizes\{\};\n", text)
-arguments.write_text(text[:primary.end()] + "".join(lines) + text[primary.end():])
-print(f"{len(names)} structs have grown")
+
+def grown_header(header):
+    """The text of a header in which every struct that may grow has, and the names of those."""
+    structs = {name: struct for name, struct in surface.Surface(header).structs.items() if struct["grows"]}
+    text = pathlib.Path(header).read_text()
+    for name, struct in structs.items():
+        # Of the struct's own alignment: a smaller field behind a pointer would lie in what is padding on 32 bits.
+        field = "uint64_t grown" if min(struct["alignments"]) == 8 else "float grown[2]"
+        text, count = re.subn(rf"^\}} {name};$", f"    {field};\n}} {name};", text, flags=re.M)
+        assert count == 1, name
+    return text, list(structs)
+
+
+def grown_arguments(text, names):
+    """src/api/arguments.h with the sizes before that."""
+    sizes = dict(re.findall(r"earlier_sizes<(lr_\w+)>\{(.*)\};\n", text))
+    text = re.sub(r"template <> inline constexpr std::array earlier_sizes<.*\n", "", text)
+    lines = [f"template <> inline constexpr std::array earlier_sizes<{name}>{{{sizes.get(name, '')}{', ' if name in sizes else ''}"
+             f"offsetof({name}, grown)}};\n" for name in names]
+    primary = re.search(r"template <class T> inline constexpr std::array<size_t, 0> earlier_sizes\{\};\n", text)
+    return text[:primary.end()] + "".join(lines) + text[primary.end():]
+
+
+def main(tree):
+    header, arguments = tree / "include" / "langevin_rigid.h", tree / "src" / "api" / "arguments.h"
+    text, names = grown_header(header)
+    header.write_text(text)
+    arguments.write_text(grown_arguments(arguments.read_text(), names))
+    print(f"{len(names)} structs have grown")
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]))

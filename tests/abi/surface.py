@@ -93,9 +93,12 @@ def compare_struct(name, old, new, breaks, growth):
             (growth if taken else breaks).append(f"struct {name}: field {field} ({type_}) has become {field_now} ({type_now})")
     more = new["fields"][len(old["fields"]):]
     for field, _, (offset, _, narrow, _) in more:
-        if offset < old["sizes"][0] or narrow < old["sizes"][1]:
+        if offset < old["sizes"][0]:
             breaks.append(f"struct {name}: the new field {field} at {offset} lies within the old size of {old['sizes'][0]} bytes, where "
                           "old programs have padding of any value")
+        elif narrow < old["sizes"][1]:
+            breaks.append(f"struct {name}: on wasm32 the new field {field} at {narrow} lies within the old size of {old['sizes'][1]} bytes, "
+                          "where old programs have padding of any value: give it the struct's alignment")
         else:
             growth.append(f"struct {name}: field {field} is new, behind the old size of {old['sizes'][0]} bytes")
     if new["sizes"] != old["sizes"] and not (old["grows"] and more):

@@ -9,6 +9,7 @@ import unittest
 
 import check
 import debug_stub
+import grow
 import surface
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -143,6 +144,14 @@ class Headers(unittest.TestCase):
     def test_what_differs_on_32_bits_alone(self):
         # The same 8 bytes on 64-bit targets.
         self.assertTrue(self.breaks(edited(("    const lr_body* born_ids;  /* `born` of them */", "    uint64_t born_ids;"))))
+
+    def test_every_struct_may_grow(self):
+        text, names = grow.grown_header(NEWEST)
+        self.assertGreater(len(names), 30)
+        self.assertEqual(self.breaks(text), [])
+        # A field of 4 bytes behind a pointer, which wasm32 has in the padding of a struct that is aligned to 8.
+        text = edited(("those of an ellipsoid with these extents */\n} lr_rigid_desc;", "*/\n    float more;\n    float reserved_1;\n} lr_rigid_desc;"))
+        self.assertEqual(len([b for b in self.breaks(text) if "on wasm32 the new field more" in b]), 1)
 
     def test_a_field_in_padding(self):
         def tiny(more):
