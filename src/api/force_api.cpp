@@ -67,9 +67,8 @@ const char* too_large(const lr::Batch& batch, uint32_t index, const Push& p) {
     return nullptr;
 }
 
-// Wakes the body where there is anything to apply: it then changes places with one before it. One that is held stays so.
+// Wakes the body where there is anything to apply: it then changes places with one before it.
 void apply(lr::Batch& batch, uint32_t index, const Push& p) {
-    if (batch.held(index)) return;
     const auto nothing = [](double v) { return v == 0.0; };
     if (batch.rests(index)) {
         if (std::all_of(p.force, p.force + 3, nothing) && std::all_of(p.torque, p.torque + 3, nothing)) return;

@@ -20,8 +20,7 @@ HWY_INLINE hn::Mask<DF> sane_pose(Vec3 x, Quaternion q) {
     return hn::And(near, hn::And(hn::Ge(turn, constant(shortest_turn)), hn::Le(turn, constant(longest_turn))));
 }
 HWY_INLINE hn::Mask<DF> sane_motion(Vec3 v, Vec3 w) {
-    const VF fast = constant(fastest_squared);
-    return hn::And(hn::Le(dot(v, v), fast), hn::Le(dot(w, w), fast));
+    return hn::And(hn::Le(dot(v, v), constant(fastest_squared)), hn::Le(dot(w, w), constant(fastest_spin_squared)));
 }
 HWY_INLINE hn::Mask<DF> sane_gust(Vec3 gust) {
     return hn::Le(dot(gust, gust), constant(fastest_squared));

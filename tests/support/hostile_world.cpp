@@ -112,7 +112,7 @@ std::string beyond_limits(const World& world, lr_batch batch) {
         for (const float* q : v.orientation) turn += wide(q[i]) * wide(q[i]);
         if (!near) return "a position";
         if (!(speed <= 4.0001e12)) return "a velocity";
-        if (!(spin <= 4.0001e12)) return "a spin";
+        if (!(spin <= 1.0001e18)) return "a spin";
         if (!(std::abs(turn - 1.0) <= 0.03)) return "an orientation";
         if (!(v.age[i] >= 0.0f && std::isfinite(v.age[i]))) return "an age";
         const lr_body_state s = state_of(world, v.ids[i]);

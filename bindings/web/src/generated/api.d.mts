@@ -1556,7 +1556,7 @@ export interface RawFunctions {
   /**
    * What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a collider that shoots it out of
    * the world. Every body is judged in each step, and after impulses: a number that is not finite, a coordinate over 1e10 m, a velocity
-   * over 2e6 m/s or rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
+   * over 2e6 m/s or 1e9 rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
    * in lr_batch_events, and logged once for all; others are not touched by it. docs/faults.md
    * A body that is held has the position and orientation of the beginning of that step or substep, and no velocity. Nothing moves or
    * touches it, it moves and touches nothing, forces on it are taken and have no effect; it grows older, and rules may end it.
