@@ -125,11 +125,11 @@ if [ "${1:-}" != --quick ]; then
     ctest --test-dir build/tsan -j "$jobs" --output-on-failure \
         -E 'RK4 converges|bits on every instruction set|in any order of bodies|scenes differ|held hashes'
 
-    step "Fuzzers: the loader 20 s, the baker's readers and checks of meshes and cards 60 s each"
+    step "Fuzzers: the loader 20 s; the API, the baker's readers and checks of meshes and cards 60 s each"
     configure build/fuzz --preset fuzz
-    cmake --build build/fuzz --target fuzz_asset fuzz_mesh fuzz_card
+    cmake --build build/fuzz --target fuzz_asset fuzz_api fuzz_mesh fuzz_card
     declare -A running
-    for run in asset:20 mesh:60 card:60; do
+    for run in asset:20 api:60 mesh:60 card:60; do
         target=${run%:*}
         mkdir -p "build/fuzz/corpus-$target"
         # assimp loses memory on some damaged files; nothing of ours can give it back.

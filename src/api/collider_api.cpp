@@ -190,13 +190,14 @@ lr_status lr_inner_collider_destroy(lr_world* world, const lr_collider* collider
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     if (count == 0) return LR_OK;
     if (!colliders) return refuse(world, "lr_collider_destroy", LR_ERROR_NULL_ARGUMENT);
-    // What rests on them would hang in the air. A call that is refused may wake bodies, and changes nothing else.
+    if (!world->colliders.can_destroy(colliders, count))
+        return refuse(world, "lr_collider_destroy", LR_ERROR_STALE_COLLIDER);
+    // What rests on them would hang in the air.
     uint32_t slot = 0;
     const bool resting = world->any_resting();
     for (uint32_t i = 0; i < count && resting; ++i)
         if (world->colliders.find(colliders[i], slot)) world->wake_at(slot);
     const lr_status status = world->colliders.destroy(colliders, count);
-    if (status != LR_OK) return refuse(world, "lr_collider_destroy", status);
     world->recheck_contacts();
     return status;
 }

@@ -218,15 +218,19 @@ bool Colliders::find(lr_collider collider, uint32_t& slot) const {
     return true;
 }
 
-lr_status Colliders::destroy(const lr_collider* ids, uint32_t count) {
-    // All or none: every one is marked first, and one that is stale or marked already ends it.
+bool Colliders::can_destroy(const lr_collider* ids, uint32_t count) {
+    // Every one is marked first, and one that is stale or marked already ends it.
     uint32_t slot = 0, marked = 0;
     for (; marked < count; ++marked) {
         if (!find(ids[marked], slot) || slots_[slot].marked) break;
         slots_[slot].marked = true;
     }
     for (uint32_t i = 0; i < marked; ++i) slots_[unpack_collider(ids[i]).slot].marked = false;
-    if (marked < count) return LR_ERROR_STALE_COLLIDER;
+    return marked == count;
+}
+
+lr_status Colliders::destroy(const lr_collider* ids, uint32_t count) {
+    if (!can_destroy(ids, count)) return LR_ERROR_STALE_COLLIDER;
     for (uint32_t i = 0; i < count; ++i) release(unpack_collider(ids[i]).slot);
     return LR_OK;
 }

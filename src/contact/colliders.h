@@ -52,6 +52,8 @@ public:
 
     bool find(lr_collider collider, uint32_t& slot) const;
     // All or none; LR_ERROR_STALE_COLLIDER also when one is given twice.
+    // False where one is stale, or given twice.
+    bool can_destroy(const lr_collider* ids, uint32_t count);
     lr_status destroy(const lr_collider* ids, uint32_t count);
 
     // Moving several: reserve_move for each, finish_reserve, and then move each, which cannot fail.

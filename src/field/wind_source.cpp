@@ -80,10 +80,11 @@ const char* wrong_in(const lr_wind_source_desc& d) {
     if (d.kind < LR_WIND_SOURCE_GUSTS || d.kind > LR_WIND_SOURCE_GROUND) return "unknown kind of wind source";
     if (d.reserved != 0) return "reserved is not 0";
     constexpr double far = 1e9, long_way = 1e6, fast = 1000.0;
+    constexpr double least_length = static_cast<double>(1e-4f); // what a caller can give, which is less than 1e-4
     if (!all_within(d.position, -far, far)) return "position is over 1e9 m";
     if (!all_within(d.velocity, -fast, fast)) return "velocity is over 1000 m/s";
     if (!within(d.speed, 0.0, fast)) return "speed is negative or over 1000 m/s";
-    if (!within(d.size, 1e-4, long_way)) return "size is not 1e-4 to 1e6 m";
+    if (!within(d.size, least_length, long_way)) return "size is not 1e-4 to 1e6 m";
     if (!within(d.period, 0.0, 1e6)) return "period is negative or over 1e6 s";
     if (!within(d.spread, 0.0, 1.0)) return "spread is not 0 to 1";
     double unit[3];
@@ -102,7 +103,7 @@ const char* wrong_in(const lr_wind_source_desc& d) {
     if (d.kind == LR_WIND_SOURCE_GROUND && !within(d.reference_height, static_cast<double>(d.size), long_way))
         return "reference_height is below size or over 1e6 m";
     if (d.kind == LR_WIND_SOURCE_GRID) {
-        if (!all_within(d.spacing, 1e-4, long_way)) return "spacing is not 1e-4 to 1e6 m";
+        if (!all_within(d.spacing, least_length, long_way)) return "spacing is not 1e-4 to 1e6 m";
         if (d.outside < LR_WIND_OUTSIDE_ZERO || d.outside > LR_WIND_OUTSIDE_REPEAT) return "outside is unknown";
         uint64_t total = 1;
         for (uint64_t n : {d.counts[0], d.counts[1], d.counts[2], d.frames}) {

@@ -1,5 +1,6 @@
 #include "format/asset_file.h"
 #include "format/checksum.h"
+#include "format/hull_check.h"
 #include "format/matrix6.h"
 
 #include <bit>
@@ -142,6 +143,15 @@ void check_hull(const AssetData& d, Checker& check) {
                        "The index points behind the vertices.");
             return;
         }
+    size_t triangle = 0;
+    const HullFlaw flaw = find_flaw(h, d.length_d, triangle);
+    const std::string where = "hull.triangles[" + std::to_string(3 * triangle) + "]";
+    if (flaw == HullFlaw::open)
+        check.fail(FaultId::asset_open_hull, where, "An edge has not exactly two triangles, one on each side.");
+    else if (flaw == HullFlaw::dented)
+        check.fail(FaultId::asset_hull_not_convex, where, "The hull is not convex here.");
+    else if (flaw == HullFlaw::inside_out)
+        check.fail(FaultId::asset_hull_not_convex, where, "The triangles face inward.");
 }
 
 void check_aerodynamics(const AssetData& d, Checker& check) {

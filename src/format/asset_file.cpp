@@ -86,9 +86,11 @@ void decode_aerodynamics(const format::Aerodynamics& from, AerodynamicData& out,
     out.intensity = from.intensity();
     out.length = from.length();
     out.wake_reynolds = from.wake_reynolds();
-    vector(from.broadside(), "aerodynamics.broadside", out.broadside);
+    // Absent in files from before stall was modelled: then there is none.
+    if (from.broadside()) vector(from.broadside(), "aerodynamics.broadside", out.broadside);
     out.lift_stall = from.lift_stall();
-    vector(from.lift_moment_stalled(), "aerodynamics.lift_moment_stalled", out.lift_moment_stalled);
+    if (from.lift_moment_stalled())
+        vector(from.lift_moment_stalled(), "aerodynamics.lift_moment_stalled", out.lift_moment_stalled);
     if (from.roll_damping()) vector(from.roll_damping(), "aerodynamics.roll_damping", out.roll_damping);
     if (from.center()) vector(from.center(), "aerodynamics.center", out.center);
 }

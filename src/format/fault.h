@@ -63,6 +63,8 @@ enum class FaultId : uint32_t {
     asset_bad_hull = 412,
     asset_inconsistent = 413,
     asset_bad_axes = 414,
+    asset_open_hull = 415,
+    asset_hull_not_convex = 416,
 };
 
 struct Fault {

@@ -155,7 +155,7 @@ public:
     bool reserve_events();                            // false when out of memory
     void drop_events();
 
-    Faults faults;
+    BodyFaults faults;
     StepInput step; // constants of the shape, filled up by World::step
     Pace pace;
     std::atomic<uint64_t> spent{0}; // ns of all threads in this step; where a budget asks for it

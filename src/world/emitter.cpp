@@ -116,7 +116,8 @@ const char* wrong_in(const lr_emitter_desc& d) {
     if (!within(d.scale_min, static_cast<double>(1e-3f), 1e3) || !within(d.scale_max, wide(d.scale_min), 1e3))
         return "scales are not 0.001 to 1000 in order";
     if (!within(d.rate, 0.0, 1e9)) return "rate is not 0 to 1e9 a second";
-    if (d.burst_count != 0 ? !within(d.burst_interval, 1e-4, 1e9) : !within(d.burst_interval, 0.0, 1e9))
+    if (d.burst_count != 0 ? !within(d.burst_interval, static_cast<double>(1e-4f), 1e9)
+                           : !within(d.burst_interval, 0.0, 1e9))
         return "burst_interval is not 1e-4 to 1e9 s";
     if (d.burst_count > max_capacity) return "burst_count is over 2^26";
     if (d.reserved != 0) return "reserved is not 0";

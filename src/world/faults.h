@@ -12,7 +12,7 @@ namespace lr {
 class Batch;
 
 // Of a batch.
-struct Faults {
+struct BodyFaults {
     int32_t policy = LR_FAULT_AUTO;
     uint32_t noted = 0; // of the step: a body has left physics (StepInput::faults)
     uint32_t last = 0;  // bodies, in the last step
@@ -32,7 +32,7 @@ struct Faults {
     void restore(const Record& r) { *this = {r.policy, 1, 0, r.total}; }
     bool in_use() const { return policy != LR_FAULT_AUTO || total != 0; }
 };
-static_assert(sizeof(Faults::Record) % 8 == 0);
+static_assert(sizeof(BodyFaults::Record) % 8 == 0);
 
 // Those of all batches in a step, for the log.
 struct FaultReport {

@@ -21,7 +21,7 @@ struct SettingsRecord {
 };
 constexpr uint64_t settings_words = sizeof(SettingsRecord) / 4;
 static_assert(sizeof(SettingsRecord) % 8 == 0);
-constexpr uint64_t fault_words = sizeof(Faults::Record) / 4;
+constexpr uint64_t fault_words = sizeof(BodyFaults::Record) / 4;
 constexpr uint64_t rest_words = sizeof(Resting::Record) / 4;
 static_assert(sizeof(Lifecycle::Record) % 8 == 0 && force_components % 2 == 0);
 
@@ -138,7 +138,7 @@ void save_parts(Batch& batch, uint32_t parts, unsigned char* to) {
         put(&record, settings_words);
     }
     if (parts & part_faults) {
-        const Faults::Record record = batch.faults.record();
+        const BodyFaults::Record record = batch.faults.record();
         put(&record, fault_words);
     }
 }
@@ -185,9 +185,9 @@ bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const u
         from += sizeof record;
     }
     if (parts & part_faults) {
-        Faults::Record record;
+        BodyFaults::Record record;
         std::memcpy(&record, from, sizeof record);
-        if (!Faults::consistent(record)) return false;
+        if (!BodyFaults::consistent(record)) return false;
     }
     return true;
 }
@@ -233,7 +233,7 @@ void restore_parts(Batch& batch, uint32_t parts, uint32_t count, uint32_t before
         get(&record, settings_words);
         batch.contact = settings_of(record);
     }
-    Faults::Record faults{};
+    BodyFaults::Record faults{};
     if (parts & part_faults) get(&faults, fault_words);
     batch.faults.restore(faults);
 }

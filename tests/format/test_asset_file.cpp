@@ -179,6 +179,13 @@ TEST_CASE("each impossible number has its fault, at its field") {
          [](AssetData& a) { a.hull.vertices[5] = std::numeric_limits<float>::quiet_NaN(); }},
         {FaultId::asset_bad_hull, "hull.vertices[2]", [](AssetData& a) { a.hull.vertices[2] = 99.0f; }},
         {FaultId::asset_bad_hull, "hull.triangles[1]", [](AssetData& a) { a.hull.triangles[1] = 42; }},
+        {FaultId::asset_open_hull, "hull.triangles[237]",
+         [](AssetData& a) { a.hull.triangles[238] = a.hull.triangles[237]; }},
+        {FaultId::asset_hull_not_convex, "hull.triangles[0]",
+         [](AssetData& a) {
+             for (size_t i = 0; i < a.hull.triangles.size(); i += 3)
+                 std::swap(a.hull.triangles[i], a.hull.triangles[i + 1]);
+         }},
         {FaultId::asset_not_finite, "aerodynamics.axes[4]",
          [](AssetData& a) { a.aerodynamics.axes[4] = not_a_number; }},
         {FaultId::asset_bad_axes, "aerodynamics.axes", [](AssetData& a) { a.aerodynamics.axes[0] = 1.001; }},

@@ -17,6 +17,51 @@ bool write(const std::string& path, const std::vector<uint8_t>& bytes) {
     return std::fclose(file) == 0 && written;
 }
 
+// Files with one fault each, named by its number.
+bool write_faulty(const std::string& folder, const lr::AssetData& good) {
+    struct Case {
+        int number;
+        void (*change)(lr::AssetData&);
+    };
+    const Case cases[] = {{408, [](lr::AssetData& a) { a.u0 = std::numeric_limits<double>::infinity(); }},
+                          {409, [](lr::AssetData& a) { a.fluid_viscosity = -1.0; }},
+                          {410, [](lr::AssetData& a) { a.inertia[1] += 0.1 * a.inertia[0]; }},
+                          {411, [](lr::AssetData& a) { a.added_mass[14] = -a.added_mass[14]; }},
+                          {412, [](lr::AssetData& a) { a.hull.vertices[0] = 99.0f; }},
+                          {413, [](lr::AssetData& a) { a.mass *= 1.1; }},
+                          {414, [](lr::AssetData& a) { a.aerodynamics.axes[0] = 1.001; }},
+                          {415, [](lr::AssetData& a) { a.hull.triangles.resize(a.hull.triangles.size() - 3); }},
+                          {416,
+                           [](lr::AssetData& a) {
+                               for (size_t k = 0; k < 3; ++k) a.hull.vertices[k] *= 0.2f;
+                           }},
+                          {407, [](lr::AssetData& a) { a.turbulence.epsilon.pop_back(); }}};
+    const auto put = [&](int number, const std::vector<uint8_t>& bytes) {
+        return write(folder + "/fault_" + std::to_string(number) + ".lrb", bytes);
+    };
+    bool ok = true;
+    for (const Case& c : cases) {
+        lr::AssetData data = good;
+        c.change(data);
+        ok = put(c.number, lr::write_asset(data)) && ok;
+    }
+    const std::vector<uint8_t> bytes = lr::write_asset(good);
+    std::vector<uint8_t> damaged = bytes;
+    ok = put(401, {bytes.begin(), bytes.begin() + 15}) && ok;
+    damaged[4] = 'G';
+    ok = put(402, damaged) && ok;
+    damaged = bytes;
+    test::set_format_version(damaged, lr::asset_format_version + 1);
+    ok = put(403, damaged) && ok;
+    ok = put(404, {bytes.begin(), bytes.end() - 200}) && ok;
+    damaged = bytes;
+    damaged[test::root_field(damaged, 3)] ^= 1;
+    ok = put(405, damaged) && ok;
+    damaged = bytes;
+    test::drop_root_field(damaged, 8);
+    return put(406, damaged) && ok;
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -31,6 +76,6 @@ int main(int count, char** arguments) {
     older.has_aerodynamics = false;
     const bool ok = write(folder + "/leaf.lrb", lr::write_asset(good)) && write(folder + "/newer.lrb", newer) &&
                     write(folder + "/invalid.lrb", lr::write_asset(invalid)) &&
-                    write(folder + "/older.lrb", lr::write_asset(older));
+                    write(folder + "/older.lrb", lr::write_asset(older)) && write_faulty(folder, good);
     return ok ? 0 : 1;
 }

@@ -52,6 +52,16 @@ inline void seal(std::vector<uint8_t>& bytes) {
     std::memcpy(bytes.data() + at, &sum, 8);
 }
 
+// As in a file from before there was this field.
+inline void drop_root_field(std::vector<uint8_t>& bytes, size_t id) {
+    uint32_t root = 0;
+    int32_t back = 0;
+    std::memcpy(&root, bytes.data(), 4);
+    std::memcpy(&back, bytes.data() + root, 4);
+    std::memset(bytes.data() + (static_cast<int64_t>(root) - back + 4 + 2 * static_cast<int64_t>(id)), 0, 2);
+    seal(bytes);
+}
+
 inline void set_format_version(std::vector<uint8_t>& bytes, uint32_t version) {
     std::memcpy(bytes.data() + root_field(bytes, 0), &version, 4);
     seal(bytes);

@@ -1,0 +1,54 @@
+// What the fuzzers of docs/fuzzing.md have found: one test each.
+#include "support/colliders.h"
+#include "support/contact.h"
+#include "support/lifecycle.h"
+#include "support/wind.h"
+
+using namespace test;
+
+TEST_CASE("destroying colliders wakes nobody when it is refused") {
+    const World world = make(world_desc());
+    const lr_collider plane = add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+    const lr_collider gone = add_collider(world, sphere_collider(0.1f));
+    REQUIRE(lr_collider_destroy(world.get(), &gone, 1) == LR_OK);
+    const Asset asset = brick();
+    const lr_body body = add_body(world, add_batch(world, unloaded(), asset, 4), body_desc());
+    REQUIRE(lr_body_set_rest(world.get(), &body, 1, LR_REST_RESTING) == LR_OK);
+    uint64_t before = 0, after = 0;
+    REQUIRE(lr_world_hash(world.get(), &before) == LR_OK);
+    const lr_collider lists[2][2] = {{plane, gone}, {plane, plane}};
+    for (const auto& list : lists) {
+        CHECK(lr_collider_destroy(world.get(), list, 2) == LR_ERROR_STALE_COLLIDER);
+        CHECK(state_of(world, body).resting == LR_REST_RESTING);
+        REQUIRE(lr_world_hash(world.get(), &after) == LR_OK);
+        CHECK(after == before);
+    }
+    CHECK(lr_collider_destroy(world.get(), &plane, 1) == LR_OK);
+    CHECK(state_of(world, body).resting == LR_REST_AWAKE);
+}
+
+TEST_CASE("the least lengths and times that the header names are taken in single precision too") {
+    const World world = make(world_desc());
+    lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_TURBULENCE);
+    d.size = 1e-4f;
+    add_source(world, d);
+    d.size = 0.99e-4f;
+    lr_wind_source none = 0;
+    CHECK(lr_world_add_wind(world.get(), &d, &none) == LR_ERROR_INVALID_ARGUMENT);
+    const std::vector<float> samples(3 * 8, 1.0f);
+    d = source_desc(LR_WIND_SOURCE_GRID);
+    d.samples = samples.data();
+    for (size_t k = 0; k < 3; ++k) d.counts[k] = 2, d.spacing[k] = 1e-4f;
+    add_source(world, d);
+    d.spacing[2] = 0.99e-4f;
+    CHECK(lr_world_add_wind(world.get(), &d, &none) == LR_ERROR_INVALID_ARGUMENT);
+
+    const Asset asset = brick();
+    const lr_batch batch = add_batch(world, unloaded(), asset, 4);
+    lr_emitter_desc e = emitter_desc();
+    e.burst_count = 1;
+    e.burst_interval = 1e-4f;
+    set_emitter(world, batch, e);
+    e.burst_interval = 0.99e-4f;
+    CHECK(lr_batch_set_emitter(world.get(), batch, &e) == LR_ERROR_INVALID_ARGUMENT);
+}
