@@ -129,8 +129,7 @@ TEST_CASE("worlds on threads of their own, with workers and callbacks, each as i
     CHECK(got == expected);
 }
 
-TEST_CASE(
-    "worlds of several threads share one job system, which runs their tasks in any order") {
+TEST_CASE("worlds of several threads share one job system, which runs their tasks in any order") {
     std::vector<PlayedScene> scenes = some_scenes();
     for (PlayedScene& scene : scenes) scene.bodies = scene.meeting ? 150 : 1500; // work for more than one
     std::vector<uint64_t> expected, got(scenes.size());
