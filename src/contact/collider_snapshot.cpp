@@ -136,6 +136,7 @@ void ColliderSnapshot::save(const Colliders& c, unsigned char* to) {
 // Records are of the same number of bytes up to the first that differs: the list comes first.
 bool ColliderSnapshot::is_there(const unsigned char* from) const {
     return visit(*to_, [&](const auto& record) {
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): bit for bit, as it was written
         const bool same = std::memcmp(from, &record, sizeof record) == 0;
         from += sizeof record;
         return same;

@@ -266,7 +266,7 @@ void Batch::restore_rest(const unsigned char* from, uint32_t before) {
     const float* const x = arrays_.field[field_x];
     const float* const y = arrays_.field[field_y];
     const float* const z = arrays_.field[field_z];
-    for (uint32_t i = awake_; i < count_; ++i) {
+    for (uint32_t i = awake_; from && i < count_; ++i) {
         double birth = 0.0;
         std::memcpy(&birth, from + sizeof record + 8 * uint64_t{i}, sizeof birth);
         const uint32_t slot = unpack(ids_[i]).slot;

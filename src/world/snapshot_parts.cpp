@@ -106,7 +106,7 @@ uint32_t rest_begin(uint32_t parts, uint32_t count, const unsigned char* from) {
 void save_parts(Batch& batch, uint32_t parts, unsigned char* to) {
     const uint32_t count = batch.count(), awake = batch.awake();
     const auto put = [&](const void* from, uint64_t words) {
-        if (words != 0) std::memcpy(to, from, static_cast<size_t>(4 * words));
+        if (from && words != 0) std::memcpy(to, from, static_cast<size_t>(4 * words));
         std::memset(to + 4 * words, 0, static_cast<size_t>(4 * (even(words) - words)));
         to += 4 * even(words);
     };
