@@ -440,6 +440,32 @@ TEST_CASE("impulses that add up to more than any body has are a fault at once, t
     CHECK(hash_of(world) == hash_of(other));
 }
 
+TEST_CASE("bodies that meet others go through one that is held") {
+    const Asset asset = brick();
+    lr_body_state states[2];
+    for (size_t w = 0; w < 2; ++w) {
+        const World world = make(world_desc());
+        const lr_batch batch = add_batch(world, free_fall(), asset, 10);
+        REQUIRE(lr_batch_set_pair_contact(world.get(), batch, batch, 1) == LR_OK);
+        lr_body_desc d = body_desc();
+        d.key = 7, d.position[1] = 0.2f;
+        const lr_body falling = add_body(world, batch, d);
+        if (w == 1) {
+            d.key = 8, d.position[1] = 0.0f;
+            const lr_body held = add_body(world, batch, d);
+            carry_off(world, held);
+            steps(world, 1, step_time, 2);
+            REQUIRE(state_of(world, held).resting == LR_REST_HELD);
+        } else {
+            steps(world, 1, step_time, 2);
+        }
+        steps(world, 30, step_time, 2);
+        states[w] = state_of(world, falling);
+    }
+    CHECK(states[0].position[1] < -0.2f);
+    CHECK(same_bits(states[0], states[1]));
+}
+
 TEST_CASE("policies: what is refused") {
     const Asset asset = leaf();
     const World world = make(world_desc());
