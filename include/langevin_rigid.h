@@ -173,7 +173,7 @@ LR_API const char* lr_simd_target_name(int32_t target);
 /* One numbered fault of an asset file; see docs/format.md. Strings are valid during the call only. */
 typedef void (*lr_fault_fn)(void* user, uint32_t number, const char* where, const char* what, const char* remedy);
 
-/* Reads an asset made by `lr_bake`. The file is verified whole before anything of it is used.
+/* Reads an asset made by `lr_bake`, a regular file. It is verified whole before anything of it is used.
  * path_utf8: UTF-8 on every platform. out: receives an asset with one reference, release it with lr_asset_release; null
  * after an error.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_FORMAT,
@@ -580,8 +580,8 @@ LR_API lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn ca
 
 /* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit
  * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as
- * the batches' rules and emitters say. Allocates nothing. The floating-point mode of the calling thread is saved, set
- * and restored.
+ * the batches' rules and emitters say. Allocates nothing but what lr_allocator says: without that bodies go through each other
+ * in this step, with a warning. The floating-point mode of the calling thread is saved, set and restored.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
@@ -931,8 +931,8 @@ LR_API lr_status lr_body_desc_init(lr_body_desc* desc, uint32_t struct_size);
 LR_API lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count,
                                 lr_body* out_ids);
 
-/* Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY. */
+/* Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed. What lay on
+ * them wakes; out of memory all that may have, with a warning. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY. */
 LR_API lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count);
 
 typedef struct lr_body_state {

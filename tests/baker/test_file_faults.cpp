@@ -282,9 +282,10 @@ TEST_CASE("lr_bake: killed at any moment, it leaves the old asset or the new one
 TEST_CASE("lr_bake: a batch that is killed, and then run again, is as if nothing had been") {
     const Scratch scratch;
     std::vector<std::string> arguments{"mesh", "-d", scratch.path("out"), "--report", scratch.path("out"), "--quiet"};
-    for (int i = 0; i < 6; ++i)
-        arguments.push_back(scratch.write("m" + std::to_string(i) + ".obj",
-                                          lr::test::obj_text(lr::test::ellipsoid(0.03 + 0.001 * i, 0.027, 0.024, 2))));
+    std::string name = "m0.obj";
+    for (int i = 0; i < 6; ++i, ++name[1])
+        arguments.push_back(
+            scratch.write(name, lr::test::obj_text(lr::test::ellipsoid(0.03 + 0.001 * i, 0.027, 0.024, 2))));
     for (int delay : {5000, 20000, 40000, 80000, 120000}) {
         Trouble options;
         options.kill_after_microseconds = delay;
@@ -295,8 +296,8 @@ TEST_CASE("lr_bake: a batch that is killed, and then run again, is as if nothing
     REQUIRE(lr_bake(arguments).exit_code == 0);
     size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(scratch.path("out"))) {
-        const std::string name = entry.path().filename().string();
-        CHECK((name.ends_with(".lrb") || name.ends_with(".json")));
+        const std::string made = entry.path().filename().string();
+        CHECK((made.ends_with(".lrb") || made.ends_with(".json")));
         ++files;
     }
     CHECK(files == 12);
@@ -332,17 +333,19 @@ TEST_CASE("lr_bake: a disk that is full in the middle of an asset") {
         MESSAGE("SKIPPED: a small file system cannot be mounted here: ", std::strerror(errno));
         return;
     }
-    const std::string out = disk + "/out.lrb";
-    const Outcome outcome = lr_bake({"ellipsoid", "0.04", "0.02", "0.01", "-o", out, "--quiet"});
+    scratch.write("disk/full", std::string(4096, 'x')); // half of it
+    const std::string out = disk + "/out.lrb", report = disk + "/r.json";
+    const Outcome outcome = lr_bake({"ellipsoid", "0.04", "0.02", "0.01", "-o", out, "--report", report, "--quiet"});
     std::vector<std::string> left;
     for (const auto& entry : std::filesystem::directory_iterator(disk))
         left.push_back(entry.path().filename().string());
     umount(disk.c_str());
     INFO(outcome.err);
     CHECK(outcome.exit_code == 1);
-    CHECK(contains(outcome.err, out + ": error 103"));
+    CHECK(contains(outcome.err, disk));
+    CHECK(contains(outcome.err, ": error 103"));
     CHECK(contains(outcome.err, "Free some space"));
-    CHECK(left.empty());
+    CHECK(left == std::vector<std::string>{"full"});
 }
 
 TEST_CASE("lr_bake: a folder without rights is fault 103, a file without them 102") {

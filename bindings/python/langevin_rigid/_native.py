@@ -1423,7 +1423,7 @@ PROTOTYPES = {
         ('path_utf8', 'out'),
         """lr_status lr_asset_load_file(const char* path_utf8, lr_asset** out)
 
-        Reads an asset made by `lr_bake`. The file is verified whole before anything of it is used.
+        Reads an asset made by `lr_bake`, a regular file. It is verified whole before anything of it is used.
 
         path_utf8: UTF-8 on every platform.
         out: receives an asset with one reference, release it with lr_asset_release; null after an error.
@@ -1826,7 +1826,7 @@ PROTOTYPES = {
 
         world: the world
         dt: s, > 0.
-        substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as the batches' rules and emitters say. Allocates nothing. The floating-point mode of the calling thread is saved, set and restored.
+        substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as the batches' rules and emitters say. Allocates nothing but what lr_allocator says: without that bodies go through each other in this step, with a warning. The floating-point mode of the calling thread is saved, set and restored.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS.
         """,
@@ -2283,7 +2283,8 @@ PROTOTYPES = {
         ('world', 'bodies', 'count'),
         """lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count)
 
-        Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed.
+        Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed. What lay on
+        them wakes; out of memory all that may have, with a warning.
 
         world: the world
         bodies: `count` ids of bodies

@@ -8,7 +8,7 @@ namespace LangevinRigid
     public static unsafe partial class Native
     {
         /// <summary>
-        /// <para>Reads an asset made by <c>lr_bake</c>. The file is verified whole before anything of it is
+        /// <para>Reads an asset made by <c>lr_bake</c>, a regular file. It is verified whole before anything of it is
         /// used.</para>
         /// <para>Any thread.</para>
         /// </summary>

@@ -170,8 +170,9 @@ namespace LangevinRigid
         /// <param name="dt">s, &gt; 0.</param>
         /// <param name="substeps">1 to <see cref="Limits.MaxSubsteps"/>; at 60 Hz, 2 suit leaves and paper of some
         /// centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as the batches'
-        /// rules and emitters say. Allocates nothing. The floating-point mode of the calling thread is saved, set and
-        /// restored.</param>
+        /// rules and emitters say. Allocates nothing but what <see cref="Allocator"/> says: without that bodies go
+        /// through each other in this step, with a warning. The floating-point mode of the calling thread is saved, set
+        /// and restored.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <c>Status.Timestep*</c>,
         /// <see cref="Status.Substeps"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

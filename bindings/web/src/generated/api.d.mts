@@ -1127,7 +1127,7 @@ export interface RawFunctions {
    */
   lr_simd_target_name(target: number): number;
   /**
-   * Reads an asset made by `lr_bake`. The file is verified whole before anything of it is used.
+   * Reads an asset made by `lr_bake`, a regular file. It is verified whole before anything of it is used.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_FORMAT,
    * LR_ERROR_ASSET_VERSION, LR_ERROR_ASSET_CORRUPT, LR_ERROR_ASSET_INVALID, LR_ERROR_OUT_OF_MEMORY.
    */
@@ -1394,7 +1394,8 @@ export interface RawFunctions {
    */
   lr_body_create(world: number, batch: number, descs: number, count: number, out_ids: number): number;
   /**
-   * Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed.
+   * Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed. What lay on
+   * them wakes; out of memory all that may have, with a warning.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY.
    */
   lr_body_destroy(world: number, bodies: number, count: number): number;
