@@ -29,7 +29,9 @@ template <> inline constexpr uint32_t second_size<lr_world_desc> = offsetof(lr_w
 
 // Besides larger ones, of newer headers. Another size would cut a field in two.
 template <class T> bool is_struct_size(uint32_t size) {
-    return size == first_size<T> || size == second_size<T> || (size >= sizeof(T) && size <= max_struct_size);
+    for (uint32_t earlier : {first_size<T>, second_size<T>})
+        if (size == earlier) return true;
+    return size >= sizeof(T) && size <= max_struct_size;
 }
 
 // Begins an _init function: zeroes all that the caller has.
