@@ -118,6 +118,7 @@ inline constexpr uint32_t surface_values = 10; // height, normal, velocity, rate
     X(37, batch_set_fault_policy)
 
 enum class Op : uint16_t {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a name
 #define LR_OP(number, name) name = number,
     LR_RECORDED_CALLS(LR_OP)
 #undef LR_OP
