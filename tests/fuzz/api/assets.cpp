@@ -41,7 +41,8 @@ const std::vector<lr_asset*>& common_assets() {
 namespace {
 
 // Where an asset is made or refused: it is there exactly if the status says so.
-void made(Fuzzer& f, const char* function, const Expected& expected, lr_status status, lr_asset* asset) {
+// The asset by reference: it is written by the call that is the argument before it.
+void made(Fuzzer& f, const char* function, const Expected& expected, lr_status status, lr_asset* const& asset) {
     if (!expected.allows(status)) defect(function, "status", status);
     if ((asset != nullptr) != (status == LR_OK)) defect(function, "asset and status do not agree", status);
     if (!asset) return;
