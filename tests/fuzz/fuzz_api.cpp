@@ -19,7 +19,7 @@ const std::vector<Named>& operations() {
         for (const auto& part :
              {step_operations(), asset_operations(), world_operations(), wind_operations(), batch_operations(),
               load_operations(), body_operations(), force_operations(), collider_operations(), query_operations(),
-              lifecycle_operations(), snapshot_operations()})
+              lifecycle_operations(), snapshot_operations(), recording_operations()})
             list.insert(list.end(), part.begin(), part.end());
         return list;
     }();

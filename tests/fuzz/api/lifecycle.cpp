@@ -108,10 +108,30 @@ void emit(Fuzzer& f) {
     b->bodies.assign(view.ids, view.ids + view.count);
 }
 
+void fault_policy(Fuzzer& f) {
+    World& w = f.world();
+    const lr_batch id = f.pick_batch(w, f.in.handle(0));
+    const auto policy = static_cast<int32_t>(f.in.handle(1) < 224 ? f.in.handle(1) % 3u : f.in.integer(f.in.handle(1)));
+    Expected e;
+    e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
+    e.add_if(policy < LR_FAULT_AUTO || policy > LR_FAULT_REMOVE, LR_ERROR_INVALID_ARGUMENT);
+    {
+        Call call(f, w, "lr_batch_set_fault_policy", e);
+        if (!call.ended(LR_CALL(lr_batch_set_fault_policy)(call.world(), id, policy))) return;
+    }
+    Expected none;
+    none.add_if(f.in.null(2), LR_ERROR_NULL_ARGUMENT);
+    Call call(f, w, "lr_batch_get_fault_policy", none);
+    int32_t got = -7;
+    if (call.ended(LR_CALL(lr_batch_get_fault_policy)(call.world(), id, f.in.null(2) ? nullptr : &got)) &&
+        got != policy)
+        defect("lr_batch_get_fault_policy", "not what was set", got);
+}
+
 } // namespace
 
 std::vector<Named> lifecycle_operations() {
-    return {{"rules", rules}, {"emitter", emitter}, {"emit", emit}};
+    return {{"rules", rules}, {"emitter", emitter}, {"emit", emit}, {"fault_policy", fault_policy}};
 }
 
 } // namespace fuzz

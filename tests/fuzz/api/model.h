@@ -48,6 +48,13 @@ struct State {
     bool timed = false; // a budget of time: not deterministic
 };
 
+// What a recording's `write` does: refuse when `left` calls are over, 0: never.
+struct Writer {
+    uint32_t left = 0;
+    bool refused = false;
+    uint64_t sum = 0;
+};
+
 struct World {
     lr_world* at = nullptr;
     std::unique_ptr<Memory> memory = std::make_unique<Memory>();
@@ -60,6 +67,8 @@ struct World {
     std::vector<lr_wind_source> stale_winds;
     uint32_t wind_callback = 0, surface_callback = 0; // 0: none
     uint32_t event_capacity = 0;
+    std::unique_ptr<Writer> writer = std::make_unique<Writer>();
+    bool recording = false; // unless the writer has refused since
 
     const Batch* find(lr_batch id) const {
         for (const Batch& b : state.batches)
@@ -173,6 +182,7 @@ std::vector<Named> query_operations();
 std::vector<Named> lifecycle_operations();
 std::vector<Named> step_operations();
 std::vector<Named> snapshot_operations();
+std::vector<Named> recording_operations();
 
 void step_world(Fuzzer& f, World& w, float dt, uint32_t substeps);
 // A first world with a batch and bodies, so that few bytes are enough to get somewhere.

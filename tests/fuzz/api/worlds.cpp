@@ -156,7 +156,7 @@ void event_list(Fuzzer& f) {
     for (uint32_t i = 0; i < list.count; ++i) {
         const lr_contact_event& event = list.events[i];
         const bool contact = event.kind == LR_CONTACT_BEGIN || event.kind == LR_CONTACT_END;
-        if (event.kind < LR_CONTACT_BEGIN || event.kind > LR_BODY_KILLED || (event.collider != 0) != contact)
+        if (event.kind < LR_CONTACT_BEGIN || event.kind > LR_BODY_FAULTED || (event.collider != 0) != contact)
             defect("lr_world_get_contact_events", "kind", event.kind);
         if (!w.state.wild && event.kind == LR_CONTACT_BEGIN &&
             (!(event.speed >= 0.0f) || !std::isfinite(event.normal[0])))
@@ -189,7 +189,8 @@ void inits(Fuzzer& f) {
     INIT(lr_body_state_init), INIT(lr_budget_init), INIT(lr_collider_desc_init), INIT(lr_collider_motion_init);
     INIT(lr_collider_state_init), INIT(lr_collider_surface_init), INIT(lr_contact_event_list_init);
     INIT(lr_ellipsoid_desc_init), INIT(lr_emitter_desc_init), INIT(lr_force_arrays_init), INIT(lr_load_gains_init);
-    INIT(lr_overlap_desc_init), INIT(lr_ray_init), INIT(lr_rigid_desc_init), INIT(lr_step_report_init);
+    INIT(lr_overlap_desc_init), INIT(lr_recording_desc_init), INIT(lr_ray_init), INIT(lr_rigid_desc_init),
+        INIT(lr_step_report_init);
     INIT(lr_surface_desc_init), INIT(lr_turbulence_table_init), INIT(lr_wind_desc_init), INIT(lr_wind_source_desc_init);
     INIT(lr_world_desc_init), INIT(lr_world_info_init);
 }
