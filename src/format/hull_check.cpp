@@ -52,14 +52,19 @@ HullFlaw find_flaw(const HullData& hull, double length, size_t& triangle) {
         const Edge back{edge.to, edge.from, 0, 0};
         const auto found = std::lower_bound(edges.begin(), edges.end(), back, before);
         if (found == edges.end() || before(back, *found)) return HullFlaw::open;
+    }
+    triangle = 0;
+    if (volume < -1e-9 * length * length * length) return HullFlaw::inside_out;
+    for (const Edge& edge : edges) {
+        triangle = edge.triangle;
+        const auto found = std::lower_bound(edges.begin(), edges.end(), Edge{edge.to, edge.from, 0, 0}, before);
         // Slivers have no normal to speak of.
         const Vec a = vertex(edge.from), normal = cross(minus(vertex(edge.to), a), minus(vertex(edge.opposite), a));
         const double size = std::sqrt(dot(normal, normal));
         if (size > 1e-6 * length * length && dot(normal, minus(vertex(found->opposite), a)) > 1e-4 * length * size)
             return HullFlaw::dented;
     }
-    triangle = 0;
-    return volume < -1e-9 * length * length * length ? HullFlaw::inside_out : HullFlaw::none;
+    return HullFlaw::none;
 }
 
 } // namespace lr

@@ -43,7 +43,7 @@ template <class T> std::vector<uint32_t> sizes_of() {
     std::vector<uint32_t> sizes;
     for (const ReleasedSize& r : released_sizes())
         if (r.type == typeid(T)) sizes.push_back(static_cast<uint32_t>(r.size));
-    REQUIRE(!sizes.empty());
+    if (sizes.empty()) sizes.push_back(sizeof(T)); // newer than all releases
     return sizes;
 }
 

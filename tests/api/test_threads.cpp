@@ -110,6 +110,7 @@ private:
 std::vector<PlayedScene> some_scenes() {
     std::vector<PlayedScene> some;
     for (PlayedScene& scene : played_scenes()) {
+        if (scene.faulty) continue; // they count on their length
         scene.frames = 6;
         if (scene.called_back || scene.meeting || scene.governed || scene.afloat) some.push_back(scene);
     }

@@ -123,9 +123,11 @@ TEST_CASE("a snapshot with parts that this library does not know is refused") {
     CHECK(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) == LR_ERROR_SNAPSHOT_FORMAT);
 }
 
-TEST_CASE("a body that has left the finite numbers ends under any rules, or begins anew") {
+TEST_CASE("a body that has left physics ends under any rules, or begins anew; what is not finite is not restored") {
+    constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN(),
+                    infinite = std::numeric_limits<float>::infinity();
     for (int32_t action : {LR_END_DESTROY, LR_END_RESPAWN})
-        for (float lost : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+        for (float lost : {not_a_number, -infinite, 1e30f})
             for (size_t field : {size_t{0}, size_t{2}, size_t{5}, size_t{8}}) { // x, z, an orientation, a velocity
                 const Scene scene(false);
                 set_emitter(scene.world, scene.batch, emitter_desc());
@@ -136,7 +138,10 @@ TEST_CASE("a body that has left the finite numbers ends under any rules, or begi
                 std::memcpy(bytes.data() + batch_header(bytes, scene.asset) + header_bytes + 4 * (8 * field + 3), &lost,
                             4);
                 seal(bytes);
-                REQUIRE(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) == LR_OK);
+                const bool sane = std::isfinite(lost) && field == 8; // a velocity is for the step to judge
+                REQUIRE(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) ==
+                        (sane ? LR_OK : LR_ERROR_SNAPSHOT_FORMAT));
+                if (!sane) continue;
                 set_rules(scene.world, scene.batch, r);
                 steps(scene.world, 2, 0.01f, 2);
                 const lr_batch_view v = view_of(scene.world, scene.batch);
