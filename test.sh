@@ -26,7 +26,7 @@ configure build/release --preset release
 cmake --build build/release
 step "clang-tidy on the runtime"
 # Not on what is compiled for each target: Highway's macros are not written for it, and each would be read again.
-ls src/api/*.cpp src/world/*.cpp src/asset/*.cpp src/contact/*.cpp src/field/*.cpp src/format/*.cpp src/shape/*.cpp \
+ls src/api/*.cpp src/world/*.cpp src/asset/*.cpp src/contact/*.cpp src/field/*.cpp src/format/*.cpp src/record/*.cpp src/shape/*.cpp \
     src/kernel/aerodynamics.cpp src/kernel/constants.cpp src/kernel/modes.cpp src/kernel/water_body.cpp |
     xargs -P "$jobs" -n 6 clang-tidy -p build/release --quiet 2>/dev/null
 echo "clean"
