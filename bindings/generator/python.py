@@ -73,7 +73,7 @@ OPTIONS = {
     "lr_body_state": "StateOptions", "lr_budget": "BudgetOptions", "lr_collider_desc": "ColliderOptions",
     "lr_collider_motion": "MotionOptions", "lr_collider_surface": "ColliderSurfaceOptions",
     "lr_ellipsoid_desc": "EllipsoidOptions", "lr_emitter_desc": "EmitterOptions", "lr_kill_volume": "KillVolumeOptions",
-    "lr_load_gains": "LoadGainsOptions", "lr_rigid_desc": "RigidOptions", "lr_surface_desc": "SurfaceOptions",
+    "lr_load_gains": "LoadGainsOptions", "lr_recording_desc": "RecordingOptions", "lr_rigid_desc": "RigidOptions", "lr_surface_desc": "SurfaceOptions",
     "lr_turbulence_table": "TurbulenceTableOptions", "lr_wave": "WaveOptions", "lr_wind_source_desc": "WindSourceOptions",
     "lr_world_desc": "WorldOptions",
 }
@@ -81,7 +81,7 @@ OPTIONS = {
 GIVEN_OTHERWISE = {
     "lr_batch_desc": {"asset", "capacity"}, "lr_world_desc": {"allocator", "log", "log_user", "jobs"},
     "lr_collider_desc": {"kind", "vertex_count", "triangle_count", "counts"}, "lr_wind_source_desc": {"kind"},
-    "lr_surface_desc": {"wave_count"}, "lr_turbulence_table": {"count"}, "lr_body_state": {"key", "resting"},
+    "lr_surface_desc": {"wave_count"}, "lr_recording_desc": {"write", "user"}, "lr_turbulence_table": {"count"}, "lr_body_state": {"key", "resting"},
 }
 # Enumerations that are read back as such.
 READ_AS = {"simd_target": "SimdTarget", "resting": "Rest"}

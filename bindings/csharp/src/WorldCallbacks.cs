@@ -16,6 +16,7 @@ namespace LangevinRigid
 
         public WindField Wind;
         public SurfaceField Surface;
+        public System.IO.Stream Recording;
         /// <summary>The last error of the call that runs, or of the last one.</summary>
         public string LastError;
 
@@ -78,6 +79,7 @@ namespace LangevinRigid
             private static readonly JobSystemFinishFn _finish = OnFinish;
             private static readonly WindFn _wind = OnWind;
             private static readonly SurfaceFn _surface = OnSurface;
+            private static readonly RecordFn _record = OnRecord;
 
             public static readonly IntPtr Log = Marshal.GetFunctionPointerForDelegate(_log);
             public static readonly IntPtr Allocate = Marshal.GetFunctionPointerForDelegate(_allocate);
@@ -86,6 +88,7 @@ namespace LangevinRigid
             public static readonly IntPtr Finish = Marshal.GetFunctionPointerForDelegate(_finish);
             public static readonly IntPtr Wind = Marshal.GetFunctionPointerForDelegate(_wind);
             public static readonly IntPtr Surface = Marshal.GetFunctionPointerForDelegate(_surface);
+            public static readonly IntPtr Record = Marshal.GetFunctionPointerForDelegate(_record);
         }
 
         [MonoPInvokeCallback(typeof(LogFn))]
@@ -190,6 +193,28 @@ namespace LangevinRigid
             catch (Exception e)
             {
                 self.Keep(e);
+            }
+        }
+
+        [MonoPInvokeCallback(typeof(RecordFn))]
+        private static int OnRecord(IntPtr user, IntPtr bytes, ulong size)
+        {
+            WorldCallbacks self = Of(user);
+            try
+            {
+                var piece = new byte[Math.Min(size, 65536)];
+                for (ulong done = 0; done < size; done += (ulong)piece.Length)
+                {
+                    var count = (int)Math.Min(size - done, (ulong)piece.Length);
+                    Marshal.Copy((IntPtr)((byte*)bytes + done), piece, 0, count);
+                    self.Recording.Write(piece, 0, count);
+                }
+                return 0;
+            }
+            catch (Exception e)
+            {
+                self.Keep(e);
+                return 1;
             }
         }
 

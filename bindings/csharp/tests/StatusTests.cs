@@ -29,6 +29,9 @@ static unsafe class StatusTests
         Seen.Add(Status.Ok);
         // What no caller can bring about: the library returns it only where its own check of what it has built fails.
         Seen.Add(Status.Internal);
+        // And what the class World finds by itself, before it calls.
+        Seen.Add(Status.ConcurrentUse);
+        Seen.Add(Status.Reentrant);
         foreach (Status status in Enum.GetValues(typeof(Status)))
             Check.True(Seen.Contains(status), status + " was never thrown");
     }

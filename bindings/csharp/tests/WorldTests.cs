@@ -131,6 +131,44 @@ static unsafe class WorldTests
         }
     }
 
+    public static void ADeltaMakesTheSnapshotAgain()
+    {
+        using (var world = new World())
+        {
+            Scene.Batch(world, 50).CreateBodies(Scene.Bodies(50));
+            byte[] first = world.SaveSnapshot();
+            world.Step(Scene.Frame, 2);
+            byte[] second = world.SaveSnapshot();
+            byte[] delta = SnapshotDelta.Encode(first, second);
+            Check.True(delta.Length > 0 && delta.Length < second.Length, "shorter: " + delta.Length);
+            Check.True(Convert.ToBase64String(SnapshotDelta.Apply(first, delta)) == Convert.ToBase64String(second), "the very bytes");
+            Check.Status(Status.SnapshotMismatch, () => SnapshotDelta.Apply(second, delta));
+            Check.Status(Status.SnapshotFormat, () => SnapshotDelta.Encode(first, new byte[0]));
+        }
+    }
+
+    public static void ARecordingIsWrittenToAStream()
+    {
+        using (var world = new World())
+        {
+            var stream = new System.IO.MemoryStream();
+            Check.Status(Status.InvalidArgument, () => world.StopRecording());
+            world.StartRecording(stream);
+            Check.Status(Status.InvalidArgument, () => world.StartRecording(stream));
+            Scene.Batch(world, 5).CreateBodies(Scene.Bodies(5));
+            for (int i = 0; i < 10; ++i) world.Step(Scene.Frame, 2);
+            world.StopRecording();
+            long length = stream.Length;
+            Check.True(length > 1000, "bytes: " + length);
+            world.Step(Scene.Frame, 2);
+            Check.Equal(length, stream.Length, "after its end");
+            var full = new System.IO.MemoryStream(new byte[64]); // it throws where it ends
+            Check.Throws<NotSupportedException>(() => world.StartRecording(full), "a stream without room");
+            Check.Status(Status.InvalidArgument, () => world.StopRecording());
+            world.Step(Scene.Frame, 2);
+        }
+    }
+
     public static void ManyStructsHaveInitialValuesAndTheirSize()
     {
         Check.Near(-9.81, WorldDesc.Create().Gravity.Y, 1e-6, "gravity");

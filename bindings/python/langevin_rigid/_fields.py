@@ -184,6 +184,12 @@ class LoadGainsOptions(TypedDict, total=False):
     turbulence: float
 
 
+class RecordingOptions(TypedDict, total=False):
+    """Keywords for lr_recording_desc."""
+    flags: int
+    hash_interval: int
+
+
 class RigidOptions(TypedDict, total=False):
     """Keywords for lr_rigid_desc."""
     mass: float

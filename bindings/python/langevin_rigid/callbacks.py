@@ -133,6 +133,19 @@ def field_callback(kind: Any, query: Any, function: Callable[[Any], Any], guard:
     return kind(asked)
 
 
+def record_callback(write: Callable[[bytes], Any], guard: Guard) -> Any:
+    """What a recording has to write goes to `write`; an exception ends the recording."""
+    def wrote(_: Any, memory: int, size: int) -> int:
+        try:
+            write(ctypes.string_at(memory, size))
+            return 0
+        except BaseException as exception:  # pylint: disable=broad-except
+            guard.caught(exception)
+            return 1
+
+    return native.lr_record_fn(wrote)
+
+
 def log_callback(function: Optional[Callable[[LogLevel, str], Any]], guard: Guard) -> Any:
     """Messages go to `function`; without one, errors into the exception, the others to the logger "langevin_rigid"."""
     def logged(_: Any, level: int, message: bytes) -> None:

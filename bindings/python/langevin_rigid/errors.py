@@ -145,6 +145,18 @@ class ThreadsError(Error, RuntimeError):
     default_status = Status.THREADS
 
 
+class ConcurrentUseError(Error, RuntimeError):
+    """Of a world with `checks`: another thread is inside a call on it. `World` finds that by itself: `BusyError`."""
+
+    default_status = Status.CONCURRENT_USE
+
+
+class ReentrantError(Error, RuntimeError):
+    """Of a world with `checks`: the call comes from one of its callbacks. `World` finds that by itself: `BusyError`."""
+
+    default_status = Status.REENTRANT
+
+
 class TimestepError(Error, ValueError):
     """`dt` or `substeps` is out of range: `status` says how."""
 

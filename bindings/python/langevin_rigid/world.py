@@ -15,7 +15,7 @@ from ._library import error, library
 from ._structs import address, contiguous, elements, init, integer, make, takes, vectors
 from .air import AirMixin
 from .batch import Batch
-from .callbacks import Guard, job_callbacks, log_callback
+from .callbacks import Guard, job_callbacks, log_callback, record_callback
 from .contact import ContactMixin
 from .enums import ForceFlags, ForceMode, Frame, LogLevel, Rest
 from .errors import BusyError, ClosedError
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from typing_extensions import Unpack
 
-    from ._fields import BatchOptions, BudgetOptions, StateOptions, WorldOptions
+    from ._fields import BatchOptions, BudgetOptions, RecordingOptions, StateOptions, WorldOptions
     from .asset import Asset
 
 
@@ -198,6 +198,28 @@ class World(AirMixin, ContactMixin, QueryMixin):
         """Puts a snapshot back, also one of another world whose batches were created alike, or of another process."""
         data = np.frombuffer(snapshot, np.uint8)
         self._change("lr_world_snapshot_restore", data.ctypes.data, data.nbytes)
+
+    @takes("lr_recording_desc", "write", "user")
+    def record_start(self, write: Callable[[bytes], Any], **options: "Unpack[RecordingOptions]") -> None:
+        """From now on `write` gets every call that can change the world as bytes, say `open("bug.lrr", "wb").write`: for `lr_replay`.
+
+        It is called within calls on this world. What it raises ends the recording, and is raised again by that call."""
+        handle = self._use()
+        handle.lock.release()
+        desc = make(native.lr_recording_desc, options, [])
+        desc.write = record_callback(write, handle.guard)
+        before = handle.keep.get("record")
+        self._keep("record", desc.write)
+        try:
+            self._ask("lr_world_record_start", ctypes.byref(desc))
+        except BaseException:
+            self._keep("record", before)
+            raise
+
+    def record_stop(self) -> None:
+        """Ends a recording, after its last bytes have been written."""
+        self._ask("lr_world_record_stop")
+        self._keep("record", None)
 
     # Batches and bodies.
 

@@ -290,6 +290,43 @@ class Snapshots(WorldCase):
                 other.restore(saved[:-1])
 
 
+class Deltas(WorldCase):
+    def test_a_delta_makes_the_snapshot_again(self):
+        self.batch.create(20)
+        first = self.world.save()
+        self.fall()
+        second = self.world.save()
+        delta = lr.delta_encode(first, second)
+        self.assertLess(len(delta), len(second))
+        self.assertEqual(lr.delta_apply(first, delta), second)
+        with self.assertRaises(lr.SnapshotMismatchError):
+            lr.delta_apply(second, delta)
+        with self.assertRaises(lr.SnapshotFormatError):
+            lr.delta_encode(first, b"none")
+
+    def test_calls_are_recorded(self):
+        pieces = []
+        with self.assertRaises(lr.InvalidArgumentError):
+            self.world.record_stop()
+        self.world.record_start(pieces.append, hash_interval=2)
+        with self.assertRaises(lr.InvalidArgumentError):
+            self.world.record_start(pieces.append)
+        self.batch.create(5)
+        self.fall()
+        self.world.record_stop()
+        length = sum(map(len, pieces))
+        self.assertGreater(length, 1000)
+        self.fall()
+        self.assertEqual(sum(map(len, pieces)), length)
+
+        def full(_):
+            raise OSError("no room")
+
+        with self.assertRaisesRegex(OSError, "no room"):
+            self.world.record_start(full)
+        self.fall()
+
+
 class Recordings(WorldCase):
     def test_saved_and_loaded(self):
         self.batch.set_emitter(rate=300, shape=lr.EmitShape.BOX, size=(1, 1, 1))
