@@ -78,7 +78,8 @@ lr_status make_hull(Allocator& allocator, const lr_collider_desc& desc, SharedGe
         return LR_ERROR_OUT_OF_MEMORY;
     const uint64_t given = uint64_t{3} * desc.vertex_count;
     // By bits, as the hash goes: a negative zero is another number there.
-    const bool same = vertices.size() == given && std::memcmp(vertices.data(), desc.vertices, 4 * given) == 0;
+    const bool same =
+        vertices.size() == given && std::memcmp(vertices.data(), desc.vertices, static_cast<size_t>(4 * given)) == 0;
     if (!same && !copy(allocator, desc.vertices, given, to.given)) return LR_ERROR_OUT_OF_MEMORY;
     to.hull = {static_cast<uint32_t>(vertices.size() / 3), static_cast<uint32_t>(faces.size() / 4), to.points.data(),
                to.more.data()};

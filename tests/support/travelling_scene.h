@@ -57,7 +57,7 @@ public:
         return hash();
     }
     std::vector<unsigned char> save() {
-        std::vector<unsigned char> bytes(lr_world_snapshot_size(world_));
+        std::vector<unsigned char> bytes(static_cast<size_t>(lr_world_snapshot_size(world_)));
         need(lr_world_snapshot_save(world_, bytes.data(), bytes.size(), nullptr));
         return bytes;
     }
