@@ -70,6 +70,9 @@ export declare class World implements Disposable {
   /** Bytes that native programs can restore, and the other way round. */
   saveSnapshot(): Uint8Array;
   restoreSnapshot(bytes: Uint8Array): void;
+  /** `write` gets every call that can change the world, for lr_replay. What it throws ends the recording. */
+  startRecording(write: (bytes: Uint8Array) => void, desc?: { flags?: number; hashInterval?: number }): void;
+  stopRecording(): void;
 
   /** A velocity, or a desc; null: still. */
   setWind(desc: Input<api.WindDesc> | ArrayLike<number> | null): void;
@@ -184,6 +187,9 @@ export declare class LangevinRigid {
   /** From an address on the web, or of a file in node. */
   fetchAsset(url: string | URL): Promise<Asset>;
   checkAsset(bytes: ArrayBuffer | Uint8Array): Fault[];
+  /** What of a snapshot is not in an earlier one of the same world, the base. */
+  encodeDelta(base: Uint8Array, snapshot: Uint8Array): Uint8Array;
+  applyDelta(base: Uint8Array, delta: Uint8Array): Uint8Array;
   createEllipsoid(desc: Input<api.EllipsoidDesc>): Asset;
   createRigid(desc: Input<api.RigidDesc>): Asset;
   /** A struct as the library fills it, by its C name. */

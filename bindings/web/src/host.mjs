@@ -54,6 +54,7 @@ export class Host {
         }]),
         wind: (id, query) => host.#answer(id, () => [queryArrays(host.heap, 'lr_wind_query', query)]),
         surface: (id, query) => host.#answer(id, () => [queryArrays(host.heap, 'lr_surface_query', query)]),
+        record: (id, bytes, size) => host.#answer(id, () => [host.heap.array(Uint8Array, bytes, Number(size)).slice()]),
         out_of_memory() {
           throw outOfMemory;
         },
@@ -81,12 +82,15 @@ export class Host {
     return versionText(this.#exports.lr_version());
   }
 
+  // 0, or 1 where the callback has thrown: a recording ends by that.
   #answer(id, values) {
-    if (this.#thrown) return;
+    if (this.#thrown) return 1;
     try {
       this.#callbacks.get(id)?.(...values());
+      return 0;
     } catch (error) { // must not run through frames of C++ in the middle of a step
       this.#thrown = { error };
+      return 1;
     }
   }
 
@@ -125,6 +129,25 @@ export class Host {
       throw error;
     }
     return result;
+  }
+
+  /** Bytes of two blocks of bytes. room: how many there are at most; null where the function says so itself. */
+  delta(name, base, other, room) {
+    return this.scratch((scratch) => {
+      const given = [scratch.copy(Uint8Array, base), BigInt(base.length), scratch.copy(Uint8Array, other), BigInt(other.length)];
+      const written = scratch.bytes(8);
+      const check = (status) => {
+        if (status !== LR.OK) throw this.error(name, status);
+      };
+      if (room === null) {
+        const status = this.invoke(name, ...given, 0, 0n, written);
+        if (status !== LR.ERROR_BUFFER_TOO_SMALL) check(status);
+        room = this.heap.view.getBigUint64(written, true);
+      }
+      const at = scratch.bytes(Number(room));
+      check(this.invoke(name, ...given, at, room, written));
+      return this.heap.array(Uint8Array, at, Number(this.heap.view.getBigUint64(written, true))).slice();
+    });
   }
 
   /** Gives something back to the module, if that still works: from finalizers too, which have nobody to throw at. */

@@ -19,6 +19,7 @@ export class World {
   #said = '';
   #kept; // what ends with the world: its address and the numbers of its callbacks
   #wind = 0;
+  #record = 0;
   #surface = 0;
 
   /** @internal What the library logs of a refused call is part of what is thrown. */
@@ -138,6 +139,26 @@ export class World {
 
   restoreSnapshot(bytes) {
     this.#host.scratch((scratch) => this.call('lr_world_snapshot_restore', scratch.copy(Uint8Array, bytes), BigInt(bytes.length)));
+  }
+
+  startRecording(write, desc = {}) {
+    const before = this.#record;
+    const id = this.#host.addCallback(write);
+    try {
+      this.#host.scratch((scratch) => this.call('lr_world_record_start',
+        scratch.struct('lr_recording_desc', { ...desc, write: this.#host.raw.lr_web_record(), user: id })));
+    } catch (error) {
+      this.#host.removeCallback(id);
+      throw error;
+    }
+    this.#host.removeCallback(before);
+    this.#kept.callbacks.delete(before);
+    this.#kept.callbacks.add(id);
+    this.#record = id;
+  }
+
+  stopRecording() {
+    this.call('lr_world_record_stop');
   }
 
   // The fluid.

@@ -41,6 +41,30 @@ test('every C function is called by the wrapper', async () => {
   assert.deepEqual(missing, []);
 });
 
+test('deltas and recordings', () => {
+  const { world, batch } = scene({}, 20);
+  const first = world.saveSnapshot();
+  const pieces = [];
+  assert.throws(() => world.stopRecording(), refused('INVALID_ARGUMENT'));
+  world.startRecording((bytes) => pieces.push(bytes), { hashInterval: 2 });
+  batch.createBodies([{}, {}]);
+  world.step(1 / 60);
+  world.stopRecording();
+  const length = () => pieces.reduce((sum, piece) => sum + piece.length, 0);
+  const before = length();
+  assert.ok(before > 1000);
+  world.step(1 / 60);
+  assert.equal(length(), before);
+  assert.throws(() => world.startRecording(() => { throw new RangeError('no room'); }), /no room/);
+  world.step(1 / 60);
+  const second = world.saveSnapshot();
+  const delta = lr.encodeDelta(first, second);
+  assert.ok(delta.length < second.length);
+  assert.ok(Buffer.from(lr.applyDelta(first, delta)).equals(Buffer.from(second)));
+  assert.throws(() => lr.applyDelta(second, delta), refused('SNAPSHOT_MISMATCH'));
+  world.dispose();
+});
+
 test('struct layouts are those of the module', () => {
   for (const [name, { size, init, fields }] of Object.entries(structs)) {
     if (!init) continue;
