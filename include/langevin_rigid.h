@@ -669,10 +669,10 @@ LR_API uint64_t lr_snapshot_delta_bound(uint64_t snapshot_size);
 LR_API lr_status lr_snapshot_delta_encode(const void* base, uint64_t base_size, const void* snapshot,
                                           uint64_t snapshot_size, void* memory, uint64_t capacity, uint64_t* written);
 
-/* Makes the snapshot that a delta was made of. base: the same bytes as then. delta: what was written, more may follow. memory:
- * receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all of it may be
- * written also after LR_ERROR_SNAPSHOT_FORMAT. written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after other
- * errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
+/* Makes the snapshot that a delta was made of. base, base_size: the same bytes as then. delta, delta_size: what was written, more
+ * may follow. memory: receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all
+ * may be written also after LR_ERROR_SNAPSHOT_FORMAT. written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after
+ * other errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta
  * is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any
  * thread. */

@@ -1975,8 +1975,10 @@ PROTOTYPES = {
         Makes the snapshot that a delta was made of.
 
         base: the same bytes as then.
-        delta: what was written, more may follow. memory: receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all of it may be written also after LR_ERROR_SNAPSHOT_FORMAT.
-        memory: the bytes
+        base_size: the same bytes as then.
+        delta: what was written, more may follow.
+        delta_size: what was written, more may follow.
+        memory: receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all may be written also after LR_ERROR_SNAPSHOT_FORMAT.
         capacity: elements that there is room for
         written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after other errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
 

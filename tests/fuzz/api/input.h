@@ -55,7 +55,7 @@ public:
         static constexpr uint32_t odd[] = {0xffffffffu, 0x80000000u, 0x7fffffffu, 65535,     65536,       65537,
                                            1u << 26,    67108864u,   67108865u,   16777216u, 0xfffffffeu, 1u << 31,
                                            256,         257,         1024,        1025};
-        if (byte < 176) return byte < 64 ? byte : byte % 8;
+        if (byte < 176) return byte < 64 ? byte : byte % 8u;
         hostile_ = true;
         return odd[byte % 16];
     }

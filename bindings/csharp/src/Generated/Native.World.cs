@@ -286,12 +286,12 @@ namespace LangevinRigid
 
         /// <summary>Makes the snapshot that a delta was made of.</summary>
         /// <param name="base">the same bytes as then.</param>
-        /// <param name="baseSize">base size</param>
-        /// <param name="delta">what was written, more may follow. memory: receives the snapshot,
-        /// <paramref name="capacity"/> bytes of any alignment; null with capacity 0 asks for the size alone; all of it
-        /// may be written also after <see cref="Status.SnapshotFormat"/>.</param>
-        /// <param name="deltaSize">delta size</param>
-        /// <param name="memory">the bytes</param>
+        /// <param name="baseSize">the same bytes as then.</param>
+        /// <param name="delta">what was written, more may follow.</param>
+        /// <param name="deltaSize">what was written, more may follow.</param>
+        /// <param name="memory">receives the snapshot, <paramref name="capacity"/> bytes of any alignment; null with
+        /// capacity 0 asks for the size alone; all may be written also after
+        /// <see cref="Status.SnapshotFormat"/>.</param>
         /// <param name="capacity">elements that there is room for</param>
         /// <param name="written">bytes of the snapshot, also with <see cref="Status.BufferTooSmall"/>, 0 after other
         /// errors; may be null. Hostile bytes give an error, or a snapshot for
