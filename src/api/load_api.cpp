@@ -70,7 +70,7 @@ lr_status lr_inner_batch_set_load_gains(lr_world* world, lr_batch batch, const l
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     lr::Batch* const b = world->find(batch);
     if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
-    lr_load_gains g;
+    lr_load_gains g{};
     lr_load_gains_init(&g, sizeof g);
     if (gains) {
         const lr_status status = read_struct(gains, g);
