@@ -98,7 +98,7 @@ void transforms(Fuzzer& f) {
     const bool first = in.variant() % 2 == 1;
     int32_t format = in.handle(1) % 6;
     uint32_t capacity = first ? in.handle(2) % 8 : count;
-    uint64_t stride = in.value(0) % 4 == 0 ? 0 : 64 + in.value(0) / 4 * 4;
+    uint64_t stride = in.value(0) % 4 == 0 ? 0 : 64u + in.value(0) / 4u * 4u;
     if (in.flag(flag_size)) {
         if (in.value(1) % 3 == 0) format = static_cast<int32_t>(in.integer(in.value(2)));
         if (in.value(1) % 3 == 1) stride = in.value(2) % 2 ? in.value(2) : in.value(2) % 4 * 4u;

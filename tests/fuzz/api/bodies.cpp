@@ -22,7 +22,7 @@ void create(Fuzzer& f) {
     Input& in = f.in;
     const lr_batch id = f.pick_batch(w, in.handle(0));
     Batch* const b = w.find(id);
-    const uint32_t count = in.handle(1) < 224 ? in.handle(1) % 5 : in.handle(1) % 16;
+    const uint32_t count = in.handle(1) < 224 ? in.handle(1) % 5u : in.handle(1) % 16u;
     std::vector<lr_body_desc> descs(count, initialised(LR_CALL(lr_body_desc_init)));
     for (uint32_t i = 0; i < count; ++i) {
         descs[i].position[0] = 0.03f * static_cast<float>(i);
