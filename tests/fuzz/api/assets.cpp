@@ -179,7 +179,7 @@ void load_file(Fuzzer& f) {
     }();
     const char* const paths[] = {good.c_str(), "/dev/null", "/no/such/file", "", "/", "\xff\xfe"};
     const lr_status statuses[] = {LR_OK,
-                                  LR_ERROR_ASSET_FORMAT,
+                                  LR_ERROR_FILE_READ, // a device
                                   LR_ERROR_FILE_NOT_FOUND,
                                   LR_ERROR_FILE_NOT_FOUND,
                                   LR_ERROR_FILE_READ,

@@ -130,7 +130,7 @@ lr_collider_desc read_desc(Fuzzer& f, Expected& e) {
 void create(Fuzzer& f) {
     World& w = f.world();
     Input& in = f.in;
-    const uint32_t count = in.handle(1) < 192 ? 1 : in.handle(1) % 4;
+    const uint32_t count = in.handle(1) < 192 ? 1u : in.handle(1) % 4u;
     if (w.state.colliders.size() > 24) return;
     Expected e, one;
     const lr_collider_desc d = read_desc(f, one);

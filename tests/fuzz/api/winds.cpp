@@ -32,7 +32,7 @@ lr_wind_source_desc read_source(Input& in, Expected& e, uint32_t& kind_of_sample
     // More than there are, but a number that must be read: the caller would be lying.
     if (!large && total * d.frames > most_samples / 3)
         for (uint32_t* n : {&d.counts[0], &d.counts[1], &d.counts[2], &d.frames}) *n = 2;
-    kind_of_samples = in.handle(0) < 160 ? in.handle(0) % 2 : in.handle(0) % 4;
+    kind_of_samples = in.handle(0) < 160 ? in.handle(0) % 2u : in.handle(0) % 4u;
     if (in.handle(0) < 240) d.samples = samples(kind_of_samples);
 
     e.range(d.position, -1e9, 1e9);

@@ -26,7 +26,7 @@ void create(Fuzzer& f) {
     d.log = in.variant() == 0 ? nullptr : log, d.log_user = &messages;
     d.simd_target = in.handle(0) < 64 ? static_cast<int32_t>(in.handle(0) % 9) : LR_SIMD_AUTO;
     // Threads take time to start: seldom any.
-    d.worker_count = in.handle(1) >= 250 ? in.handle(1) % 3 : 0;
+    d.worker_count = in.handle(1) >= 250 ? in.handle(1) % 3u : 0u;
     if (in.handle(1) >= 224 && in.handle(1) < 250)
         d.jobs = hostile_jobs(in.handle(1)), d.worker_count = in.handle(1) % 3;
     in.change(d.seed, d.gravity, d.fluid_density, d.fluid_viscosity, d.simd_target);
