@@ -5,9 +5,11 @@
 
 #if defined(__linux__)
 
+#include <chrono>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 #include <cerrno>
@@ -167,6 +169,13 @@ TEST_CASE("no file handles left: a status, and none is kept by a call that fails
 
 TEST_CASE(
     "worker threads that cannot be started: LR_ERROR_THREADS, those that were have ended, and all memory is back") {
+    std::thread([] {}).join(); // with the first one sanitizers start one of their own
+    // A thread that has been joined is listed for a moment longer.
+    const auto are_running = [](int count) {
+        for (int tries = 0; tries < 2000 && running_threads() != count; ++tries)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return running_threads() == count;
+    };
     const int threads = running_threads();
     for (int allowed = 0; allowed <= 5; ++allowed) {
         CAPTURE(allowed);
@@ -191,9 +200,9 @@ TEST_CASE(
         CHECK(world == nullptr);
         CHECK(memory.live() == 0);
         CHECK_FALSE(memory.mismatch);
-        CHECK(running_threads() == threads);
+        CHECK(are_running(threads));
     }
-    CHECK(running_threads() == threads);
+    CHECK(are_running(threads));
 }
 
 TEST_CASE("a user without any more threads: LR_ERROR_THREADS, and a world without workers" *

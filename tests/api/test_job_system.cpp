@@ -118,7 +118,11 @@ struct Crowd {
 TEST_CASE("every scene ends in the same bits with any job system") {
     std::vector<PlayedScene> scenes = played_scenes();
     int number = 0;
+    [[maybe_unused]] uint32_t at = 0;
     for (PlayedScene& scene : scenes) {
+#ifdef LR_TEST_QUICK
+        if (at++ % 2 != 0) continue;
+#endif
         // Among so many bodies a few are more than Runge-Kutta can follow, and what is not finite has no promise.
         if (scene.integrator == LR_INTEGRATOR_RK4) continue;
         // Two such batches are work for several threads.
