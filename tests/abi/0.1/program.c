@@ -129,6 +129,7 @@ static lr_asset* load(const char* path, Host* host) {
     UNTOUCHED(a);
     UNTOUCHED(b);
     EXPECT(a.value.content_hash == b.value.content_hash && a.value.mass > 0.0 && a.value.added_mass[14] > 0.0);
+    lr_asset_release(from_memory);
     bytes[size / 2] ^= 1;
     EXPECT(lr_asset_check_memory(bytes, size, fault, host) == LR_ERROR_ASSET_CORRUPT && host->faults > 0);
     EXPECT(lr_asset_load_memory(bytes, size, &from_memory) == LR_ERROR_ASSET_CORRUPT && from_memory == NULL);
