@@ -19,9 +19,11 @@
 /* The version of each architecture's first port, and what its stat() calls itself. */
 #if defined(__x86_64__)
 #define FIRST "GLIBC_2.2.5"
+#define WITH_OPENAT "GLIBC_2.4"
 #define STAT_VERSION 1
 #elif defined(__aarch64__)
 #define FIRST "GLIBC_2.17"
+#define WITH_OPENAT FIRST
 #define STAT_VERSION 0
 #else
 #error "which glibc was this architecture's first?"
@@ -66,7 +68,7 @@ AS_BEFORE("GLIBC_2.30", int, pthread_cond_clockwait,
 OLD(FIRST, int, __xstat, (int version, const char* path, struct stat* info));
 OLD(FIRST, int, __lxstat, (int version, const char* path, struct stat* info));
 OLD(FIRST, int, __fxstat, (int version, int file, struct stat* info));
-OLD(FIRST, int, __fxstatat, (int version, int folder, const char* path, struct stat* info, int flags));
+OLD(WITH_OPENAT, int, __fxstatat, (int version, int folder, const char* path, struct stat* info, int flags));
 
 int __wrap_stat(const char* path, struct stat* info);
 int __wrap_stat(const char* path, struct stat* info) {
