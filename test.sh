@@ -47,9 +47,6 @@ tests/security/check_syscalls.sh build/release/src tests/abi/0.1/leaf.lrb
 tests/targets/check_refused.sh
 CHECKS
 
-step "Valgrind on the tests of the API"
-scripts/valgrind.sh
-
 step "Samples, built and run as outside users would: against the installed package"
 prefix=$PWD/build/release/samples-prefix
 cmake --install build/release --prefix "$prefix" >/dev/null
