@@ -38,37 +38,36 @@ bool Answers::find(uint32_t batch, double time, float x, float y, float z, const
     return true;
 }
 
-void Answers::wind(void* self, const lr_wind_query* q) {
-    auto& answers = *static_cast<Answers*>(self);
+// Calls take(i, numbers) for each body of a query that has an answer.
+template <class Query, class Take> void Answers::each(const Query& q, const Take& take) {
     const float* from = nullptr;
-    for (uint32_t i = 0; i < q->count; ++i) {
-        if (!answers.find(q->batch, q->time, q->position[0][i], q->position[1][i], q->position[2][i], from)) {
-            answers.missed = true;
-            continue;
-        }
+    for (uint32_t i = 0; i < q.count; ++i) {
+        if (find(q.batch, q.time, q.position[0][i], q.position[1][i], q.position[2][i], from))
+            take(i, from);
+        else
+            missed = true;
+    }
+}
+
+void Answers::wind(void* self, const lr_wind_query* q) {
+    static_cast<Answers*>(self)->each(*q, [q](uint32_t i, const float* from) {
         for (size_t k = 0; k < 3; ++k) {
             q->velocity[k][i] = from[k];
             q->rate[k][i] = from[3 + k];
         }
         for (size_t k = 0; k < 9; ++k) q->gradient[k][i] = from[6 + k];
-    }
+    });
 }
 
 void Answers::surface(void* self, const lr_surface_query* q) {
-    auto& answers = *static_cast<Answers*>(self);
-    const float* from = nullptr;
-    for (uint32_t i = 0; i < q->count; ++i) {
-        if (!answers.find(q->batch, q->time, q->position[0][i], q->position[1][i], q->position[2][i], from)) {
-            answers.missed = true;
-            continue;
-        }
+    static_cast<Answers*>(self)->each(*q, [q](uint32_t i, const float* from) {
         q->height[i] = from[0];
         for (size_t k = 0; k < 3; ++k) {
             q->normal[k][i] = from[1 + k];
             q->velocity[k][i] = from[4 + k];
             q->rate[k][i] = from[7 + k];
         }
-    }
+    });
 }
 
 } // namespace lr::replay

@@ -44,6 +44,7 @@ private:
             return static_cast<size_t>(hash.value());
         }
     };
+    template <class Query, class Take> void each(const Query& q, const Take& take);
     static Question question(uint32_t batch, double time, float x, float y, float z);
 
     uint32_t values_;

@@ -142,19 +142,9 @@ export class World {
   }
 
   startRecording(write, desc = {}) {
-    const before = this.#record;
-    const id = this.#host.addCallback(write);
-    try {
+    this.#record = this.#exchange(this.#record, this.#host.addCallback(write), (id) =>
       this.#host.scratch((scratch) => this.call('lr_world_record_start',
-        scratch.struct('lr_recording_desc', { ...desc, write: this.#host.raw.lr_web_record(), user: id })));
-    } catch (error) {
-      this.#host.removeCallback(id);
-      throw error;
-    }
-    this.#host.removeCallback(before);
-    this.#kept.callbacks.delete(before);
-    this.#kept.callbacks.add(id);
-    this.#record = id;
+        scratch.struct('lr_recording_desc', { ...desc, write: this.#host.raw.lr_web_record(), user: id }))));
   }
 
   stopRecording() {
@@ -190,10 +180,10 @@ export class World {
     this.call('lr_world_remove_wind', source);
   }
 
-  #setCallback(before, callback, name, pointer) {
-    const id = callback === null ? 0 : this.#host.addCallback(callback);
+  /** A callback in place of another, unless `install` is refused. */
+  #exchange(before, id, install) {
     try {
-      this.call(name, callback === null ? 0 : this.#host.raw[pointer](), id);
+      install(id);
     } catch (error) {
       this.#host.removeCallback(id);
       throw error;
@@ -202,6 +192,11 @@ export class World {
     this.#kept.callbacks.delete(before);
     this.#kept.callbacks.add(id);
     return id;
+  }
+
+  #setCallback(before, callback, name, pointer) {
+    const id = callback === null ? 0 : this.#host.addCallback(callback);
+    return this.#exchange(before, id, () => this.call(name, callback === null ? 0 : this.#host.raw[pointer](), id));
   }
 
   setWindCallback(callback) {
