@@ -73,7 +73,7 @@ void Lifecycle::end_for_fault(uint32_t index) {
     faulted_ = true;
     uint8_t& any = cut_has_ended_[index / cut_bodies];
     if (any == 0) {
-        const size_t begin = index / cut_bodies * cut_bodies;
+        const uint32_t begin = index / cut_bodies * cut_bodies;
         std::fill_n(cause_.data() + begin, std::min<size_t>(cut_bodies, cause_.size() - begin), uint32_t{cause_none});
     }
     any = 1;
