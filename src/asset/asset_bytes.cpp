@@ -102,7 +102,8 @@ lr_status read_asset_bytes(const char* path_utf8, std::vector<unsigned char>& ou
     if (file.fd < 0) return status_of(errno);
     struct stat info {};
     if (::fstat(file.fd, &info) != 0 || !S_ISREG(info.st_mode)) return LR_ERROR_FILE_READ;
-    // The size may be a lie (/proc) or change: it is a hint.
+    if (info.st_size > static_cast<off_t>(max_bytes)) return LR_ERROR_ASSET_CORRUPT;
+    // A smaller size may be a lie (/proc) or change: it is a hint.
     return read_all(out, static_cast<size_t>(std::clamp<off_t>(info.st_size, 0, max_bytes)),
                     [&](unsigned char* to, size_t room) { return ::read(file.fd, to, room); });
 }

@@ -381,7 +381,7 @@ private:
         out_.provenance.options = canonical_options(options_);
         out_.provenance.input_hash = input_hash(input_, out_.provenance.options);
         const std::size_t before = faults_.size();
-        if (check_asset(out_, faults_)) return true;
+        if (check_asset(out_, faults_) && check_plausible(out_, faults_)) return true;
         for (std::size_t i = before; i < faults_.size(); ++i)
             faults_[i].remedy = "A body like this cannot be baked: check the mesh, --unit and --density.";
         return false;

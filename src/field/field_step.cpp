@@ -108,8 +108,8 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
     }
 }
 
-void sample_field(const KernelTarget& target, WindField& field, double time, const float* positions, uint32_t count,
-                  float* velocities) {
+void sample_field(const KernelTarget& target, WindField& field, double time, lr_batch batch, const float* positions,
+                  uint32_t count, float* velocities) {
     FieldBlock block;
     constexpr auto most = static_cast<uint32_t>(field_block), lanes = static_cast<uint32_t>(lane_block);
     for (uint32_t from = 0; from < count; from += std::min(most, count - from)) {
@@ -119,7 +119,7 @@ void sample_field(const KernelTarget& target, WindField& field, double time, con
             for (size_t i = 0; i < padded; ++i)
                 block.position[k][i] = positions[3 * (from + std::min<size_t>(i, here - 1)) + k];
         target.evaluate(field.instant(0), padded, block);
-        if (field.callback()) ask(field, time, 0, here, block);
+        if (field.callback()) ask(field, time, batch, here, block);
         for (size_t k = 0; k < 3; ++k)
             for (size_t i = 0; i < here; ++i) velocities[3 * (from + i) + k] = block.wind[k][i];
     }

@@ -21,7 +21,8 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
                    lr_batch batch, uint32_t live, uint32_t begin, uint32_t end);
 
 // Velocities at the prepared moment. positions, velocities: x y z of each, may be the same array.
-void sample_field(const KernelTarget& target, WindField& field, double time, const float* positions, uint32_t count,
-                  float* velocities);
+// batch: what the wind callback is told; 0 for points.
+void sample_field(const KernelTarget& target, WindField& field, double time, lr_batch batch, const float* positions,
+                  uint32_t count, float* velocities);
 
 } // namespace lr

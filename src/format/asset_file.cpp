@@ -253,7 +253,7 @@ bool read_asset(const void* bytes, size_t size, AssetData& out, Faults& faults) 
              "Copy it again from its source, or bake it again.");
         return false;
     }
-    return decode(asset, out, faults) && check_asset(out, faults);
+    return decode(asset, out, faults) && check_asset(out, faults) && check_plausible(out, faults);
 }
 
 } // namespace lr

@@ -19,6 +19,8 @@ bool read_asset(const void* bytes, size_t size, AssetData& out, Faults& faults);
 // Range and plausibility checks of values, apart from their encoding: finite, positive, symmetric, mass matrix
 // positive definite, table and hull sane.
 bool check_asset(const AssetData& data, Faults& faults);
+// Of a file besides, which says what a mesh has: lengths, volume, hull and inertia fit each other. For data that passed check_asset.
+bool check_plausible(const AssetData& data, Faults& faults);
 
 // Of everything that matters for motion and contact, not of names and provenance.
 uint64_t content_hash(const AssetData& data);

@@ -125,7 +125,8 @@ void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t c
     if (field) {
         for (uint32_t i = 0; i < count; ++i)
             for (size_t k = 0; k < 3; ++k) copies.wind[size_t{3} * i + k] = copies.field[field_x + k][i];
-        sample_field(*world_->target, world_->wind, time_.begin + 0.5 * time_.h, copies.wind, count, copies.wind);
+        sample_field(*world_->target, world_->wind, time_.begin + 0.5 * time_.h, item.handle, copies.wind, count,
+                     copies.wind);
     } else {
         for (uint32_t i = 0; i < count; ++i) std::copy(in.wind, in.wind + 3, copies.wind + size_t{3} * i);
     }

@@ -482,7 +482,7 @@ void lr_world::finish_batches(double dt) {
 
 void lr_world::sample_wind(const float* positions, uint32_t count, float* velocities) const {
     wind.prepare_now(time, seed);
-    lr::sample_field(*target, wind, time, positions, count, velocities);
+    lr::sample_field(*target, wind, time, 0, positions, count, velocities);
 }
 
 namespace {

@@ -2,6 +2,7 @@
 #include "support/body_contact.h"
 #include "support/lifecycle.h"
 
+#include <algorithm>
 #include <chrono>
 
 using namespace test;
@@ -153,6 +154,44 @@ TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes i
     uint32_t gone = 0;
     for (lr_body b : bodies) gone += state_of(world, b).position[0] > 1.0f;
     CHECK(gone == 20);
+}
+
+TEST_CASE("a wind callback is told whose bodies at rest it is asked about, and lifts those of one batch off") {
+    struct Field {
+        lr_batch blown = 0;
+        float speed = 0.0f;
+        std::vector<lr_batch> asked;
+        static void blow(void* user, const lr_wind_query* q) {
+            Field& field = *static_cast<Field*>(user);
+            field.asked.push_back(q->batch);
+            for (uint32_t i = 0; i < q->count; ++i) q->velocity[0][i] = q->batch == field.blown ? field.speed : 0.0f;
+        }
+    };
+    const World world = make(world_desc());
+    const Asset card = make(rigid_box(0.06, 0.0005, 0.04, 500.0));
+    add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+    lr_batch_desc bd = batch_desc();
+    bd.load_model = LR_LOADS_AERODYNAMIC;
+    lr_batch batch[2];
+    lr_body body[2];
+    for (int k = 0; k < 2; ++k) {
+        batch[k] = add_batch(world, bd, card, 1);
+        set_contact(world, batch[k], resting_contact());
+        body[k] = add_body(world, batch[k], at_rest_at({0.0, 0.0003, 1.0 * k}));
+    }
+    Field field;
+    field.blown = batch[1];
+    REQUIRE(lr_world_set_wind_callback(world.get(), Field::blow, &field) == LR_OK);
+    steps(world, 180, frame, 2);
+    for (lr_batch b : batch) REQUIRE(view_of(world, b).awake_count == 0);
+    field.asked.clear();
+    steps(world, 32, frame, 2);
+    for (lr_batch b : batch) CHECK(std::count(field.asked.begin(), field.asked.end(), b) > 0);
+    CHECK(std::count(field.asked.begin(), field.asked.end(), 0u) == 0);
+    field.speed = 25.0f;
+    steps(world, 60, frame, 2);
+    CHECK(state_of(world, body[0]).resting == LR_REST_RESTING);
+    CHECK(state_of(world, body[1]).position[0] > 1.0f);
 }
 
 TEST_CASE("bodies at rest that meet each other cost next to nothing") {

@@ -132,6 +132,15 @@ TEST_CASE("what is not an asset file, or may not be read, is a status, and nothi
     CHECK(load("/dev/zero") == LR_ERROR_FILE_READ);
     CHECK(load("/dev/null") == LR_ERROR_FILE_READ);
     CHECK(load("/proc/self/stat") == LR_ERROR_ASSET_FORMAT); // a file of size 0 that has bytes
+    const std::string huge = folder.path + "/huge.lrb";      // a hole, but for the asset at its start
+    std::filesystem::copy_file(fixture, huge);
+    for (off_t size : {(off_t{1} << 30) + 1, off_t{1} << 40}) {
+        if (truncate(huge.c_str(), size) != 0) continue; // not every file system has holes, or files so large
+        SystemFaults none_read;
+        none_read.ends_after = 0;
+        const WithFaults armed(none_read);
+        CHECK((load(huge) == LR_ERROR_ASSET_CORRUPT && none_read.reads == 0));
+    }
     const int denied = as_nobody([&] { return load(secret) == LR_ERROR_FILE_READ ? 7 : 1; });
     CHECK((denied == 7 || denied == -1));
     std::filesystem::permissions(folder.path, std::filesystem::perms::none);

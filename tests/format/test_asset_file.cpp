@@ -153,6 +153,17 @@ TEST_CASE("each impossible number has its fault, at its field") {
         {FaultId::asset_out_of_range, "inertia[2][2]", [](AssetData& a) { a.inertia[8] *= 1e6; }},
         {FaultId::asset_not_positive, "inertia",
          [](AssetData& a) { a.inertia[1] = a.inertia[3] = 2.0 * std::sqrt(a.inertia[0] * a.inertia[4]); }},
+        {FaultId::asset_inconsistent, "inertia",
+         [](AssetData& a) { a.inertia[8] = 1.001 * (a.inertia[0] + a.inertia[4]); }},
+        {FaultId::asset_inconsistent, "volume",
+         [](AssetData& a) { a.density = a.mass / (a.volume = 11.0 * std::pow(a.length_d, 3.0)); }},
+        {FaultId::asset_inconsistent, "projected_area",
+         [](AssetData& a) { a.projected_area = 11.0 * a.length_d * a.length_d; }},
+        {FaultId::asset_inconsistent, "lengths.b", [](AssetData& a) { a.length_b = 11.0 * a.length_d; }},
+        {FaultId::asset_inconsistent, "hull.vertices",
+         [](AssetData& a) {
+             for (float& v : a.hull.vertices) v *= 0.4f;
+         }},
         {FaultId::asset_not_finite, "added_mass[0]", [](AssetData& a) { a.added_mass[0] = not_a_number; }},
         {FaultId::asset_not_symmetric, "added_mass[3][1]",
          [](AssetData& a) { a.added_mass[9] += a.added_mass[7] * 0.01; }},

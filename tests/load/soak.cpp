@@ -12,6 +12,8 @@ namespace load {
 namespace {
 
 constexpr size_t block_minutes = 5;
+// Steps between two looks: prime to the lives of seeds, which begin together, fall, and roll; else each would see them at one age.
+constexpr uint64_t between_looks = 31;
 
 struct Mean {
     double sum = 0.0;
@@ -61,7 +63,7 @@ public:
         double since = seconds_now();
         for (steps_done_ = 1; steps_done_ <= steps_; ++steps_done_) {
             storm_.step();
-            if (steps_done_ % second == 0) look();
+            if (steps_done_ % between_looks == 0) look();
             if (steps_done_ % minute == 0) {
                 const double now = seconds_now();
                 end_minute((now - since) * 1e6 / minute);

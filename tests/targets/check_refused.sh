@@ -26,7 +26,7 @@ refused() { # target, processor, why
     local said
     if said=$(configure "$1" "$2"); then
         echo "FAILED: CMake configures for $1"; good=false
-    elif ! tr -s ' \n' ' ' <<<"$said" | grep -q "Langevin Rigid $3"; then
+    elif ! tr -s ' \n' ' ' <<<"$said" | grep "Langevin Rigid $3" >/dev/null; then
         echo "FAILED: CMake for $1 does not say \"$3\":"; tail -n 8 <<<"$said"; good=false
     fi
     # UINTPTR_MAX is all that the header takes from its include.

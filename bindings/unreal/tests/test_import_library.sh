@@ -13,7 +13,7 @@ cat >"$build/main.c" <<'C'
 int main(void) { return lr_version() >> 12 == 1 ? 0 : 3; }
 C
 x86_64-w64-mingw32-gcc -I"$third/include" "$build/main.c" "$lib" -o "$build/main.exe"
-x86_64-w64-mingw32-objdump -p "$build/main.exe" | grep -q "DLL Name: $(basename "$dll")"
+x86_64-w64-mingw32-objdump -p "$build/main.exe" | grep "DLL Name: $(basename "$dll")" >/dev/null
 # Every function of the DLL is in the library, and nothing else.
 x86_64-w64-mingw32-objdump -p "$dll" | grep -oE '\blr_[a-z0-9_]+$' | sort -u >"$build/exported.txt"
 x86_64-w64-mingw32-nm "$lib" 2>/dev/null | grep -oE ' T lr_[a-z0-9_]+$' | awk '{print $2}' | sort -u >"$build/imported.txt"
