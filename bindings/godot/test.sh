@@ -107,6 +107,8 @@ in_engine() {
     no_complaints "$build/engine.txt" && return $result
 }
 
+recording() { "$prefix/bin/lr_replay" "$build/project/fall.lrrec"; }
+
 demo() {
     rm -rf "$build/demo_project"
     "$here/demo.sh" "$prefix" "$build/demo_project" && engine --path "$build/demo_project" --import || return 1
@@ -134,7 +136,7 @@ step "transforms" transforms
 godot=${GODOT:-$(command -v godot4 || command -v godot || true)}
 if [ -n "$godot" ]; then
     step "declarations against the engine's header" compare_abi
-    step "project is imported" project && step "in the engine" in_engine && step "sample" sample
+    step "project is imported" project && step "in the engine" in_engine && step "what it recorded, played again" recording && step "sample" sample
     step "demo runs" demo && step "demo in the editor" editor
 else
     echo "SKIPPED: tests in the engine, for want of Godot 4.4 or later: set GODOT=/path/to/godot, or put it on the PATH"

@@ -263,6 +263,8 @@ TEST_CASE("a rollback allocates nothing: saves, restores and deltas of a world t
     REQUIRE(lr_world_add_wind(world.get(), &gusts, &source) == LR_OK);
     lr_emitter_desc e = initialised(lr_emitter_desc_init);
     e.rate = 100.0f, e.position[1] = 1.0f;
+    e.shape = LR_EMIT_BOX;
+    for (float& side : e.size) side = 0.4f; // all of them at a point would be 20,000 pairs that overlap
     REQUIRE(lr_batch_set_emitter(world.get(), batch, &e) == LR_OK);
     lr_batch_rules r = initialised(lr_batch_rules_init);
     r.max_age = 1.0f, r.action = LR_END_RESPAWN;

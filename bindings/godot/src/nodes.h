@@ -87,6 +87,7 @@ typedef struct world_node {
     int tree_changed, wind_changed;
     uint64_t tree; /* instance id of the scene tree that tells of changes */
     lr_status last_status;
+    gd_var recording; /* the FileAccess that recordings go to */
 } world_node;
 
 enum { PROCESS_PHYSICS = 0, PROCESS_IDLE = 1, PROCESS_MANUAL = 2 };
@@ -103,6 +104,8 @@ void world_step(world_node* world, double dt);
 void world_emit_events(world_node* world);
 gd_var world_save(const world_node* world); /* PackedByteArray */
 lr_status world_restore(world_node* world, const gd_var* bytes);
+int world_start_recording(world_node* world, const gd_var* file); /* FileAccess; values of @GlobalScope.Error */
+int world_stop_recording(world_node* world);
 void world_add_batch(world_node* world, struct batch_node* batch);
 void world_remove_batch(world_node* world, struct batch_node* batch);
 

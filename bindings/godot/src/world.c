@@ -67,6 +67,7 @@ static void stop(world_node* self) {
     world_forget_colliders(self, 0);
     lr_world_destroy(self->world);
     self->world = NULL;
+    gd_free(&self->recording);
 }
 
 /* ------------------------------------------------------------------------------------------------------------------ */
@@ -332,6 +333,15 @@ static void m_restore(void* self, const gd_var* args, gd_var* ret) {
     *ret = gd_int(gd_error_from_status(status));
 }
 
+static void m_start_recording(void* self, const gd_var* args, gd_var* ret) {
+    *ret = gd_int(world_start_recording(self, &args[0]));
+}
+
+static void m_stop_recording(void* self, const gd_var* args, gd_var* ret) {
+    (void)args;
+    *ret = gd_int(world_stop_recording(self));
+}
+
 #define F(field) offsetof(world_node, field)
 static const gd_property properties[] = {
     {.name = "gravity",
@@ -454,6 +464,8 @@ static const gd_method methods[] = {
     {"wake_box", m_wake_box, 0, {"", GDX_INT, NULL}, 1, {{"box", GDX_AABB, NULL}}},
     {"save_snapshot", m_save, 0, {"", GDX_PACKED_BYTE_ARRAY, NULL}, 0, {{0}}},
     {"restore_snapshot", m_restore, 0, {"", GDX_INT, NULL}, 1, {{"snapshot", GDX_PACKED_BYTE_ARRAY, NULL}}},
+    {"start_recording", m_start_recording, 0, {"", GDX_INT, NULL}, 1, {{"file", GDX_OBJECT, "FileAccess"}}},
+    {"stop_recording", m_stop_recording, 0, {"", GDX_INT, NULL}, 0, {{0}}},
     {"_tree_changed", m_tree_changed, 0, {"", GDX_NIL, NULL}, 1, {{"node", GDX_OBJECT, "Node"}}},
     {.name = NULL},
 };

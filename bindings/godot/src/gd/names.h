@@ -71,6 +71,7 @@
     X(shape_owner_get_shape_count)                                                                                     \
     X(shape_owner_get_transform)                                                                                       \
     X(size)                                                                                                            \
+    X(store_buffer)                                                                                                    \
     X(update_configuration_warnings)                                                                                   \
     X(_tree_changed)                                                                                                   \
     X(ended)                                                                                                           \

@@ -218,6 +218,42 @@ func test_snapshot() -> void:
 	world.free()
 
 
+# test.sh has lr_replay play the file again.
+func test_recording() -> void:
+	var world := make_world()
+	world.workers = 2
+	var ground := floor_at(9.5)
+	var area := Area3D.new()
+	var collision := CollisionShape3D.new()
+	collision.shape = SphereShape3D.new()
+	collision.shape.radius = 20.0
+	area.wind_force_magnitude = 2.0
+	var source := Node3D.new()
+	area.add_child(source)
+	area.add_child(collision)
+	root.add_child(area)
+	area.wind_source_path = area.get_path_to(source)
+	var batch := make_batch(world, 50, 60)
+	for i in 30:
+		world.step(1.0 / 60.0)
+	var file := FileAccess.open("res://fall.lrrec", FileAccess.WRITE)
+	check(world.start_recording(file) == OK, "a recording begins")
+	print("refused recordings (2 expected)")
+	check(world.start_recording(file) == ERR_INVALID_PARAMETER, "one at a time")
+	check(world.start_recording(null) == ERR_INVALID_PARAMETER, "no file")
+	batch.spawn(Transform3D(Basis(), Vector3(0, 11, 0)), Vector3.ZERO, Vector3.ZERO)
+	for i in 60:
+		world.step(1.0 / 60.0)
+	check(world.stop_recording() == OK, "and ends")
+	var length := file.get_length()
+	check(length > 10000 and file.get_reference_count() == 1, "the file is whole, and given back")
+	world.step(1.0 / 60.0)
+	check(file.get_length() == length, "no more comes")
+	world.free()
+	ground.free()
+	area.free()
+
+
 func test_emitter_rules() -> void:
 	var world := make_world()
 	var batch := make_batch(world, 0, 1000)

@@ -122,6 +122,31 @@ static void test_warnings(host_object* asset) {
     host_free(batch);
 }
 
+/* A file of its own each time; the last one has room for the beginning only. */
+static void test_recordings(host_object* world) {
+    for (int turn = 0; turn < 2; ++turn) {
+        host_object* file = host_new("FileAccess", 1);
+        host_variant hold = host_obj(file), answer;
+        host.stored = 0, host.room = 1 << 30;
+        answer = host_call(world, "start_recording", NULL, 1, host_obj(file));
+        CHECK(answer.u.integer == 0 && file->refs == 2);
+        const int64_t begun = host.stored;
+        CHECK(begun > 1000); /* assets and a snapshot */
+        answer = host_call(world, "start_recording", NULL, 1, host_obj(world));
+        CHECK(answer.u.integer == 31); /* no file */
+        answer = host_call(world, "start_recording", NULL, 1, host_obj(file));
+        CHECK(answer.u.integer == 31 && file->refs == 2); /* one is under way */
+        if (turn == 1) host.room = 0;
+        for (int frame = 0; frame < 3; ++frame) host_notify(world, PHYSICS);
+        CHECK((host.stored > begun) == (turn == 0));
+        CHECK(call_int(world, "stop_recording") == (turn == 0 ? 0 : 31) && file->refs == 1);
+        const int64_t ended = host.stored;
+        host_notify(world, PHYSICS);
+        CHECK(host.stored == ended);
+        host_variant_destroy(&hold);
+    }
+}
+
 static uint64_t run(host_object* asset, host_object* mesh, int frames) {
     host_object* world = host_construct("LangevinWorld");
     world->parent = host_root;
@@ -170,6 +195,11 @@ static uint64_t run(host_object* asset, host_object* mesh, int frames) {
     CHECK(answer.u.integer == 0);
     host_variant_destroy(&answer);
     const uint64_t hash = (uint64_t)call_int(world, "get_state_hash");
+    test_recordings(world);
+    host_object* file = host_new("FileAccess", 1); /* which the world gives back when it leaves the tree */
+    host.room = 1 << 30;
+    answer = host_call(world, "start_recording", NULL, 1, host_obj(file));
+    CHECK(answer.u.integer == 0);
 
     /* The batch first, the world first, and a batch that is still in the tree when it goes. */
     leave(other);
@@ -219,7 +249,8 @@ int main(int argc, char** argv) {
         const int errors = host.errors, names = host.names, live = host.objects;
         CHECK(run(asset, mesh, 1000) == first && first != 0);
         CHECK(host.names == names && host.objects == live);
-        CHECK(host.errors == errors + 1 && host.warnings == 0); /* the one that test_arguments asks for */
+        CHECK(host.errors == errors + 6); /* one that test_arguments asks for, and five of test_recordings */
+        CHECK(host.warnings == 2);        /* a recording that had no room, in each run */
         release(asset);
     }
     host_variant_destroy(&hold);

@@ -196,6 +196,11 @@ void scene_call(host_variant* self, const char* method, const void* const* args,
     } else if (o == loaders && !strcmp(method, "remove_resource_format_loader")) {
         assert(values[0]->u.object == loader);
         loader = NULL;
+    } else if (!strcmp(o->class_name, "FileAccess") && !strcmp(method, "store_buffer")) {
+        assert(count == 1 && values[0]->type == GDX_PACKED_BYTE_ARRAY && values[0]->u.array->count > 0);
+        const int fits = values[0]->u.array->count <= host.room;
+        if (fits) host.stored += values[0]->u.array->count, host.room -= values[0]->u.array->count;
+        *ret = host_bool(fits);
     } else if (!(o == rendering ? render(method, values, count, ret)
                                 : physics(method, ret) || node(o, method, values, count, ret))) {
         fprintf(stderr, "the host has no %s\n", method);
