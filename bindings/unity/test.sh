@@ -83,4 +83,5 @@ if result=$(grep '^RESULT' "$run"); then
 else
     failed=$((failed + 1)); echo "unity: the tests did not come to an end (exit code $code)"
 fi
+for name in Main Job left; do step "lr_replay: recording $name" "$prefix/bin/lr_replay" "$out/files/$name.lrrec"; done
 finish

@@ -140,9 +140,10 @@ if [[ -f /usr/include/doctest/doctest.h ]]; then
     packaged="$build/plugin/LangevinRigid/Source/ThirdParty/LangevinRigidLibrary/lib/Linux"
     step "link the plugin with the packaged library" g++ "${plugin_objects[@]}" -L"$packaged" -llangevin_rigid \
         -Wl,-rpath,"$packaged" -ldl -pthread -o "$build/test_plugin"
-    export LANGEVIN_TEST_LEAF="$build/leaf.lrb" LANGEVIN_TEST_PLUGIN="$build/plugin/LangevinRigid"
+    export LANGEVIN_TEST_LEAF="$build/leaf.lrb" LANGEVIN_TEST_PLUGIN="$build/plugin/LangevinRigid" LANGEVIN_TEST_RECORDINGS="$build"
     step "plugin: module, assets, import, bodies, colliders, wind, Niagara, sample" "$build/test_plugin"
     tail -2 "$build/log.txt" | sed 's/^/        /'
+    for name in game left; do step "lr_replay: recording $name" "$prefix/bin/lr_replay" "$build/$name.lrrec"; done
 else
     skip "the running plugin, for want of doctest: apt-get install doctest-dev"
 fi

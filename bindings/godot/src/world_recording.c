@@ -21,7 +21,9 @@ static int32_t store(void* user, const void* bytes, uint64_t size) {
     const int called = gd_call(file, GD_N_store_buffer, &stored, 1, array); /* frees the array */
     const int refused = gd_type(&stored) == GDX_BOOL && !gd_to_bool(&stored);
     gd_free(&stored);
-    return called && !refused ? 0 : 1;
+    if (!called || refused) return 1;
+    gd_call(file, GD_N_flush, NULL, 0); /* after a crash the last call is what matters */
+    return 0;
 }
 
 int world_start_recording(world_node* self, const gd_var* file) {
@@ -33,6 +35,7 @@ int world_start_recording(world_node* self, const gd_var* file) {
     }
     lr_recording_desc desc;
     lr_recording_desc_init(&desc, sizeof desc);
+    desc.hash_interval = 10; /* one in each step is most of what recording costs */
     desc.write = store;
     desc.user = self;
     gd_var before = self->recording;

@@ -44,6 +44,42 @@ public sealed class WorldTests : Stage
         Silent();
     }
 
+    // test.sh has lr_replay play the files again.
+    [Test]
+    public void RecordingsAreFiles()
+    {
+        string folder = Environment.GetEnvironmentVariable("LR_TEST_FOLDER");
+        foreach (LangevinStepThread thread in new[] { LangevinStepThread.Main, LangevinStepThread.Job })
+        {
+            World.StepThread = thread;
+            LangevinBatch batch = NewBatch(100);
+            string path = System.IO.Path.Combine(folder, thread + ".lrrec");
+            World.StartRecording(path);
+            Assert.IsTrue(World.Simulation.IsRecording);
+            Assert.Throws<InvalidOperationException>(() => World.StartRecording(path));
+            batch.Spawn(Vector3.up, Quaternion.identity);
+            Frames(20);
+            World.StopRecording();
+            World.StopRecording();
+            Assert.IsFalse(World.Simulation.IsRecording);
+            long length = new System.IO.FileInfo(path).Length;
+            Assert.Greater(length, 10000);
+            Frames(2);
+            Assert.AreEqual(length, new System.IO.FileInfo(path).Length);
+        }
+        Assert.Throws<System.IO.DirectoryNotFoundException>(() => World.StartRecording(folder + "/none/a.lrrec"));
+        if (System.IO.File.Exists("/dev/full"))
+            Assert.Throws<System.IO.IOException>(() => World.StartRecording("/dev/full"));
+        Assert.IsFalse(World.Simulation.IsRecording);
+        // Left to the world's end, the file is whole too.
+        World.StartRecording(System.IO.Path.Combine(folder, "left.lrrec"));
+        Frames(2);
+        World.enabled = false;
+        World.enabled = true;
+        Frames(2);
+        Assert.IsFalse(World.Simulation.IsRecording);
+    }
+
     [Test]
     public void FixedStepsAreThoseOfFixedUpdate()
     {

@@ -263,12 +263,14 @@ TSharedRef<T, Mode> MakeShared(A&&... Arguments) {
 template <typename T> class TUniquePtr {
 public:
     TUniquePtr() = default;
+    TUniquePtr(std::nullptr_t) {}
     explicit TUniquePtr(T* From) : Data(From) {}
     TUniquePtr(TUniquePtr&&) = default;
     TUniquePtr& operator=(TUniquePtr&&) = default;
     bool IsValid() const { return Data != nullptr; }
     T* Get() const { return Data.get(); }
     T* operator->() const { return Data.get(); }
+    T& operator*() const { return *Data; }
     void Reset() { Data.reset(); }
 
 private:

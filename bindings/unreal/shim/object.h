@@ -283,3 +283,21 @@ public:
 struct FFileHelper {
     static bool LoadFileToArray(TArray<uint8>& Result, const TCHAR* Filename, uint32 Flags = 0);
 };
+
+class FArchive {
+public:
+    virtual ~FArchive() = default;
+    virtual void Serialize(void* V, int64 Length) = 0;
+    virtual void Flush() = 0;
+    virtual bool Close() = 0;
+    bool IsError() const { return bError; }
+
+protected:
+    bool bError = false;
+};
+enum EFileWrite { FILEWRITE_None = 0x00, FILEWRITE_AllowRead = 0x10 };
+class IFileManager {
+public:
+    static IFileManager& Get();
+    FArchive* CreateFileWriter(const TCHAR* Filename, uint32 WriteFlags = 0);
+};

@@ -172,6 +172,39 @@ bool FFileHelper::LoadFileToArray(TArray<uint8>& Result, const TCHAR* Filename, 
     return true;
 }
 
+namespace {
+
+class FShimFileWriter final : public FArchive {
+public:
+    explicit FShimFileWriter(std::FILE* InFile) : File(InFile) {}
+    virtual ~FShimFileWriter() override { Close(); }
+    virtual void Serialize(void* V, int64 Length) override {
+        const auto Size = static_cast<std::size_t>(Length);
+        bError = bError || std::fwrite(V, 1, Size, File) != Size;
+    }
+    virtual void Flush() override { bError = std::fflush(File) != 0 || bError; }
+    virtual bool Close() override {
+        if (File) bError = std::fclose(File) != 0 || bError;
+        File = nullptr;
+        return !bError;
+    }
+
+private:
+    std::FILE* File;
+};
+
+} // namespace
+
+IFileManager& IFileManager::Get() {
+    static IFileManager Manager;
+    return Manager;
+}
+
+FArchive* IFileManager::CreateFileWriter(const TCHAR* Filename, uint32) {
+    std::FILE* const File = std::fopen(ShimNarrow(Filename).c_str(), "wb");
+    return File ? new FShimFileWriter(File) : nullptr;
+}
+
 IPluginManager& IPluginManager::Get() {
     static IPluginManager Manager;
     return Manager;

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <thread>
 
 namespace {
@@ -423,6 +424,41 @@ TEST_CASE("a saved state goes on as it did, and is drawn at once") {
     game.run(30);
     CHECK(game.langevin->GetStateHash() == later);
     CHECK_FALSE(game.langevin->RestoreState(TArray<uint8>{1, 2, 3}));
+}
+
+// test.sh has lr_replay play the files again.
+TEST_CASE("what happens in a game is recorded") {
+    const std::string folder = environment("LANGEVIN_TEST_RECORDINGS");
+    const auto size_of = [&](const char* name) { return std::filesystem::file_size(folder + "/" + name); };
+    const auto path = [&](const char* name) { return FString(ShimWiden(folder + "/" + name)); };
+    {
+        Game game;
+        game.create();
+        game.world->ShimBeginPlay();
+        game.add_batch(200, 200);
+        game.run(10);
+        CHECK_FALSE(game.langevin->StopRecording());
+        REQUIRE(game.langevin->StartRecording(path("game.lrrec")));
+        CHECK_FALSE(game.langevin->StartRecording(path("other.lrrec")));
+        game.langevin->SetWind(FVector(300.0, 0.0, 0.0));
+        game.run(20);
+        const auto running = size_of("game.lrrec");
+        CHECK(running > 10000);
+        CHECK(game.langevin->StopRecording());
+        const auto whole = size_of("game.lrrec");
+        game.run(2);
+        CHECK((whole >= running && size_of("game.lrrec") == whole));
+        REQUIRE(game.langevin->StartRecording(path("left.lrrec")));
+        game.run(5);
+    }
+    CHECK(size_of("left.lrrec") > 10000);
+    Game game;
+    game.create();
+    game.world->ShimBeginPlay();
+    CHECK_FALSE(game.langevin->StartRecording(path("none/a.lrrec")));
+    CHECK(logged(ShimTakeLog(), "cannot be written"));
+    if (std::filesystem::exists("/dev/full")) CHECK_FALSE(game.langevin->StartRecording(TEXT("/dev/full")));
+    CHECK(game.langevin->StartRecording(path("again.lrrec")));
 }
 
 TEST_CASE("components without an asset say what is missing") {

@@ -13,6 +13,7 @@
     X(disconnect)                                                                                                      \
     X(emit_signal)                                                                                                     \
     X(find_children)                                                                                                   \
+    X(flush)                                                                                                           \
     X(free_rid)                                                                                                        \
     X(get_aabb)                                                                                                        \
     X(get_bounce)                                                                                                      \

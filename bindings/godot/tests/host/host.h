@@ -83,6 +83,7 @@ typedef struct host_counts {
     int objects, names, rids, multimeshes, buffers, visible, connections, postinitialize;
     int errors, warnings;
     int signals_touched, signals_landed, bodies_landed;
+    int flushes;
     int64_t stored, room; /* bytes of the files; and that they have left */
     char last_error[512];
 } host_counts;

@@ -201,6 +201,8 @@ void scene_call(host_variant* self, const char* method, const void* const* args,
         const int fits = values[0]->u.array->count <= host.room;
         if (fits) host.stored += values[0]->u.array->count, host.room -= values[0]->u.array->count;
         *ret = host_bool(fits);
+    } else if (!strcmp(o->class_name, "FileAccess") && !strcmp(method, "flush")) {
+        ++host.flushes;
     } else if (!(o == rendering ? render(method, values, count, ret)
                                 : physics(method, ret) || node(o, method, values, count, ret))) {
         fprintf(stderr, "the host has no %s\n", method);

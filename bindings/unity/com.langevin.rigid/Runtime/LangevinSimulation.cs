@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Runtime.InteropServices;
 using LangevinRigid;
 using UnityEngine;
@@ -9,7 +10,7 @@ namespace LangevinUnity
 {
     /// <summary>A world of the library with the assets that it uses. All of them are known to this class, so that none outlives a
     /// reload of scripts: native memory and worker threads stay in the editor's process when managed code goes.</summary>
-    public sealed unsafe class LangevinSimulation : IDisposable
+    public sealed unsafe partial class LangevinSimulation : IDisposable
     {
         private static readonly List<LangevinSimulation> Living = new List<LangevinSimulation>();
         // Held by a static field: native code keeps the pointer as long as there is a world.
@@ -71,6 +72,8 @@ namespace LangevinUnity
             if (world == IntPtr.Zero) return;
             Native.lr_world_destroy(world);
             world = IntPtr.Zero;
+            try { CloseRecording(); }
+            catch (IOException e) { Debug.LogException(e); }
             foreach (IntPtr asset in assets.Values) Native.lr_asset_release(asset);
             assets.Clear();
             Living.Remove(this);

@@ -236,6 +236,23 @@ namespace LangevinUnity
             JobHandle.ScheduleBatchedJobs();
         }
 
+        /// <summary>Has all that happens in this world written to a file, until StopRecording or until the component is disabled, for
+        /// lr_replay to play again: send it with a bug report. At any time, in a shipped game too: a path below
+        /// Application.persistentDataPath can be written everywhere.</summary>
+        public void StartRecording(string path)
+        {
+            CompleteStep();
+            if (Simulation == null) throw new InvalidOperationException("The world is disabled.");
+            simulation.StartRecording(path);
+        }
+
+        /// <summary>Ends a recording; none is fine. Throws an IOException if the file could not take all of it.</summary>
+        public void StopRecording()
+        {
+            CompleteStep();
+            if (Simulation != null) simulation.StopRecording();
+        }
+
         /// <summary>Bounds the work of each step; batches slow down by their priorities when it does not reach.</summary>
         public void SetBudget(LangevinBudgetKind kind, float milliseconds, long bodySubsteps)
         {

@@ -8,6 +8,7 @@
 #include "LangevinColliders.h"
 #include "LangevinConversion.h"
 #include "LangevinHost.h"
+#include "LangevinRecording.h"
 #include "LangevinRigidModule.h"
 #include "LangevinSettings.h"
 #include "LangevinTypes.h"
@@ -82,6 +83,7 @@ void ULangevinWorldSubsystem::Deinitialize() {
     Colliders.Reset();
     if (World != nullptr) lr_world_destroy(World);
     World = nullptr;
+    Recording.Reset();
     Jobs.Reset();
     Super::Deinitialize();
 }
@@ -254,6 +256,19 @@ int64 ULangevinWorldSubsystem::GetStateHash() const {
     uint64_t Hash = 0; // another type than uint64 on Linux
     if (World != nullptr) lr_world_hash(World, &Hash);
     return static_cast<int64>(Hash);
+}
+
+bool ULangevinWorldSubsystem::StartRecording(const FString& Filename) {
+    if (World == nullptr || Recording.IsValid()) return false;
+    Recording = FLangevinRecording::Start(World, Filename);
+    return Recording.IsValid();
+}
+
+bool ULangevinWorldSubsystem::StopRecording() {
+    if (!Recording.IsValid()) return false;
+    const bool bWhole = Recording->Stop(World);
+    Recording.Reset();
+    return bWhole;
 }
 
 double ULangevinWorldSubsystem::GetSimulatedTime() const {

@@ -10,6 +10,7 @@
 
 class FLangevinColliders;
 class FLangevinJobs;
+class FLangevinRecording;
 class FLangevinWind;
 class ULangevinBatchComponent;
 class ULevel;
@@ -79,6 +80,15 @@ public:
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid|State")
     int64 GetStateHash() const;
 
+    /** Writes all that happens in this world to a file, for lr_replay to play again, until StopRecording or the end of the game
+        world: send it with a bug report. FPaths::ProjectSavedDir can be written in shipped games. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
+    bool StartRecording(const FString& Filename);
+
+    /** False where none is under way, or the file could not take all of it. */
+    UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
+    bool StopRecording();
+
     /** s of simulated time. */
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid")
     double GetSimulatedTime() const;
@@ -107,6 +117,7 @@ private:
     void OnLevelRemoved(ULevel* Level, UWorld* InWorld);
 
     lr_world* World = nullptr;
+    TUniquePtr<FLangevinRecording> Recording;
     TUniquePtr<FLangevinJobs> Jobs;
     TUniquePtr<FLangevinColliders> Colliders;
     TUniquePtr<FLangevinWind> Wind;
