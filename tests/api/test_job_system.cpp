@@ -121,7 +121,7 @@ TEST_CASE("every scene ends in the same bits with any job system") {
     [[maybe_unused]] uint32_t at = 0;
     for (PlayedScene& scene : scenes) {
 #ifdef LR_TEST_QUICK
-        if (at++ % 2 != 0) continue;
+        if (at++ % 4 != 1) continue; // workers go through all of them elsewhere
 #endif
         // Among so many bodies a few are more than Runge-Kutta can follow, and what is not finite has no promise.
         if (scene.integrator == LR_INTEGRATOR_RK4) continue;

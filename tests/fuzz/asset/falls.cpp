@@ -85,6 +85,14 @@ void fall(const lr_asset* asset, uint32_t variant) {
     }
     const bool slow = take(4) == 0;
     for (int i = 0; i < 100; ++i) must(lr_world_step(world, slow ? 0.5f : 1.0f / 60.0f, 1), "lr_world_step");
+    lr_batch_events events;
+    must(lr_batch_events_init(&events, sizeof events), "init");
+    must(lr_batch_get_events(world, batch, &events), "lr_batch_get_events");
+    if (events.total_faulted != 0) {
+        std::fprintf(stderr, "DEFECT: left physics: model %d clock %d tensor %d scale %g around %u %s\n", bd.load_model,
+                     bd.clock, bd.tensor, static_cast<double>(scale), around, slow ? "slow" : "");
+        std::abort();
+    }
     for (lr_body id : ids) {
         lr_body_state s;
         must(lr_body_state_init(&s, sizeof s), "init");
