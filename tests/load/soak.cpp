@@ -42,6 +42,22 @@ Estimate estimate(const std::vector<double>& blocks, size_t from, size_t to) {
     return e;
 }
 
+// Change an hour of a straight line through the blocks [from, end), by least squares.
+Estimate drift(const std::vector<double>& blocks, size_t from) {
+    const auto n = static_cast<double>(blocks.size() - from), hour = 60.0 / block_minutes;
+    const double mean = estimate(blocks, from, blocks.size()).mean, middle = 0.5 * (n - 1.0);
+    double xx = 0.0, xy = 0.0, rest = 0.0;
+    for (size_t i = from; i < blocks.size(); ++i) {
+        const double x = static_cast<double>(i - from) - middle;
+        xx += x * x, xy += x * (blocks[i] - mean);
+    }
+    for (size_t i = from; i < blocks.size(); ++i) {
+        const double off = blocks[i] - mean - xy / xx * (static_cast<double>(i - from) - middle);
+        rest += off * off;
+    }
+    return {hour * xy / xx, hour * std::sqrt(rest / (n - 2.0) / xx)};
+}
+
 class Soak {
 public:
     Soak(double hours, const std::string& csv)
@@ -196,6 +212,9 @@ private:
             bad += verdict(apart <= 4.0 * error + 1e-9, s.name.c_str(),
                            "%.4f +- %.4f in the first hour, %.4f +- %.4f in the last", first.mean, first.error,
                            last.mean, last.error);
+            const Estimate line = drift(s.blocks, 2);
+            bad += verdict(std::abs(line.mean) <= 4.0 * line.error + 1e-9, "    its drift",
+                           "%.2g +- %.2g an hour, over all of them", line.mean, line.error);
         }
         return bad;
     }
