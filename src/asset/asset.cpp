@@ -2,9 +2,33 @@
 
 #include "format/asset_file.h"
 #include "format/coupling.h"
+#include "format/matrix6.h"
+
+#include <algorithm>
+
+namespace {
+
+// A solver's error may leave added mass a little below zero where a thin or round body has next to none, and the checks of files let
+// that pass. In a dense fluid it would take from the body's own inertia, and turbulent loads along it would drive instead of damp.
+lr::AssetData&& settled(lr::AssetData&& d) {
+    const double unit = d.volume + d.projected_area * d.length_d;
+    lr::Matrix6 scaled = d.added_mass;
+    lr::scale_to_unit(scaled, unit, d.length_d);
+    lr::Matrix6 nearly = scaled;
+    for (size_t i = 0; i < 6; ++i) nearly[i * 7] += 1e-12; // rounding
+    if (lr::is_positive_definite(nearly, 0.0)) return std::move(d);
+    lr::make_semi_definite(scaled);
+    for (size_t i = 0; i < 6; ++i)
+        for (size_t j = 0; j < 6; ++j)
+            d.added_mass[i * 6 + j] =
+                scaled[i * 6 + j] * (unit * (i < 3 ? 1.0 : d.length_d) * (j < 3 ? 1.0 : d.length_d));
+    return std::move(d);
+}
+
+} // namespace
 
 lr_asset::lr_asset(lr::AssetData&& from, uint32_t version, const std::array<double, 3>& size)
-    : data(std::move(from)), content_hash(lr::content_hash(data)), diagonal(lr::is_diagonal(data)),
+    : data(settled(std::move(from))), content_hash(lr::content_hash(data)), diagonal(lr::is_diagonal(data)),
       format_version(version), extents(size) {}
 
 namespace lr {

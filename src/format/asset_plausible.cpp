@@ -1,6 +1,7 @@
 // What no body has, though each of its numbers could be one's.
 #include "format/asset_file.h"
 #include "format/matrix6.h"
+#include "shape/body_scales.h"
 
 #include <algorithm>
 
@@ -21,6 +22,16 @@ bool has_moments_of_mass(const AssetData& d) {
             moments[i * 6 + j] = i < 3 && j < 3 ? unit * (1.0 + 1e-6) - d.inertia[i * 3 + j] / half_trace : unit;
         }
     return is_positive_definite(moments, 0.0);
+}
+
+// Not all on a line: a hundredth of the thickness is what the mass is spread about any axis, at least.
+bool has_spread(const AssetData& d) {
+    Matrix6 about{};
+    const double least = 1e-4 * d.mass * d.length_b * d.length_b, size = d.inertia[0] + d.inertia[4] + d.inertia[8];
+    for (size_t i = 0; i < 6; ++i)
+        for (size_t j = 0; j < 6; ++j)
+            about[i * 6 + j] = i < 3 && j < 3 ? (d.inertia[i * 3 + j] - (i == j ? least : 0.0)) / size : i == j;
+    return is_positive_definite(about, 0.0);
 }
 
 // Along the axes of the body; d itself may lie across them.
@@ -44,9 +55,15 @@ bool check_plausible(const AssetData& d, Faults& faults) {
     if (d.volume > 10.0 * d2 * d1) fail(faults, "volume", "The volume is far too large for the length d.");
     if (d.projected_area > 10.0 * d2) fail(faults, "projected_area", "The area is far too large for the length d.");
     if (d.length_b > 10.0 * d1) fail(faults, "lengths.b", "The thickness is far larger than the length d.");
+    if (d.length_l > 10.0 * d1) fail(faults, "lengths.l", "The turbulence length is far larger than the length d.");
+    // paper Eq. 1. It scales the turbulence that the body meets.
+    const double u0 = shape::speed_scale(d.density, d.fluid_density, d.length_b);
+    if (d.u0 > 10.0 * u0 || d.u0 < 0.1 * u0)
+        fail(faults, "u0", "The speed does not fit the densities and the thickness.");
     if (!has_moments_of_mass(d))
         fail(faults, "inertia",
              "A principal moment of inertia is larger than the other two together: no mass lies so.");
+    if (!has_spread(d)) fail(faults, "inertia", "A moment of inertia is far too small for the thickness.");
     if (!d.hull.vertices.empty() && extent(d.hull) < 0.5 * d1)
         fail(faults, "hull.vertices", "The hull is far smaller than the length d.");
     return faults.size() == before;

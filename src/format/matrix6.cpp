@@ -1,5 +1,6 @@
 #include "format/matrix6.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lr {
@@ -31,6 +32,38 @@ bool cholesky(const Matrix6& m, double floor, Matrix6& l) {
         }
     }
     return true;
+}
+
+void make_semi_definite(Matrix6& m) {
+    // Jacobi's rotations: a becomes diagonal, columns of v the eigenvectors. Some six sweeps; the bound is for what is not finite.
+    Matrix6 a = m, v{};
+    for (size_t i = 0; i < 6; ++i) v[i * 7] = 1.0;
+    for (int sweep = 0; sweep < 30; ++sweep) {
+        bool rotated = false;
+        for (size_t p = 0; p < 6; ++p)
+            for (size_t q = p + 1; q < 6; ++q) {
+                const double off = a[p * 6 + q];
+                if (std::abs(off) <= 1e-18 * (std::abs(a[p * 7]) + std::abs(a[q * 7]))) continue;
+                rotated = true;
+                const double theta = 0.5 * (a[q * 7] - a[p * 7]) / off;
+                const double t = (theta < 0.0 ? -1.0 : 1.0) / (std::abs(theta) + std::sqrt(theta * theta + 1.0));
+                const double c = 1.0 / std::sqrt(t * t + 1.0), s = t * c;
+                const auto turn = [&](double& x, double& y) {
+                    const double before = x;
+                    x = c * before - s * y;
+                    y = s * before + c * y;
+                };
+                for (size_t k = 0; k < 6; ++k) turn(a[k * 6 + p], a[k * 6 + q]);
+                for (size_t k = 0; k < 6; ++k) turn(a[p * 6 + k], a[q * 6 + k]);
+                for (size_t k = 0; k < 6; ++k) turn(v[k * 6 + p], v[k * 6 + q]);
+                a[p * 6 + q] = a[q * 6 + p] = 0.0;
+            }
+        if (!rotated) break;
+    }
+    for (size_t e = 0; e < 6; ++e)
+        if (a[e * 7] < 0.0)
+            for (size_t i = 0; i < 6; ++i)
+                for (size_t j = 0; j < 6; ++j) m[i * 6 + j] -= a[e * 7] * (v[i * 6 + e] * v[j * 6 + e]);
 }
 
 bool is_positive_definite(const Matrix6& m, double floor) {

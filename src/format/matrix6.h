@@ -21,6 +21,9 @@ bool is_positive_definite(const Matrix6& m, double floor);
 // m = l l^T with l lower triangular; false when a pivot is not above `floor`.
 bool cholesky(const Matrix6& m, double floor, Matrix6& l);
 
+// The nearest positive semi-definite matrix to a symmetric one: negative eigenvalues become zero.
+void make_semi_definite(Matrix6& m);
+
 // Inverse of a symmetric positive definite matrix; false when it is not one.
 bool invert_spd(const Matrix6& m, Matrix6& inverse);
 

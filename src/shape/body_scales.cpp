@@ -15,9 +15,13 @@ BodyScales body_scales(double largest_extent, double smallest_extent, double vol
     // Half the depth of the layer of fluid that moves along broadside. With the paper's 100 % intensity this lets 70
     // g/m^2 paper discs fall as measured ones do (docs/physics.md, "Scales").
     s.l = 0.5 * broadside_added_mass / projected_area;
-    // A neutrally buoyant body has no fall speed; the floor keeps its scales finite.
-    s.u0 = std::max(1e-6, std::sqrt(std::abs(density / fluid_density - 1.0) * standard_gravity * s.b));
+    s.u0 = speed_scale(density, fluid_density, s.b);
     return s;
+}
+
+double speed_scale(double density, double fluid_density, double thickness) {
+    // A neutrally buoyant body has no fall speed; the floor keeps its scales finite.
+    return std::max(1e-6, std::sqrt(std::abs(density / fluid_density - 1.0) * standard_gravity * thickness));
 }
 
 } // namespace lr::shape

@@ -155,11 +155,21 @@ TEST_CASE("each impossible number has its fault, at its field") {
          [](AssetData& a) { a.inertia[1] = a.inertia[3] = 2.0 * std::sqrt(a.inertia[0] * a.inertia[4]); }},
         {FaultId::asset_inconsistent, "inertia",
          [](AssetData& a) { a.inertia[8] = 1.001 * (a.inertia[0] + a.inertia[4]); }},
+        {FaultId::asset_inconsistent, "inertia",
+         [](AssetData& a) {
+             a.length_b = a.length_d; // a ball, all of whose mass is in a wire
+             a.u0 *= 3.0;
+             a.inertia[0] = 9e-5 * a.mass * a.length_b * a.length_b;
+             a.inertia[8] = a.inertia[4];
+         }},
         {FaultId::asset_inconsistent, "volume",
          [](AssetData& a) { a.density = a.mass / (a.volume = 11.0 * std::pow(a.length_d, 3.0)); }},
         {FaultId::asset_inconsistent, "projected_area",
          [](AssetData& a) { a.projected_area = 11.0 * a.length_d * a.length_d; }},
         {FaultId::asset_inconsistent, "lengths.b", [](AssetData& a) { a.length_b = 11.0 * a.length_d; }},
+        {FaultId::asset_inconsistent, "lengths.l", [](AssetData& a) { a.length_l = 11.0 * a.length_d; }},
+        {FaultId::asset_inconsistent, "u0", [](AssetData& a) { a.u0 *= 11.0; }},
+        {FaultId::asset_inconsistent, "u0", [](AssetData& a) { a.u0 /= 11.0; }},
         {FaultId::asset_inconsistent, "hull.vertices",
          [](AssetData& a) {
              for (float& v : a.hull.vertices) v *= 0.4f;

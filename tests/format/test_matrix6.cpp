@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace lr;
@@ -90,6 +91,42 @@ TEST_CASE("scaling to units divides each block by its own") {
     const Matrix6 body = rigid_mass_matrix(5.0, {1, 2, 3, 2, 4, 5, 3, 5, 6});
     CHECK((body[0] == 5.0 && body[7] == 5.0 && body[14] == 5.0 && body[1] == 0.0 && body[3] == 0.0));
     CHECK((body[21] == 1.0 && body[22] == 2.0 && body[28] == 4.0 && body[35] == 6.0));
+}
+
+TEST_CASE(
+    "the nearest semi-definite matrix is the matrix where it is one, and as near as its least eigenvalue where not") {
+    test::Random random(7);
+    for (int round = 0; round < 200; ++round) {
+        const size_t rank = 3 + static_cast<size_t>(round % 4);
+        Matrix6 a{}, rows{};
+        for (size_t k = 0; k < rank * 6; ++k) rows[k] = random.real(-1.0, 1.0);
+        for (size_t i = 0; i < 6; ++i)
+            for (size_t j = 0; j < 6; ++j)
+                for (size_t k = 0; k < rank; ++k) a[i * 6 + j] += rows[k * 6 + i] * rows[k * 6 + j];
+        Matrix6 sure = a;
+        for (size_t i = 0; i < 6; ++i) sure[i * 7] += 1e-9;
+        const Matrix6 before = sure;
+        make_semi_definite(sure);
+        CHECK(sure == before);
+        Matrix6 below = a;
+        for (size_t i = 0; i < 6; ++i) below[i * 7] -= 1e-6;
+        if (rank < 6) CHECK_FALSE(is_positive_definite(below, 0.0));
+        make_semi_definite(below);
+        double apart = 0.0;
+        for (size_t i = 0; i < 36; ++i) {
+            apart = std::max(apart, std::abs(below[i] - a[i]));
+            CHECK(below[i] == below[i % 6 * 6 + i / 6]);
+        }
+        CHECK(apart < 1.1e-6);
+        for (size_t i = 0; i < 6; ++i) below[i * 7] += 1e-12;
+        CHECK(is_positive_definite(below, 0.0));
+    }
+    Matrix6 needle{};
+    for (size_t i = 0; i < 6; ++i) needle[i * 7] = i == 3 ? -1e-8 : 0.1 * static_cast<double>(i + 1);
+    Matrix6 expected = needle;
+    expected[21] = 0.0;
+    make_semi_definite(needle);
+    CHECK(needle == expected);
 }
 
 TEST_CASE("FNV-1a gives its published values") {
