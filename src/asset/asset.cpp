@@ -4,8 +4,6 @@
 #include "format/coupling.h"
 #include "format/matrix6.h"
 
-#include <algorithm>
-
 namespace {
 
 // A solver's error may leave added mass a little below zero where a thin or round body has next to none, and the checks of files let

@@ -15,23 +15,17 @@ void fail(Faults& faults, const char* where, const char* what) {
 // The second moments of mass, trace/2 - I, are sums of squares. Those across a flat body are zero, and rounding leaves a little below.
 bool has_moments_of_mass(const AssetData& d) {
     const double half_trace = 0.5 * (d.inertia[0] + d.inertia[4] + d.inertia[8]);
-    Matrix6 moments{};
-    for (size_t i = 0; i < 6; ++i)
-        for (size_t j = 0; j < 6; ++j) {
-            const double unit = i == j ? 1.0 : 0.0;
-            moments[i * 6 + j] = i < 3 && j < 3 ? unit * (1.0 + 1e-6) - d.inertia[i * 3 + j] / half_trace : unit;
-        }
-    return is_positive_definite(moments, 0.0);
+    std::array<double, 9> moments{};
+    for (size_t i = 0; i < 9; ++i) moments[i] = (i % 4 == 0 ? 1.0 + 1e-6 : 0.0) - d.inertia[i] / half_trace;
+    return is_positive_definite(rigid_mass_matrix(1.0, moments), 0.0);
 }
 
 // Not all on a line: a hundredth of the thickness is what the mass is spread about any axis, at least.
 bool has_spread(const AssetData& d) {
-    Matrix6 about{};
     const double least = 1e-4 * d.mass * d.length_b * d.length_b, size = d.inertia[0] + d.inertia[4] + d.inertia[8];
-    for (size_t i = 0; i < 6; ++i)
-        for (size_t j = 0; j < 6; ++j)
-            about[i * 6 + j] = i < 3 && j < 3 ? (d.inertia[i * 3 + j] - (i == j ? least : 0.0)) / size : i == j;
-    return is_positive_definite(about, 0.0);
+    std::array<double, 9> beyond{};
+    for (size_t i = 0; i < 9; ++i) beyond[i] = (d.inertia[i] - (i % 4 == 0 ? least : 0.0)) / size;
+    return is_positive_definite(rigid_mass_matrix(1.0, beyond), 0.0);
 }
 
 // Along the axes of the body; d itself may lie across them.
