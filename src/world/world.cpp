@@ -304,7 +304,6 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
     contact_events.begin_step();
     if (pairs.any() && any_resting()) lr::wake_ahead(*this, dt, mode);
-    pace_batches(dt, substeps);
     if (colliders.any()) {
         const bool resting = any_resting();
         colliders.for_fresh([&](uint32_t slot) {
@@ -313,6 +312,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
         colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
         if (resting) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
     }
+    pace_batches(dt, substeps); // so that those that have woken are stepped
     uint32_t item_count = 0;
     bool unfit = false;
     for (uint32_t i = 0; i < batch_slots; ++i) {
@@ -344,8 +344,6 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     ++step_count;
     substep_count += substeps;
     time += static_cast<double>(dt);
-    for (uint32_t i = 0; i < batch_slots && lift_off; ++i)
-        if (batches[i].batch) batches[i].batch->wake_noted();
     finish_batches(static_cast<double>(dt));
     if (pacing.timed()) pacing.learn(std::chrono::duration<double>(Clock::now() - since).count());
 }
@@ -456,10 +454,12 @@ void lr_world::finish_batches(double dt) {
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
         if (!batch) continue;
-        const bool still = batch->awake() == 0, waits = !still && batch->pace.granted() == 0;
+        // Since the step began; some may wake at its end.
+        const bool still = !batch->pace.waits(), waits = !still && batch->pace.granted() == 0;
         lr::Lifecycle* const lifecycle = batch->lifecycle();
         const lr_batch handle = lr::pack(lr::BatchHandle{i, batches[i].generation});
         if (waits) {
+            batch->wake_noted();
             batch->faults.last = 0;
             if (lifecycle) lifecycle->pass();
             if (batch->events()) batch->events()->tell(*batch, handle, colliders, false, contact_events);
@@ -473,6 +473,7 @@ void lr_world::finish_batches(double dt) {
         if (lifecycle && turn) lifecycle->judge_rest(target->ended, *batch);
         lr::settle_faults(*this, *batch, handle, faults);
         if (lifecycle) lifecycle->finish(*batch, *this, seconds);
+        batch->wake_noted(); // rules have not judged them as bodies that move
         batch->settle_noted();
         if (batch->events()) batch->events()->tell(*batch, handle, colliders, !still, contact_events);
     }

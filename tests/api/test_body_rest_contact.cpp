@@ -156,6 +156,97 @@ TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes i
     CHECK(gone == 20);
 }
 
+TEST_CASE("whatever wakes bodies of a batch that is at rest as a whole, their age is the time that has passed") {
+    for (uint32_t divisor : {1u, 3u})
+        for (int how = 0; how < 3; ++how) {
+            CAPTURE(divisor);
+            CAPTURE(how);
+            const World world = make(world_desc());
+            const Asset card = make(rigid_box(0.06, 0.0005, 0.04, 500.0));
+            add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+            lr_collider_desc ball = sphere_collider(0.05f);
+            ball.position[1] = 0.2f;
+            const lr_collider collider = add_collider(world, ball);
+            lr_batch_desc bd = batch_desc();
+            bd.load_model = LR_LOADS_AERODYNAMIC;
+            const lr_batch batch = add_batch(world, bd, card, 16), other = add_batch(world, bd, card, 1);
+            for (lr_batch b : {batch, other}) set_contact(world, b, resting_contact());
+            set_pair(world, batch, other);
+            lr_batch_rate rate = initialised(lr_batch_rate_init);
+            rate.divisor = divisor, rate.longest_substep = 0.2f;
+            REQUIRE(lr_batch_set_rate(world.get(), batch, &rate) == LR_OK);
+            std::vector<lr_body> bodies;
+            for (int i = 0; i < 16; ++i) bodies.push_back(add_body(world, batch, at_rest_at({0.1 * i, 0.0003, 0.0})));
+            uint32_t woken = 0;
+            double wrong = 0.0, time = 0.0;
+            const auto run = [&](int count) {
+                for (int n = 0; n < count; ++n) {
+                    const bool still = view_of(world, batch).awake_count == 0;
+                    steps(world, 1, frame, 2);
+                    time += wide(frame);
+                    woken += still && view_of(world, batch).awake_count != 0;
+                    lr_batch_pace pace = initialised(lr_batch_pace_init);
+                    REQUIRE(lr_batch_get_pace(world.get(), batch, &pace) == LR_OK);
+                    for (lr_body b : bodies)
+                        wrong = std::max(wrong, std::abs(wide(state_of(world, b).age) + pace.behind - time));
+                }
+            };
+            run(180);
+            REQUIRE(view_of(world, batch).awake_count == 0);
+            if (how == 0) { // comes down onto one of them
+                lr_collider_motion down = motion_of(collider, LR_MOVE_TO);
+                down.position[0] = 0.31f, down.position[1] = 0.055f;
+                REQUIRE(lr_collider_move(world.get(), &down, 1) == LR_OK);
+            } else if (how == 1) {
+                set_wind(world, 25.0f, 0.0f, 0.0f);
+            } else {
+                lr_body_desc d = at_rest_at({0.3, 0.1, 0.0});
+                d.linear_velocity[1] = -8.0f;
+                add_body(world, other, d);
+            }
+            run(60);
+            CHECK(woken > 0);
+            CHECK(wrong < 1e-5);
+        }
+}
+
+TEST_CASE("bodies that the wind wakes after others of them have ended at rest live on") {
+    for (const bool one_moves : {false, true}) {
+        CAPTURE(one_moves);
+        const World world = make(world_desc());
+        const Asset card = make(rigid_box(0.06, 0.0005, 0.04, 500.0));
+        add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+        lr_batch_desc bd = batch_desc();
+        bd.load_model = LR_LOADS_AERODYNAMIC;
+        const lr_batch batch = add_batch(world, bd, card, 200);
+        set_contact(world, batch, resting_contact());
+        std::vector<lr_body> bodies;
+        for (int i = 0; i < 200; ++i) {
+            bodies.push_back(add_body(world, batch, at_rest_at({0.1 * i, 0.0003, 0.0})));
+            lr_body_state s = state_of(world, bodies.back());
+            if (i % 5 == 0) s.age = 90.0f;
+            REQUIRE(lr_body_set_state(world.get(), bodies.back(), &s) == LR_OK);
+        }
+        lr_batch_rules r = rules_desc();
+        r.max_age = 100.0f;
+        set_rules(world, batch, r);
+        const auto run = [&](int count) {
+            for (int n = 0; n < count; ++n) {
+                if (one_moves) REQUIRE(lr_body_set_rest(world.get(), &bodies[1], 1, LR_REST_AWAKE) == LR_OK);
+                steps(world, 1, frame, 2);
+            }
+        };
+        run(590);
+        REQUIRE(view_of(world, batch).awake_count == (one_moves ? 1 : 0));
+        REQUIRE(view_of(world, batch).count == 200);
+        while (events_of(world, batch).total_destroyed == 0) run(1);
+        set_wind(world, 25.0f, 0.0f, 0.0f);
+        run(30);
+        CHECK(view_of(world, batch).awake_count == 160);
+        CHECK(events_of(world, batch).total_destroyed == 40);
+    }
+}
+
 TEST_CASE("a wind callback is told whose bodies at rest it is asked about, and lifts those of one batch off") {
     struct Field {
         lr_batch blown = 0;

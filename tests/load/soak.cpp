@@ -131,9 +131,7 @@ private:
         else
             wrong_age_ = std::max(wrong_age_, (std::abs(static_cast<double>(s.age) - time()) - early) / ulp(time()));
     }
-    // s: what the ages of the first two seconds err by; and a step that bodies of a batch that is all at rest do not count when a
-    // collider wakes them in it, as the walker does once, in the first.
-    static constexpr double early = 2e-6 + static_cast<double>(frame);
+    static constexpr double early = 2e-6; // s: what the ages of the first two seconds err by
     static double square(float x) { return static_cast<double>(x) * static_cast<double>(x); }
     // A float's last place at x.
     static double ulp(double x) { return std::ldexp(1.0, std::ilogb(x) - 23); }
