@@ -10,7 +10,6 @@ import sys
 import surface
 
 
-
 def grown_header(header):
     """The text of a header in which every struct that may grow has, and the names of those."""
     structs = {name: struct for name, struct in surface.Surface(header).structs.items() if struct["grows"]}
@@ -25,8 +24,9 @@ def grown_header(header):
 
 def grown_arguments(text, names):
     """src/api/arguments.h with the sizes before that."""
-    sizes = dict(re.findall(r"earlier_sizes<(lr_\w+)>\{(.*)\};\n", text))
-    text = re.sub(r"template <> inline constexpr std::array earlier_sizes<.*\n", "", text)
+    held = r"template <>\s+inline constexpr std::array earlier_sizes<(lr_\w+)>\{([^}]*)\};\n"
+    sizes = dict(re.findall(held, text))
+    text = re.sub(held, "", text)
     lines = [f"template <> inline constexpr std::array earlier_sizes<{name}>{{{sizes.get(name, '')}{', ' if name in sizes else ''}"
              f"offsetof({name}, grown)}};\n" for name in names]
     primary = re.search(r"template <class T> inline constexpr std::array<size_t, 0> earlier_sizes\{\};\n", text)

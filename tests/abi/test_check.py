@@ -4,6 +4,7 @@
 import pathlib
 import re
 import shutil
+import subprocess
 import tempfile
 import unittest
 
@@ -208,6 +209,25 @@ class Tests(unittest.TestCase):
                 called = re.search(rf"\b{function}\(", program) or (
                     function.endswith("_init") and re.search(rf"INITIALISED\({function.removesuffix('_init')},", program))
                 self.assertTrue(called, f"{version}/program.c: {function}")
+
+
+class Grown(unittest.TestCase):
+    """What grown_library.sh builds, as far as its structs."""
+
+    def test_structs_that_have_grown_take_all_their_earlier_sizes(self):
+        source = surface.ROOT / "src"
+        arguments = (source / "api" / "arguments.h").read_text()
+        held = dict(re.findall(r"earlier_sizes<(lr_\w+)>\{([^}]*)\}", arguments))
+        self.assertIn("lr_world_desc", held)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            text, names = grow.grown_header(check.HEADER)
+            (folder / "langevin_rigid.h").write_text(text)
+            counts = [f"static_assert(lr::api::earlier_sizes<{n}>.size() == {held.get(n, '').count('offsetof') + 1});\n"
+                      for n in names]
+            program = folder / "sizes.cpp"
+            program.write_text(grow.grown_arguments(arguments, names).replace("#pragma once", "") + "".join(counts))
+            subprocess.run(["c++", "-std=c++20", "-fsyntax-only", "-I", folder, "-I", source, program], check=True)
 
 
 if __name__ == "__main__":
