@@ -43,7 +43,7 @@ struct State {
     std::vector<Wind> winds;
     uint64_t substeps = 0;
     double time = 0.0;
-    bool wild = false;  // numbers beyond physics were given: states need not be finite
+    bool wild = false;  // numbers beyond physics were given: results need not be plausible
     bool loose = false; // a damaged snapshot was taken: anything possible may be there
     bool timed = false; // a budget of time: not deterministic
 };
