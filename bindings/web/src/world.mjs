@@ -148,7 +148,7 @@ export class World {
   }
 
   stopRecording() {
-    this.call('lr_world_record_stop');
+    this.#record = this.#exchange(this.#record, 0, () => this.call('lr_world_record_stop'));
   }
 
   // The fluid.

@@ -415,6 +415,26 @@ test('what is forgotten is collected', async () => {
   assert.ok(Batch && TransformBuffer);
 });
 
+test('a recording that has been stopped lets go of what it wrote to', async () => {
+  const world = lr.createWorld();
+  let wrote = 0;
+  const file = (() => {
+    const pieces = [];
+    world.startRecording((bytes) => pieces.push(bytes) && (wrote += bytes.length));
+    return new WeakRef(pieces);
+  })();
+  world.step(1 / 60);
+  world.stopRecording();
+  assert.ok(wrote > 100);
+  for (let i = 0; i < 50 && file.deref(); ++i) {
+    await new Promise((resolve) => setTimeout(resolve, 2));
+    globalThis.gc();
+  }
+  assert.equal(file.deref(), undefined);
+  world.step(1 / 60);
+  world.dispose();
+});
+
 test('a module is loaded from an address, bytes, or compiled', async () => {
   const url = new URL(`${pathToFileURL(process.env.LR_PACKAGE)}/langevin_rigid.wasm`);
   const bytes = await readFile(url);
