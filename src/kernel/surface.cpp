@@ -63,8 +63,8 @@ HWY_INLINE float blur_of(const StepInput& in, const WetSubstep& s) {
     return std::sqrt(squared) * (in.h * in.h);
 }
 
-HWY_INLINE Immersion immersed_at(const StepInput& in, const WetSubstep& s, const SurfaceBlock& b, size_t at,
-                                 VF body_scale, Quaternion q, Vec3 x) {
+HWY_NOINLINE Immersion immersed_at(const StepInput& in, const WetSubstep& s, const SurfaceBlock& b, size_t at,
+                                   VF body_scale, Quaternion q, Vec3 x) {
     const DF d;
     return immersed(*s.body, *s.plane, body_scale, q, x, hn::Load(d, b.height + at), load3(b.normal, at),
                     blur_of(in, s));
@@ -94,9 +94,8 @@ struct Floating {
     Vec3 force;  // world
     Vec3 torque; // body frame, over d s
 };
-template <bool kFull>
-HWY_INLINE Floating floating(const StepInput& in, const WetSubstep& s, const LaneConstants& c, const Immersion& at,
-                             VF body_scale, VF inverse_length, Quaternion q, Vec3 normal, Vec3 rate, VF wet) {
+HWY_NOINLINE Floating floating(const StepInput& in, const WetSubstep& s, const LaneConstants& c, const Immersion& at,
+                               VF body_scale, VF inverse_length, Quaternion q, Vec3 normal, Vec3 rate, VF wet) {
     const WaterBody& w = *s.body;
     const VF one = constant(1.0f), zero = hn::Zero(DF()), f = at.fraction, dry = hn::Sub(one, f);
     const VF per_unit = hn::Div(one, c.unit_mass);
@@ -183,7 +182,7 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         held.sheared = false;
         held.uniform = false;
         const Floating loads =
-            floating<kFull>(in, s, c, middle, body_scale, inverse_length, q, load3(s.middle->normal, at), rate, wet);
+            floating(in, s, c, middle, body_scale, inverse_length, q, load3(s.middle->normal, at), rate, wet);
         held.weight = loads.force;
         External external{};
         for (Twist* t : {external.force, external.force + 1, external.rate, external.rate + 1}) *t = {none, none};

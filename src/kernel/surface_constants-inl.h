@@ -243,7 +243,7 @@ HWY_INLINE void blend_full(const BodyConstants& a, const WaterBody& w, VF f, VF 
 
 // unit: receives U(f)/U_a.
 template <bool kFull, Loads kLoads>
-HWY_INLINE void blend(const BodyConstants& a, const WaterBody& w, VF f, LaneConstants& c, VF& unit) {
+HWY_NOINLINE void blend(const BodyConstants& a, const WaterBody& w, VF f, LaneConstants& c, VF& unit) {
     const VF one = constant(1.0f), dry = hn::Sub(one, f);
     const VF ratio = constant(w.water.unit_mass / a.unit_mass);
     unit = mul_add(f, ratio, dry);
