@@ -63,8 +63,9 @@ void on_batch(Fuzzer& f) {
         if (given_arrays == 2) a.force[k] = nullptr;
     }
     if (in.null(3)) a.force[1] = nullptr;
-    e.add_if(in.null(3) && given_arrays != 2, LR_ERROR_NULL_ARGUMENT);
-    if (count != 0 && !in.null(3)) {
+    const bool one_missing = in.null(3) && given_arrays != 2; // and not all three
+    e.add_if(one_missing, LR_ERROR_NULL_ARGUMENT);
+    if (count != 0 && !one_missing) {
         for (float v : force)
             if (given_arrays != 2) e.finite(v);
         for (float v : torque)
