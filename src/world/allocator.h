@@ -69,12 +69,12 @@ private:
     size_t size_ = 0;
 };
 
-// Room for so many at least, and half as many more where it grows; what was there is lost then. False when out of memory, and
-// nothing has changed.
+// Room for so many at least, and an eighth more where it grows: nothing has to be copied, and what is never used is memory all the
+// same. What was there is lost then. False when out of memory, and nothing has changed.
 template <class T> bool grow(Allocator& allocator, Buffer<T>& buffer, size_t count) {
     if (buffer.size() >= count) return true;
     Buffer<T> larger;
-    if (!larger.allocate(allocator, count + count / 2)) return false;
+    if (!larger.allocate(allocator, count + count / 8 + 1)) return false;
     buffer.swap(larger);
     return true;
 }
