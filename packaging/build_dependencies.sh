@@ -61,25 +61,33 @@ build libccd "$sources/libccd" install -DCCD_DOUBLE=ON -DLIBM_LIBRARY:STRING=-lm
 build highway "$sources/highway" install -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF \
     -DHWY_FORCE_STATIC_LIBS=ON -DHWY_SYSTEM_GTEST=OFF
 
-# Header-only: those of the machine that builds, each by itself, so that nothing else of its folder is found.
+# Header-only: those of the machine that builds, each by itself, so that nothing else of its folder is found. A compiler that is the
+# machine's own finds that folder anyway, and is told of no other: what it makes is then in its cache from the build with the tests.
+include=$prefix/include
+[ "$platform" != linux-x64 ] || include=/usr/include
 for header in eigen3 boost nlohmann CLI flatbuffers doctest utf8.h utf8; do
     [ -e "/usr/include/$header" ] || { echo "no /usr/include/$header: scripts/setup.sh package" >&2; exit 1; }
-    ln -s "/usr/include/$header" "$prefix/include/$header"
+    [ "$include" = /usr/include ] || ln -s "/usr/include/$header" "$include/$header"
 done
+if [ "$include" = /usr/include ] && diff -qr --exclude=contrib "$prefix/include/hwy" /usr/include/hwy >/dev/null; then
+    # The words differ in nothing but the visibility that functions of it are declared with, which the linker hides.
+    rm -r "$prefix/include/hwy"
+    sed -i 's/HWY_STATIC_DEFINE/HWY_SHARED_DEFINE/' "$prefix"/lib/cmake/hwy/*.cmake
+fi
 version_of() { dpkg-query -W -f='${Version}' "$1" | sed 's/^[0-9]*://; s/[-+~].*//'; }
 header_package() { # CMake's name, target, include folder, Debian package
     mkdir -p "$prefix/lib/cmake/$1"
     sed -e "s|@TARGET@|$2|; s|@INCLUDE@|$3|" packaging/cmake/header_only.cmake.in >"$prefix/lib/cmake/$1/$1Config.cmake"
     sed -e "s|@VERSION@|$(version_of "$4")|" packaging/cmake/any_version.cmake.in >"$prefix/lib/cmake/$1/$1ConfigVersion.cmake"
 }
-header_package Eigen3 Eigen3::Eigen eigen3 libeigen3-dev
-header_package nlohmann_json nlohmann_json::nlohmann_json . nlohmann-json3-dev
-header_package CLI11 CLI11::CLI11 . libcli11-dev
-header_package doctest doctest::doctest . doctest-dev
+header_package Eigen3 Eigen3::Eigen "$include/eigen3" libeigen3-dev
+header_package nlohmann_json nlohmann_json::nlohmann_json "$include" nlohmann-json3-dev
+header_package CLI11 CLI11::CLI11 "$include" libcli11-dev
+header_package doctest doctest::doctest "$include" doctest-dev
 cp /usr/lib/cmake/doctest/doctest.cmake /usr/lib/cmake/doctest/doctestAddTests.cmake "$prefix/lib/cmake/doctest/"
 echo 'list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")' >>"$prefix/lib/cmake/doctest/doctestConfig.cmake"
 mkdir -p "$prefix/lib/cmake/FlatBuffers" "$prefix/lib/cmake/draco"
-cp packaging/cmake/FlatBuffersConfig.cmake "$prefix/lib/cmake/FlatBuffers/"
+sed -e "s|@INCLUDE@|$include|" packaging/cmake/FlatBuffersConfig.cmake.in >"$prefix/lib/cmake/FlatBuffers/FlatBuffersConfig.cmake"
 cp packaging/cmake/dracoConfig.cmake "$prefix/lib/cmake/draco/"
 
 complete() {

@@ -66,8 +66,8 @@ licences() { # each of the table is there and says something; none is there with
 check "licences of all that it carries" licences
 no_paths() { # of the machine that built, in any file
     local bad
-    bad=$(grep -rlaF -e "$root" -e build/packaging . || true)
-    [ -z "$bad" ] || { echo "$bad"; grep -raohE "[[:print:]]*($root|build/packaging)[[:print:]]*" $bad | head -n 5; return 1; }
+    bad=$(grep -rlaF -e "$root" -e build/packag . || true)
+    [ -z "$bad" ] || { echo "$bad"; grep -raohE "[[:print:]]*($root|build/packag)[[:print:]]*" $bad | head -n 5; return 1; }
 }
 check "no folders of the machine that built it" no_paths
 

@@ -17,7 +17,7 @@ rm -rf "$folder/stage"
 mkdir -p "$stage"
 
 for component in runtime bake; do
-    cmake --install "$folder/build" --prefix "$stage" --component "$component" --strip >"$folder/install.log"
+    cmake --install "$(platform_build "$platform")" --prefix "$stage" --component "$component" --strip >"$folder/install.log"
 done
 if [ "$platform" = windows-x64 ]; then
     # For Microsoft's linker and LLVM's: an import library in their form, and what others can be made from.

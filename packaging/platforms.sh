@@ -42,3 +42,5 @@ setup_word() { # platform
 }
 
 platform_folder() { echo "$PWD/build/packaging/$1"; }
+# As deep as other builds: what the compiler is told of sources is then the same, and its cache has what the tests were built with.
+platform_build() { echo "$PWD/build/package-$1"; }

@@ -15,7 +15,7 @@ select_platform windows-x64
 export WINEDEBUG=${WINEDEBUG:--all}
 packaging/build_dependencies.sh windows-x64
 packaging/build_library.sh windows-x64 --tests
-bin=$(platform_folder windows-x64)/build/bin
+bin=$(platform_build windows-x64)/bin
 passed=0 failed=0
 run() { # program, arguments of doctest
     local log=$bin/$1.log start=$SECONDS
