@@ -78,13 +78,15 @@ inline bool stays(const ContactBook& book, const BodyAfter& body, float seconds)
     float sum[6];
     for (size_t k = 0; k < 6; ++k) sum[k] = book.stay[1 + k][at] + sums[k];
     const float far = length(Vector{sum[0], sum[1], sum[2]}) + farthest(body.extent, {sum[3], sum[4], sum[5]});
-    if (!(far < stay_way * body.reach)) {
+    const float lasted = book.stay[0][at] + seconds;
+    // That nothing is noted is read off the time alone: without one, of a step under the least float, no way is kept either.
+    if (!(far < stay_way * body.reach) || lasted == 0.0f) {
         for (float* row : book.stay) row[at] = 0.0f;
         return false;
     }
     for (size_t k = 0; k < 6; ++k) book.stay[1 + k][at] = sum[k];
-    book.stay[0][at] += seconds;
-    return book.stay[0][at] >= time_to_stay;
+    book.stay[0][at] = lasted;
+    return lasted >= time_to_stay;
 }
 
 // What a body has begun to touch in a substep, and that it no longer touches what it did. meeting(collider slot): a Touch.
