@@ -37,6 +37,7 @@ Pace::Pace(double length) : record_(initial()), length_(length) {
 
 void Pace::set_rate(const lr_batch_rate& rate) {
     record_.rate = rate;
+    record_.rate.struct_size = sizeof rate; // whatever a caller's header has it as: snapshots hold it
     const auto set = static_cast<double>(rate.longest_substep);
     longest_ = set > 0.0 ? set : std::min(longest_of_all, length_ / pace_of_length);
 }
@@ -68,7 +69,6 @@ bool Pace::plain() const {
 void Pace::restore(const Record& record) {
     record_ = record;
     set_rate(record.rate);
-    record_.rate.struct_size = sizeof record_.rate;
     granted_ = 0;
     lost_now_ = 0.0;
 }
