@@ -56,11 +56,13 @@ template <class T> lr_status check_size(const T* given) {
     return LR_OK;
 }
 
+// What is kept has this header's size, whatever the caller's header has: snapshots and recordings hold it.
 template <class T> lr_status read_struct(const T* given, T& out) {
     const lr_status status = check_size(given);
     if (status != LR_OK) return status;
     out = T{};
     std::memcpy(&out, given, given->struct_size < sizeof(T) ? given->struct_size : sizeof(T));
+    out.struct_size = sizeof(T);
     return LR_OK;
 }
 

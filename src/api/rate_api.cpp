@@ -69,7 +69,8 @@ lr_status lr_budget_init(lr_budget* budget, uint32_t struct_size) {
 lr_status lr_inner_world_set_budget(lr_world* world, const lr_budget* budget) {
     constexpr const char* name = "lr_world_set_budget";
     if (!world) return LR_ERROR_NULL_ARGUMENT;
-    lr_budget b{};
+    lr_budget b;
+    lr_budget_init(&b, sizeof b);
     if (budget) {
         const lr_status status = read_struct(budget, b);
         if (status != LR_OK) return refuse(world, name, status);

@@ -84,7 +84,6 @@ void Surface::set(const lr_surface_desc& desc, const float gravity[3]) {
     record_ = Record{};
     record_.present = 1;
     record_.desc = desc;
-    record_.desc.struct_size = sizeof desc;
     double g[3];
     widen(gravity, g);
     // Deep water: omega^2 = g k.

@@ -40,7 +40,6 @@ lr_status WindField::make(const lr_wind_source_desc& desc, double time, uint64_t
     }
     WindSource* const source = new (memory) WindSource{};
     source->desc = desc;
-    source->desc.struct_size = sizeof desc;
     source->desc.samples = nullptr;
     source->since = time;
     source->grid = grid;

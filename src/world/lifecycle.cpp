@@ -34,7 +34,6 @@ void Lifecycle::set_rules(const lr_batch_rules* rules) {
     rules_ = {};
     if (!rules) return;
     rules_ = *rules;
-    rules_.struct_size = sizeof rules_;
     std::fill(rules_.volumes + rules_.volume_count, rules_.volumes + LR_MAX_KILL_VOLUMES, lr_kill_volume{});
 }
 
@@ -45,9 +44,7 @@ void Lifecycle::set_emitter(const lr_emitter_desc* emitter) {
         due_ = burst_clock_ = 0.0;
         return;
     }
-    lr_emitter_desc desc = *emitter;
-    desc.struct_size = sizeof desc;
-    emitter_ = Emitter(desc);
+    emitter_ = Emitter(*emitter);
 }
 
 void Lifecycle::judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end) {

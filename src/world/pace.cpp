@@ -37,7 +37,6 @@ Pace::Pace(double length) : record_(initial()), length_(length) {
 
 void Pace::set_rate(const lr_batch_rate& rate) {
     record_.rate = rate;
-    record_.rate.struct_size = sizeof rate; // whatever a caller's header has it as: snapshots hold it
     const auto set = static_cast<double>(rate.longest_substep);
     longest_ = set > 0.0 ? set : std::min(longest_of_all, length_ / pace_of_length);
 }

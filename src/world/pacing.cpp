@@ -42,7 +42,6 @@ bool Pacing::reserve(Allocator& allocator, size_t batches) {
 
 void Pacing::set_budget(const lr_budget& budget) {
     budget_ = budget;
-    budget_.struct_size = sizeof budget_;
     saved_ = 0.0;
 }
 

@@ -83,22 +83,3 @@ TEST_CASE("a step under the least float notes nothing of contacts that a snapsho
         }
     }
 }
-
-TEST_CASE("a rate of a later header is in snapshots as one of this header's") {
-    const Asset asset = brick();
-    std::vector<unsigned char> saved[2];
-    for (uint32_t later : {0u, 1u}) {
-        const World world = make(world_desc());
-        const lr_batch batch = add_batch(world, unloaded(), asset, 1);
-        struct {
-            lr_batch_rate rate;
-            uint32_t none;
-        } grown{};
-        REQUIRE(lr_batch_rate_init(&grown.rate, sizeof grown.rate) == LR_OK);
-        grown.rate.struct_size += 4 * later;
-        grown.rate.divisor = 3;
-        REQUIRE(lr_batch_set_rate(world.get(), batch, &grown.rate) == LR_OK);
-        saved[later] = snapshot_of(world);
-    }
-    CHECK(saved[0] == saved[1]);
-}

@@ -384,6 +384,65 @@ TEST_CASE("the struct_size of an array of body descs is its stride") {
     CHECK(info_of(world).body_count == 3);
 }
 
+TEST_CASE("snapshots hold what a later header's structs set as this header has it") {
+    const Asset asset = leaf();
+    std::vector<unsigned char> saved[2];
+    for (bool later : {false, true}) {
+        const auto give = [&](const auto& desc, auto&& to) {
+            Grown grown(desc);
+            if (later) grown.value.struct_size = sizeof grown;
+            REQUIRE(to(&grown.value) == LR_OK);
+        };
+        lr_world* w = nullptr;
+        give(world_desc(), [&](const lr_world_desc* d) { return lr_world_create(d, &w); });
+        const World world(w);
+        lr_batch_desc b = batch_desc();
+        b.asset = asset.get();
+        b.capacity = 8;
+        lr_batch batch = 0;
+        give(b, [&](const lr_batch_desc* d) { return lr_batch_create(w, d, &batch); });
+        give(body_desc(), [&](const lr_body_desc* d) { return lr_body_create(w, batch, d, 1, nullptr); });
+        give(wind_desc(), [&](const lr_wind_desc* d) { return lr_world_set_wind(w, d); });
+        lr_wind_source source = 0;
+        lr_wind_source_desc blower = initialised(lr_wind_source_desc_init);
+        blower.kind = LR_WIND_SOURCE_POINT_BLOWER;
+        give(blower, [&](const lr_wind_source_desc* d) { return lr_world_add_wind(w, d, &source); });
+        give(blower, [&](const lr_wind_source_desc* d) { return lr_world_update_wind(w, source, d); });
+        give(initialised(lr_surface_desc_init), [&](const lr_surface_desc* d) { return lr_world_set_surface(w, d); });
+        give(initialised(lr_budget_init), [&](const lr_budget* d) { return lr_world_set_budget(w, d); });
+        const float sample = 1.0f;
+        lr_turbulence_table t = table_desc();
+        t.count = 1;
+        t.chi = t.epsilon = &sample;
+        t.dt = t.u0 = t.l = 1.0f;
+        give(t, [&](const lr_turbulence_table* d) { return lr_batch_set_turbulence_table(w, batch, d); });
+        give(initialised(lr_aerodynamics_init),
+             [&](const lr_aerodynamics* d) { return lr_batch_set_aerodynamics(w, batch, d); });
+        give(initialised(lr_load_gains_init),
+             [&](const lr_load_gains* d) { return lr_batch_set_load_gains(w, batch, d); });
+        give(initialised(lr_batch_force_init),
+             [&](const lr_batch_force* d) { return lr_batch_set_force(w, batch, d); });
+        give(initialised(lr_batch_rules_init),
+             [&](const lr_batch_rules* d) { return lr_batch_set_rules(w, batch, d); });
+        give(initialised(lr_emitter_desc_init),
+             [&](const lr_emitter_desc* d) { return lr_batch_set_emitter(w, batch, d); });
+        give(initialised(lr_batch_rate_init), [&](const lr_batch_rate* d) { return lr_batch_set_rate(w, batch, d); });
+        give(initialised(lr_batch_contact_init),
+             [&](const lr_batch_contact* d) { return lr_batch_set_contact(w, batch, d); });
+        lr_collider collider = 0;
+        give(collider_desc(LR_COLLIDER_PLANE),
+             [&](const lr_collider_desc* d) { return lr_collider_create(w, d, 1, &collider); });
+        lr_collider_motion motion = initialised(lr_collider_motion_init);
+        motion.collider = collider;
+        give(motion, [&](const lr_collider_motion* d) { return lr_collider_move(w, d, 1); });
+        give(initialised(lr_collider_surface_init),
+             [&](const lr_collider_surface* d) { return lr_collider_set_surface(w, &collider, 1, d); });
+        steps(world, 1, 0.01f);
+        saved[later] = snapshot_of(world);
+    }
+    CHECK(saved[0] == saved[1]);
+}
+
 // A program that was built before there were job systems.
 TEST_CASE("the first released size of a world's desc is taken, and nothing behind it is read or written") {
     constexpr uint32_t first = offsetof(lr_world_desc, jobs);
