@@ -580,9 +580,10 @@ LR_API lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn ca
 
 /* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit
  * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as
- * the batches' rules and emitters say. Allocates nothing but what lr_allocator says: without that bodies go through each other
- * in this step, with a warning. The floating-point mode of the calling thread is saved, set and restored.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS. */
+ * the batches' rules and emitters say. Allocates nothing but what lr_allocator says. The floating-point mode of the calling
+ * thread is saved, set and restored.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step has been taken, not
+ * to be repeated, but bodies went through each other in it; the next one asks for the memory again. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
 /* A budget for the work of each step. When the batches that are due would take more, all are slowed down as if their
@@ -704,9 +705,9 @@ typedef struct lr_recording_desc {
 LR_API lr_status lr_recording_desc_init(lr_recording_desc* desc, uint32_t struct_size);
 
 /* From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
- * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB
- * of memory, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording ends, a message
- * is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+ * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB of memory,
+ * some bytes for each asset, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording
+ * ends, a message is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world
  * is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc);
@@ -932,7 +933,7 @@ LR_API lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_d
                                 lr_body* out_ids);
 
 /* Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed. What lay on
- * them wakes; out of memory all that may have, with a warning. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY. */
+ * them wakes. LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY. */
 LR_API lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count);
 
 typedef struct lr_body_state {
@@ -1225,7 +1226,8 @@ LR_API lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_
  * lr_batch_contact: of a pair, friction is the geometric mean of both and restitution the larger. Layers are for colliders alone.
  * Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
  * at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
- * The first pair of a batch takes up to 75 bytes for each of its capacity, unless there have been colliders. docs/body_contact.md
+ * The first pair of a batch takes 28 bytes for each of its capacity, and up to 75 more unless there have been colliders.
+ * docs/body_contact.md
  * enabled: 0 or 1.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH (either), LR_ERROR_INVALID_ARGUMENT (enabled),
  * LR_ERROR_OUT_OF_MEMORY. */

@@ -3,6 +3,7 @@
 
 #include "api/inner.h"
 #include "api/recorded_call.h"
+#include "api/refuse.h"
 #include "world/world.h"
 
 namespace lr::api {
@@ -40,8 +41,8 @@ template <class Inner, class Tell> lr_status change(lr_world* world, Op op, Inne
         record::Recorder* const recorder = world->recorder;
         if (!recorder) return inner();
         Call call(*recorder, op);
-        call.arguments(tell);
-        const lr_status status = inner();
+        const lr_status status =
+            call.arguments(tell) ? inner() : refuse(world, record::name_of(op), LR_ERROR_OUT_OF_MEMORY);
         call.result(tell, status, *world);
         if (recorder->failed()) end_recording(*world, "the recording's `write` has refused: it has ended");
         return status;

@@ -14,7 +14,8 @@ public:
 
     Call(record::Recorder& recorder, record::Op op) : recorder_(&recorder), op_(op) {}
 
-    template <class Tell> void arguments(Tell&& tell) {
+    // False where there is no memory to record what they name: without it nobody could play what follows.
+    template <class Tell> bool arguments(Tell&& tell) {
         tell(*this);
         recorder_->open(record::Kind::call);
         recorder_->value(static_cast<uint16_t>(op_));
@@ -23,6 +24,7 @@ public:
         if (!cut_) tell(*this);
         recorder_->close();
         recorder_->enter();
+        return !starved_;
     }
     template <class Tell> void result(Tell&& tell, lr_status status, const lr_world& world) {
         pass_ = Pass::output;
@@ -100,7 +102,7 @@ public:
     // Makes a record of its own where the asset is new. Any pass.
     uint32_t asset(const lr_asset& asset) {
         uint32_t id = 0;
-        if (!recorder_->asset(asset, id)) cut();
+        if (!recorder_->asset(asset, id)) starved_ = cut_ = true;
         return id;
     }
     // Its arguments are not those of a call that is carried out: it is recorded without them.
@@ -134,7 +136,7 @@ private:
     record::Recorder* recorder_;
     record::Op op_;
     Pass pass_ = Pass::survey;
-    bool cut_ = false;
+    bool cut_ = false, starved_ = false;
     uint64_t output_ = 0;
     uint64_t blobs_[most_blobs] = {};
     uint32_t blob_count_ = 0, blobs_written_ = 0;

@@ -130,8 +130,9 @@ lr_status lr_inner_world_step(lr_world* world, float dt, uint32_t substeps) {
     else if (static_cast<double>(dt) / substeps > static_cast<double>(LR_MAX_SUBSTEP))
         status = LR_ERROR_TIMESTEP_TOO_LARGE;
     if (status != LR_OK) return refuse(world, "lr_world_step", status);
-    world->step(dt, substeps, mode);
-    return LR_OK;
+    if (world->step(dt, substeps, mode)) return LR_OK;
+    return refuse(world, "lr_world_step", LR_ERROR_OUT_OF_MEMORY,
+                  "out of memory: the step was taken, and bodies went through each other in it");
 }
 
 lr_status lr_inner_world_hash(const lr_world* world, uint64_t* out) {

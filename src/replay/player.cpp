@@ -245,6 +245,8 @@ void Player::carry_out() {
 
 bool Player::compare(const record::ResultRecord& r) {
     if (!call_.any || static_cast<Op>(r.op) != call_.op) Arguments::wrong("a result of another call");
+    // Refused for want of memory it had changed nothing, and here there may be memory. A step is taken without: see its header.
+    call_.cut = call_.cut || (r.status == LR_ERROR_OUT_OF_MEMORY && call_.op != Op::world_step);
     carry_out();
     call_.any = false;
     const std::string name = record::name_of(call_.op);

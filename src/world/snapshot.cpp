@@ -291,6 +291,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
         same_pairs = w.pairs.equal(begin + at, header.pair_count);
         if (!same_pairs && !new_pairs.fill(w.allocator, begin + at, header.pair_count)) return LR_ERROR_OUT_OF_MEMORY;
         const BatchPairs& pairs = same_pairs ? w.pairs : new_pairs;
+        if (!w.reserve_left([&](uint32_t slot) { return pairs.meets(slot); })) return LR_ERROR_OUT_OF_MEMORY;
         at += pair_bytes;
         for (uint32_t i = 0; i < w.batch_slots; ++i) {
             SnapshotBatch h{};

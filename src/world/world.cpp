@@ -138,7 +138,9 @@ void lr_world::destroy_batch(lr_batch batch) {
 
 bool lr_world::set_pair(uint32_t a, uint32_t b, bool on) {
     if (pairs.has(a, b) == on) return true;
-    if (on && (!batches[a].batch->reserve_contact() || !batches[b].batch->reserve_contact())) return false;
+    if (on && (!batches[a].batch->reserve_contact() || !batches[b].batch->reserve_contact() ||
+               !reserve_left([&](uint32_t slot) { return slot == a || slot == b || pairs.meets(slot); })))
+        return false;
     if (!pairs.set(allocator, a, b, on)) return false;
     for (uint32_t slot : {a, b}) {
         batches[slot].batch->wake_all();
@@ -203,15 +205,6 @@ uint32_t lr_world::wake_box(const float (&low)[3], const float (&high)[3]) {
 void lr_world::leave(const Batch& batch, uint32_t index) {
     const uint32_t slot = lr::unpack(batch.ids()[index]).batch;
     if (!pairs.meets(slot)) return;
-    if (left_count == left.size()) {
-        lr::Buffer<Left> larger;
-        if (!larger.allocate(allocator, 16 + 2 * left.size())) {
-            left_all = true;
-            return;
-        }
-        std::copy_n(left.data(), left_count, larger.data());
-        left.swap(larger);
-    }
     const double reach = 1.01 * batch.reach() * static_cast<double>(batch.arrays().field[lr::field_scale][index]);
     Left& one = left[left_count++];
     one.slot = slot;
@@ -223,16 +216,12 @@ void lr_world::leave(const Batch& batch, uint32_t index) {
 }
 
 void lr_world::wake_left() {
-    for (uint32_t i = 0; i < left_count && !left_all; ++i)
+    for (uint32_t i = 0; i < left_count; ++i)
         pairs.visit_partners(left[i].slot, [&](uint32_t other) {
             Batch& partner = *batches[other].batch;
             partner.visit_resting(left[i].low, left[i].high, [&](uint32_t index) { partner.wake(index); });
         });
-    for (uint32_t i = 0; i < batch_slots && left_all; ++i)
-        if (batches[i].batch && pairs.meets(i)) batches[i].batch->wake_all();
-    if (left_all) log(LR_LOG_WARNING, "bodies that ended", "out of memory: all that may have lain on them have woken");
     left_count = 0;
-    left_all = false;
 }
 
 void lr_world::set_gravity(const float (&to)[3]) {
@@ -297,7 +286,7 @@ void lr_world::fill_input(Batch& batch, float dt, bool& unfit) {
     for (size_t k = 0; k < 3; ++k) in.gravity[k] -= std::clamp((end[k] - begin[k]) / seconds, -1e9f, 1e9f);
 }
 
-void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
+bool lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point since = pacing.timed() ? Clock::now() : Clock::time_point();
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
@@ -330,7 +319,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     });
     const auto alone = static_cast<uint32_t>(crowds - items.data());
     run_alone(items.data(), alone, water, mode);
-    run_crowds(crowds, item_count - alone, water, mode);
+    const bool met = run_crowds(crowds, item_count - alone, water, mode);
     if (wind.active() && wind.take_blame())
         log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
     const bool lift_off = (colliders.any() || pairs.any()) && any_resting();
@@ -346,6 +335,7 @@ void lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     time += static_cast<double>(dt);
     finish_batches(static_cast<double>(dt));
     if (pacing.timed()) pacing.learn(std::chrono::duration<double>(Clock::now() - since).count());
+    return met;
 }
 
 void lr_world::run_alone(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at_surface,
@@ -359,8 +349,9 @@ void lr_world::run_alone(lr::StepItem* some, uint32_t count, const lr::SurfaceSt
     }
 }
 
-void lr_world::run_crowds(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at_surface,
+bool lr_world::run_crowds(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at_surface,
                           const lr::FloatMode& mode) {
+    bool met = true;
     for (lr::StepItem* const end = some + count; some != end;) {
         lr::StepItem* const to = same_time(some, end);
         const auto here = static_cast<uint32_t>(to - some);
@@ -370,10 +361,10 @@ void lr_world::run_crowds(lr::StepItem* some, uint32_t count, const lr::SurfaceS
             step.run();
         else
             run(some, here, at_surface, mode);
-        if (!ready || step.starved())
-            log(LR_LOG_WARNING, "lr_world_step", "out of memory: bodies went through each other in this step");
+        met = met && ready && !step.starved();
         some = to;
     }
+    return met;
 }
 
 // All of one time, where there is a field.

@@ -41,12 +41,24 @@ struct lr_world {
     // A body goes away or elsewhere: what may lie on it is woken by wake_left().
     void leave(const lr::Batch& batch, uint32_t index);
     void wake_left();
+    // meets(slot): whether bodies of that batch will meet others. False when out of memory.
+    template <class Meets> bool reserve_left(const Meets& meets) {
+        uint64_t count = 0;
+        for (uint32_t i = 0; i < batch_slots; ++i)
+            if (batches[i].batch && meets(i)) count += batches[i].batch->capacity();
+        lr::Buffer<Left> larger;
+        if (count <= left.size()) return true;
+        if (!larger.allocate(allocator, count)) return false;
+        left.swap(larger);
+        return true;
+    }
     void set_gravity(const float (&to)[3]); // wakes all where it changes
 
     uint32_t take_key(); // that tells the next body from all others
 
-    // mode: what the caller's floating-point mode is kept in.
-    void step(float dt, uint32_t substeps, const lr::FloatMode& mode);
+    // mode: what the caller's floating-point mode is kept in. False where bodies went through each other for want of memory: the
+    // step has been taken all the same.
+    bool step(float dt, uint32_t substeps, const lr::FloatMode& mode);
     void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
 
@@ -88,14 +100,13 @@ struct lr_world {
     lr::Buffer<BatchSlot> batches;
     lr::Buffer<lr::StepItem> items; // room for as many, for the length of a step
 
-    // Where bodies were that others may have lain on; all: for want of memory it is not known.
+    // Where bodies were that others may have lain on. Room for each of those that meet others: one leaves once in a call.
     struct Left {
         uint32_t slot;         // of the batch
         float low[3], high[3]; // m
     };
     lr::Buffer<Left> left;
     uint32_t left_count = 0;
-    bool left_all = false;
 
     mutable lr::Use use;
     lr::record::Recorder* recorder = nullptr; // while there is a recording
@@ -121,7 +132,7 @@ private:
     void fill_input(lr::Batch& batch, float dt, bool& unfit);
     void run(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
     void run_alone(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
-    void run_crowds(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
+    bool run_crowds(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
     void finish_batches(double dt);
     explicit lr_world(const lr::Allocator& from) : allocator(from) {}
     ~lr_world();

@@ -487,3 +487,68 @@ TEST_CASE("memory for a recording that is not there is a status, and all is give
     CHECK(memory.live() == 0);
     CHECK_FALSE(memory.mismatch);
 }
+
+TEST_CASE("calls that are refused for want of memory while they are recorded change nothing, and are not played") {
+    CountingAllocator memory;
+    uint64_t refused = 0;
+    for (bool refuse : {false, true}) {
+        lr_world_desc d = seeded();
+        d.allocator = memory.callbacks();
+        const World world = make(d);
+        lr_world* const w = world.get();
+        Recording recording;
+        recording.start(world);
+        // Again and again, with memory for one piece more.
+        const auto insist = [&](auto&& call) {
+            lr_status status = LR_ERROR_OUT_OF_MEMORY;
+            for (uint64_t pieces = 0; status == LR_ERROR_OUT_OF_MEMORY; ++pieces) {
+                const uint64_t before = hash_of(world);
+                memory.fail_at = refuse ? memory.calls + pieces : CountingAllocator::never;
+                status = call();
+                memory.fail_at = CountingAllocator::never;
+                if (status == LR_OK) break;
+                CHECK(hash_of(world) == before);
+                ++refused;
+            }
+            CHECK(status == LR_OK);
+        };
+        std::vector<lr_batch> batches(20, 0);
+        for (size_t i = 0; i < batches.size(); ++i) {
+            const Asset asset = make(ellipsoid(0.1 + 0.01 * static_cast<double>(i), 0.1, 0.1, 300.0));
+            lr_batch_desc b = batch_desc();
+            b.asset = asset.get();
+            b.capacity = 4;
+            insist([&] {
+                const lr_status status = lr_batch_create(w, &b, &batches[i]);
+                CHECK((batches[i] != 0) == (status == LR_OK));
+                return status;
+            });
+        }
+        for (float y : {0.0f, 0.05f}) {
+            lr_body_desc body = body_desc();
+            body.position[1] = y;
+            insist([&] { return lr_body_create(w, batches[0], &body, 1, nullptr); });
+        }
+        insist([&] { return lr_batch_set_pair_contact(w, batches[0], batches[0], 1); });
+        const lr_collider_desc plane = collider_desc(LR_COLLIDER_PLANE);
+        insist([&] { return lr_collider_create(w, &plane, 1, nullptr); });
+        const std::vector<unsigned char> saved = snapshot_of(world);
+        steps(world, 3, 0.01f);
+        insist([&] { return lr_world_snapshot_restore(w, saved.data(), saved.size()); });
+        steps(world, 2, 0.01f);
+        CHECK(wrong_in(recording.play()) == "");
+        if (!refuse) continue;
+        // A step that went on without cannot be played: it says why.
+        lr_body_desc body = body_desc();
+        insist([&] { return lr_body_create(w, batches[1], &body, 1, nullptr); });
+        insist([&] { return lr_batch_set_pair_contact(w, batches[0], batches[1], 1); });
+        memory.fail_at = memory.calls;
+        memory.fail_after = true;
+        REQUIRE(lr_world_step(w, 0.01f, 1) == LR_ERROR_OUT_OF_MEMORY);
+        memory.fail_at = CountingAllocator::never;
+        memory.fail_after = false;
+        CHECK(wrong_in(recording.play()).find("lr_world_step returned -5 (out of memory)") != std::string::npos);
+    }
+    CHECK(refused > 30);
+    CHECK(memory.live() == 0);
+}

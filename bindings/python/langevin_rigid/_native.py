@@ -1826,9 +1826,9 @@ PROTOTYPES = {
 
         world: the world
         dt: s, > 0.
-        substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as the batches' rules and emitters say. Allocates nothing but what lr_allocator says: without that bodies go through each other in this step, with a warning. The floating-point mode of the calling thread is saved, set and restored.
+        substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as the batches' rules and emitters say. Allocates nothing but what lr_allocator says. The floating-point mode of the calling thread is saved, set and restored.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step has been taken, not to be repeated, but bodies went through each other in it; the next one asks for the memory again.
         """,
     ),
     'lr_budget_init': (
@@ -2002,9 +2002,9 @@ PROTOTYPES = {
         """lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc)
 
         From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
-        its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB
-        of memory, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording ends, a message
-        is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+        its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB of memory,
+        some bytes for each asset, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording
+        ends, a message is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
 
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
@@ -2286,7 +2286,7 @@ PROTOTYPES = {
         """lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count)
 
         Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed. What lay on
-        them wakes; out of memory all that may have, with a warning.
+        them wakes.
 
         world: the world
         bodies: `count` ids of bodies
@@ -2603,7 +2603,8 @@ PROTOTYPES = {
         lr_batch_contact: of a pair, friction is the geometric mean of both and restitution the larger. Layers are for colliders alone.
         Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
         at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
-        The first pair of a batch takes up to 75 bytes for each of its capacity, unless there have been colliders. docs/body_contact.md
+        The first pair of a batch takes 28 bytes for each of its capacity, and up to 75 more unless there have been colliders.
+        docs/body_contact.md
 
         world: the world
         a: handle of a batch of the world

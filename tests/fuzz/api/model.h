@@ -184,7 +184,8 @@ std::vector<Named> step_operations();
 std::vector<Named> snapshot_operations();
 std::vector<Named> recording_operations();
 
-void step_world(Fuzzer& f, World& w, float dt, uint32_t substeps);
+// Whether it was taken with all the memory that it asked for.
+bool step_world(Fuzzer& f, World& w, float dt, uint32_t substeps);
 // A first world with a batch and bodies, so that few bytes are enough to get somewhere.
 void begin_scene(Fuzzer& f);
 const std::vector<lr_asset*>& common_assets();

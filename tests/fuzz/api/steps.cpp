@@ -55,7 +55,7 @@ void step(Fuzzer& f) {
 
 } // namespace
 
-void step_world(Fuzzer& f, World& w, float dt, uint32_t substeps) {
+bool step_world(Fuzzer& f, World& w, float dt, uint32_t substeps) {
     Expected e;
     e.add_if(!std::isfinite(dt), LR_ERROR_TIMESTEP_NOT_FINITE);
     e.add_if(dt == 0.0f, LR_ERROR_TIMESTEP_ZERO);
@@ -64,14 +64,19 @@ void step_world(Fuzzer& f, World& w, float dt, uint32_t substeps) {
     e.add_if(std::isfinite(dt) && substeps != 0 &&
                  static_cast<double>(dt) / substeps > static_cast<double>(LR_MAX_SUBSTEP),
              LR_ERROR_TIMESTEP_TOO_LARGE);
-    if (!e.fails() && w.at && f.substeps_left < substeps) return; // enough for one run
+    if (!e.fails() && w.at && f.substeps_left < substeps) return false; // enough for one run
     Call call(f, w, "lr_world_step", e);
     const bool wild = w.state.wild;
-    const lr_status status = LR_CALL(lr_world_step)(call.world(), dt, substeps);
-    w.memory->begin(); // a step that finds no memory for more contacts goes on
+    lr_status status = LR_CALL(lr_world_step)(call.world(), dt, substeps);
+    const bool starved = w.memory->refused();
+    if (starved) {
+        if (status != LR_ERROR_OUT_OF_MEMORY) defect("lr_world_step", "has no memory, and does not say so", status);
+        w.memory->begin(); // it was taken all the same
+        status = LR_OK;
+    }
     const bool ok = call.ended(status);
     w.state.wild = wild;
-    if (!ok) return;
+    if (!ok) return false;
     f.substeps_left -= substeps;
     w.state.substeps += substeps;
     w.state.time += static_cast<double>(dt);
@@ -83,6 +88,7 @@ void step_world(Fuzzer& f, World& w, float dt, uint32_t substeps) {
             account(w, b);
         }
     check_world(w);
+    return !starved;
 }
 
 std::vector<Named> step_operations() {

@@ -26,8 +26,7 @@ namespace LangevinRigid
         public static extern Status lr_body_create(IntPtr world, BatchId batch, BodyDesc* descs, uint count, BodyId* outIds);
 
         /// <summary>Destroys <paramref name="count"/> bodies of any batches, all or none: if one of them is stale, or
-        /// given twice, nothing is destroyed. What lay on them wakes; out of memory all that may have, with a
-        /// warning.</summary>
+        /// given twice, nothing is destroyed. What lay on them wakes.</summary>
         /// <param name="world">the world</param>
         /// <param name="bodies"><paramref name="count"/> ids of bodies</param>
         /// <param name="count">elements of the arrays</param>

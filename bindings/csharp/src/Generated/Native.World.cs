@@ -170,11 +170,11 @@ namespace LangevinRigid
         /// <param name="dt">s, &gt; 0.</param>
         /// <param name="substeps">1 to <see cref="Limits.MaxSubsteps"/>; at 60 Hz, 2 suit leaves and paper of some
         /// centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as the batches'
-        /// rules and emitters say. Allocates nothing but what <see cref="Allocator"/> says: without that bodies go
-        /// through each other in this step, with a warning. The floating-point mode of the calling thread is saved, set
-        /// and restored.</param>
+        /// rules and emitters say. Allocates nothing but what <see cref="Allocator"/> says. The floating-point mode of
+        /// the calling thread is saved, set and restored.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <c>Status.Timestep*</c>,
-        /// <see cref="Status.Substeps"/>.</returns>
+        /// <see cref="Status.Substeps"/>, <see cref="Status.OutOfMemory"/>: the step has been taken, not to be
+        /// repeated, but bodies went through each other in it; the next one asks for the memory again.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_step(IntPtr world, float dt, uint substeps);
 

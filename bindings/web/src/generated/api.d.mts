@@ -1245,7 +1245,8 @@ export interface RawFunctions {
   lr_world_set_surface_callback(world: number, callback: number, user: number): number;
   /**
    * Advances all bodies by dt in `substeps` equal parts.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step has been taken, not
+   * to be repeated, but bodies went through each other in it; the next one asks for the memory again.
    */
   lr_world_step(world: number, dt: number, substeps: number): number;
   lr_budget_init(budget: number, struct_size: number): number;
@@ -1300,9 +1301,9 @@ export interface RawFunctions {
   lr_recording_desc_init(desc: number, struct_size: number): number;
   /**
    * From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
-   * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB
-   * of memory, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording ends, a message
-   * is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+   * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB of memory,
+   * some bytes for each asset, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording
+   * ends, a message is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world
    * is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY.
    */
@@ -1395,7 +1396,7 @@ export interface RawFunctions {
   lr_body_create(world: number, batch: number, descs: number, count: number, out_ids: number): number;
   /**
    * Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed. What lay on
-   * them wakes; out of memory all that may have, with a warning.
+   * them wakes.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY.
    */
   lr_body_destroy(world: number, bodies: number, count: number): number;
@@ -1502,7 +1503,8 @@ export interface RawFunctions {
    * lr_batch_contact: of a pair, friction is the geometric mean of both and restitution the larger. Layers are for colliders alone.
    * Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
    * at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
-   * The first pair of a batch takes up to 75 bytes for each of its capacity, unless there have been colliders. docs/body_contact.md
+   * The first pair of a batch takes 28 bytes for each of its capacity, and up to 75 more unless there have been colliders.
+   * docs/body_contact.md
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH (either), LR_ERROR_INVALID_ARGUMENT (enabled),
    * LR_ERROR_OUT_OF_MEMORY.
    */
