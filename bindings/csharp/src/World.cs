@@ -83,7 +83,8 @@ namespace LangevinRigid
 
         /// <summary>Advances all bodies by <paramref name="dt"/> seconds in <paramref name="substeps"/> equal parts. At 60 Hz, 2 suit leaves
         /// and paper of some centimetres, 4 petals and confetti.</summary>
-        /// <exception cref="LangevinException">The step was refused, and has not been made.</exception>
+        /// <exception cref="LangevinException">The step was refused, and has not been made. With <see cref="Status.OutOfMemory"/> it has
+        /// been made, not to be repeated: bodies went through each other in it.</exception>
         /// <exception cref="Exception">What a callback has thrown, after the step, which has been made.</exception>
         public void Step(float dt, int substeps = 2)
         {

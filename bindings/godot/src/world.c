@@ -120,9 +120,10 @@ void world_step(world_node* self, double dt) {
     if (status != LR_OK) {
         if (status != self->last_status) gd_error("step: %s", lr_status_string(status));
         self->last_status = status;
-        return;
+        /* Without memory for all that bodies touch it is taken all the same. */
+        if (status != LR_ERROR_OUT_OF_MEMORY) return;
     }
-    self->last_status = LR_OK;
+    self->last_status = status;
     for (uint32_t i = 0; i < self->batch_count; ++i) batch_draw(self->batches[i]);
     /* Last: a handler may free nodes, this one too. */
     if (self->events) world_emit_events(self);

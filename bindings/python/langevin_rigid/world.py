@@ -142,7 +142,8 @@ class World(AirMixin, ContactMixin, QueryMixin):
     def step(self, dt: float, substeps: int = 1) -> None:
         """Advances all bodies by dt seconds in equal substeps. At 60 Hz, 2 suit leaves and paper, 4 petals and confetti.
 
-        Where a callback raised, the step is done, with what it had given until then, and its exception comes out of this call.
+        Where a callback raised, the step is done, with what it had given until then, and its exception comes out of this call. It is
+        also done where it raises OutOfMemoryError: bodies went through each other in it.
         """
         self._change("lr_world_step", float(dt), integer(substeps, ctypes.c_uint32, "substeps"))
 

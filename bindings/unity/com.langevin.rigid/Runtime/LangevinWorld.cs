@@ -187,9 +187,18 @@ namespace LangevinUnity
             if (!running) return;
             running = false;
             pending.Complete();
-            LangevinSimulation.Check((Status)jobStatus[0], "lr_world_step");
-            stepped = true;
-            DispatchEvents();
+            EndStep((Status)jobStatus[0]);
+        }
+
+        private void EndStep(Status status)
+        {
+            // Without memory for all that bodies touch it is taken all the same.
+            if (status == Status.Ok || status == Status.OutOfMemory)
+            {
+                stepped = true;
+                DispatchEvents();
+            }
+            LangevinSimulation.Check(status, "lr_world_step");
         }
 
         /// <summary>Brings batches up to date and draws them: what LateUpdate does. For mode Manual in the editor, or before a camera
@@ -224,9 +233,7 @@ namespace LangevinUnity
             }
             if (stepThread == LangevinStepThread.Main)
             {
-                LangevinSimulation.Check(Native.lr_world_step(simulation.Handle, dt, (uint)substeps), "lr_world_step");
-                stepped = true;
-                DispatchEvents();
+                EndStep(Native.lr_world_step(simulation.Handle, dt, (uint)substeps));
                 return;
             }
             if (!jobStatus.IsCreated) jobStatus = new NativeArray<int>(1, Unity.Collections.Allocator.Persistent);

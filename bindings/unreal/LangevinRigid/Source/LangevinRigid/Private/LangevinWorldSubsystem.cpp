@@ -157,7 +157,9 @@ void ULangevinWorldSubsystem::Step(float Seconds) {
     }
     const float Longest = GetDefault<ULangevinSettings>()->LongestSubstep;
     const int32 Substeps = FMath::Clamp(FMath::CeilToInt32(Seconds / Longest - 1e-3f), 1, 1024);
-    if (Check(lr_world_step(World, Seconds, static_cast<uint32>(Substeps)), TEXT("A step"))) TellEvents();
+    const lr_status Status = lr_world_step(World, Seconds, static_cast<uint32>(Substeps));
+    // Without memory for all that bodies touch it is taken all the same.
+    if (Check(Status, TEXT("A step")) || Status == LR_ERROR_OUT_OF_MEMORY) TellEvents();
 }
 
 void ULangevinWorldSubsystem::TellEvents() {
