@@ -25,6 +25,7 @@ TurbulenceState decay(TurbulenceState s0, double t) {
     constexpr double b = c_epsilon_2 - 1.0;
     const double chi0 = turbulent_frequency(s0);
     const double q = 1.0 + b * chi0 * t;
+    if (!std::isfinite(q)) return {0.0, 0.0}; // there was none, or all of it is gone
     const double k = s0.k * portable_pow(q, -1.0 / b);
     return {k, k * (chi0 / q)};
 }
@@ -35,6 +36,7 @@ TurbulenceState decay(TurbulenceState s0, double t) {
 //     chi = chi0 qn/qd,  qn = 1 + a t h/chi0,  qd = 1 + b chi0 t h,
 //     k = k0 (qn cosh z)^(1/(C1-1)) (qd cosh z)^(-1/b).
 TurbulenceState evolve(TurbulenceState s0, double strain, double t) {
+    if (!(s0.k > 0.0)) return {0.0, 0.0}; // strain makes turbulence of turbulence alone
     constexpr double g = c_epsilon_1 - 1.0;
     constexpr double b = c_epsilon_2 - 1.0;
     const double a = g * c_mu * strain;
@@ -59,6 +61,7 @@ double taylor_reynolds(TurbulenceState state, double viscosity) {
 
 double kolmogorov_c0(double r_lambda) {
     if (!(r_lambda > 0.0)) return 0.0;
+    if (!std::isfinite(r_lambda)) return 6.5;
     // (1 + 140 R^(-4/3))^(-3/4) as R (R^(4/3) + 140)^(-3/4): the same, without overflow at small R.
     const double r_4_3 = r_lambda * portable_pow(r_lambda, 1.0 / 3.0);
     if (!std::isfinite(r_4_3)) return 6.5;

@@ -97,6 +97,18 @@ TEST_CASE("evolve stays positive and finite in extremes") {
                 }
 }
 
+TEST_CASE("where there is no turbulence none comes, and in the end there is none") {
+    const double endless = std::numeric_limits<double>::infinity();
+    for (double t : {0.0, 1e-3, 1.0, 1e3, endless}) {
+        const TurbulenceState still = decay({0.0, 0.0}, t), strained = evolve({0.0, 0.0}, 100.0, t);
+        CHECK((still.k == 0.0 && still.epsilon == 0.0));
+        CHECK((strained.k == 0.0 && strained.epsilon == 0.0));
+    }
+    const TurbulenceState end = decay(inflow_state(1.0, 1.0, 0.1), endless);
+    CHECK((end.k == 0.0 && end.epsilon == 0.0));
+    CHECK(kolmogorov_c0(endless) == 6.5);
+}
+
 TEST_CASE("C0 rises from 0 to 6.5 with the Taylor-scale Reynolds number") {
     CHECK(kolmogorov_c0(0.0) == 0.0);
     CHECK(kolmogorov_c0(-5.0) == 0.0);
