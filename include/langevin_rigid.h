@@ -150,21 +150,20 @@ typedef void (*lr_log_fn)(void* user, int32_t level, const char* message);
 /* Instruction sets, best first within a family. LR_SIMD_AUTO picks the best that the processor has. All of them give
  * the same bits: forcing one is for tests and measurements. */
 #define LR_SIMD_AUTO 0
-#define LR_SIMD_EMULATED 1 /* plain C++, on any processor */
-#define LR_SIMD_SSSE3 2
-#define LR_SIMD_SSE4 3
-#define LR_SIMD_AVX2 4
-#define LR_SIMD_AVX512 5
-#define LR_SIMD_NEON 6
-#define LR_SIMD_WASM 7
+#define LR_SIMD_SSE4 1 /* with SSE4.2, AES and PCLMUL: the least that an x86-64 processor must have */
+#define LR_SIMD_AVX2 2
+#define LR_SIMD_AVX512 3
+#define LR_SIMD_NEON 4
+#define LR_SIMD_WASM 5
+#define LR_SIMD_PLAIN 6 /* plain C++, in builds for tests alone */
 
 /* Writes the instruction sets that this build has and this processor can run, best first.
  * targets: `capacity` values, may be null when capacity is 0. count: how many there are, even if more than capacity.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL (count is set). Any thread. */
 LR_API lr_status lr_simd_targets(int32_t* targets, uint32_t capacity, uint32_t* count);
 
-/* A name for people: "AVX-512", "AVX2", "SSE4", "SSSE3", "NEON", "WebAssembly", "emulated", "auto" or "unknown"; never
- * null; static storage. Any thread. */
+/* A name for people: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown"; never null; static
+ * storage. Any thread. */
 LR_API const char* lr_simd_target_name(int32_t target);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
@@ -730,12 +729,11 @@ LR_API lr_status lr_world_record_stop(lr_world* world);
 #define LR_TABLE_CLAMP 0 /* LR_CLOCK_AGE: hold the last sample after the end of the table */
 #define LR_TABLE_LOOP 1  /* LR_CLOCK_AGE: begin again */
 
-#define LR_INTEGRATOR_DEFAULT 0   /* LR_INTEGRATOR_SPLITTING in this version */
-#define LR_INTEGRATOR_RK4 1       /* classical Runge-Kutta, the paper's: fourth order, but unstable at long steps */
+#define LR_INTEGRATOR_DEFAULT 0 /* LR_INTEGRATOR_SPLITTING in this version */
+#define LR_INTEGRATOR_RK4                                                                                              \
+    1 /* classical Runge-Kutta, the paper's: fourth order, but unstable at long steps. A reference,
+                                     not built for speed; bodies near water are stepped by the splitting scheme */
 #define LR_INTEGRATOR_SPLITTING 2 /* second order and stable at any step; docs/numerics.md */
-
-#define LR_TENSOR_AUTO 0 /* the diagonal path where the asset allows it */
-#define LR_TENSOR_FULL 1 /* the full 6x6 path always; same motion up to rounding */
 
 typedef struct lr_batch_desc {
     uint32_t struct_size;
@@ -745,10 +743,8 @@ typedef struct lr_batch_desc {
     int32_t clock;         /* LR_CLOCK_*; initially LR_CLOCK_SPEED */
     int32_t table_end;     /* LR_TABLE_*; initially LR_TABLE_CLAMP */
     int32_t integrator;    /* LR_INTEGRATOR_*; initially LR_INTEGRATOR_DEFAULT */
-    int32_t tensor;        /* LR_TENSOR_*; initially LR_TENSOR_AUTO */
     float damping_gain;    /* multiplies the turbulent damping, 0 to 100; initially 1 */
     float noise_gain;      /* multiplies the turbulent noise, 0 to 100; initially 1; 0 for repeatable single falls */
-    uint32_t reserved;     /* 0 */
 } lr_batch_desc;
 
 LR_API lr_status lr_batch_desc_init(lr_batch_desc* desc, uint32_t struct_size);
@@ -784,7 +780,8 @@ LR_API lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t s
 LR_API lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table);
 
 /* Coefficients of the AERODYNAMIC loads for a batch, in place of its asset's, from the next step on; copied. Null puts the
- * asset's own back. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed.
+ * asset's own back. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. With other axes than the
+ * body's, or another center than 0, a body of LR_ASSET_DIAGONAL takes the slower path of all others.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics);

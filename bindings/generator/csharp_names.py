@@ -16,7 +16,6 @@ ENUMS = [
     ("TurbulenceClock", "int", False, r"LR_CLOCK_(.+)", "What the turbulence of a body follows."),
     ("TableEnd", "int", False, r"LR_TABLE_(.+)", "What follows the last sample of a turbulence table."),
     ("Integrator", "int", False, r"LR_INTEGRATOR_(.+)", "How motion is integrated."),
-    ("TensorPath", "int", False, r"LR_TENSOR_(.+)", "How the mass matrix is used."),
     ("TransformFormat", "int", False, r"LR_TRANSFORM_(.+)", "Layouts of transforms, as float elements."),
     ("RestState", "int", False, r"LR_REST_(.+)", "Whether a body is at rest."),
     ("ForceMode", "int", False, r"LR_FORCE_MODE_(.+)", ""),

@@ -33,7 +33,6 @@ FAMILIES = [
     ("LR_CLOCK_", "Clock", False, "What turbulence goes by."),
     ("LR_TABLE_", "TableEnd", False, "What comes after the last sample of a turbulence table."),
     ("LR_INTEGRATOR_", "Integrator", False, "How motion is integrated."),
-    ("LR_TENSOR_", "Tensor", False, "Which path is taken for the 6x6 mass matrix."),
     ("LR_TRANSFORM_", "Transform", False, "Formats of transforms."),
     ("LR_REST_", "Rest", False, "Whether a body is at rest."),
     ("LR_FORCE_MODE_", "ForceMode", False, "What a force's numbers are."),

@@ -26,7 +26,7 @@ CLI::Validator within(double low, double high, const std::string& text) {
 // Letters and digits of the library's names, small: "AVX-512" is avx512 here.
 std::map<std::string, std::int32_t> simd_names() {
     std::map<std::string, std::int32_t> names{{"auto", LR_SIMD_AUTO}};
-    for (std::int32_t target = LR_SIMD_EMULATED; target <= LR_SIMD_WASM; ++target) {
+    for (std::int32_t target = LR_SIMD_SSE4; target <= LR_SIMD_PLAIN; ++target) {
         std::string name;
         for (const char* c = lr_simd_target_name(target); *c; ++c) {
             if (std::isalnum(static_cast<unsigned char>(*c))) {
@@ -146,7 +146,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->default_str("splitting")
         ->transform(one_of({{"splitting", LR_INTEGRATOR_SPLITTING}, {"rk4", LR_INTEGRATOR_RK4}}));
     app.add_option("--simd", options.simd,
-                   "instruction set, by default the best: emulated, ssse3, sse4, avx2, avx512, neon; same results")
+                   "instruction set, by default the best: sse4, avx2, avx512, neon; same results")
         ->type_name("NAME")
         ->default_str("auto")
         ->transform(one_of(simd_names()));

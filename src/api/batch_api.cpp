@@ -19,10 +19,8 @@ const char* wrong_in(const lr_batch_desc& d) {
     if (!one_of(d.clock, LR_CLOCK_AGE)) return "unknown clock";
     if (!one_of(d.table_end, LR_TABLE_LOOP)) return "unknown table_end";
     if (!one_of(d.integrator, LR_INTEGRATOR_SPLITTING)) return "unknown integrator";
-    if (!one_of(d.tensor, LR_TENSOR_FULL)) return "unknown tensor";
     if (!in_range(d.damping_gain, 0.0, 100.0)) return "damping_gain is not 0 to 100";
     if (!in_range(d.noise_gain, 0.0, 100.0)) return "noise_gain is not 0 to 100";
-    if (d.reserved != 0) return "reserved is not 0";
     return nullptr;
 }
 
@@ -80,20 +78,12 @@ lr_status lr_inner_batch_create(lr_world* world, const lr_batch_desc* desc, lr_b
     if (const char* why = wrong_in(d)) return refuse(world, "lr_batch_create", LR_ERROR_INVALID_ARGUMENT, why);
 
     lr::BatchSettings settings;
-    const bool by_age = d.clock == LR_CLOCK_AGE;
-    switch (d.load_model) {
-    case LR_LOADS_NONE:
-        settings.loads = lr::Loads::none;
-        break;
-    case LR_LOADS_LANGEVIN:
-        settings.loads = by_age ? lr::Loads::langevin_age : lr::Loads::langevin_speed;
-        break;
-    default:
-        settings.loads = by_age ? lr::Loads::aerodynamic_age : lr::Loads::aerodynamic_speed;
-    }
+    settings.loads = d.load_model == LR_LOADS_NONE       ? lr::Loads::none
+                     : d.load_model == LR_LOADS_LANGEVIN ? lr::Loads::langevin
+                                                         : lr::Loads::aerodynamic;
+    settings.clock = d.clock == LR_CLOCK_AGE ? lr::Clock::age : lr::Clock::speed;
     settings.integrator = d.integrator == LR_INTEGRATOR_RK4 ? lr::Integrator::rk4 : lr::Integrator::splitting;
     settings.loop = d.table_end == LR_TABLE_LOOP;
-    settings.force_full = d.tensor == LR_TENSOR_FULL;
     settings.gains.damping = static_cast<double>(d.damping_gain);
     settings.gains.noise = static_cast<double>(d.noise_gain);
     settings.viscosity =

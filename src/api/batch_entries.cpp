@@ -11,12 +11,12 @@ namespace {
 void tell_batch(Call& call, const lr_batch_desc* desc) {
     lr_batch_desc d;
     if (!desc) return call.value(static_cast<uint32_t>(Where::null));
-    if (lr::api::read_struct(desc, d) != LR_OK || !d.asset || d.reserved != 0) {
+    if (lr::api::read_struct(desc, d) != LR_OK || !d.asset) {
         call.cut();
         return;
     }
-    const BatchRecord record{call.asset(*d.asset), d.capacity, d.load_model,   d.clock,      d.table_end,
-                             d.integrator,         d.tensor,   d.damping_gain, d.noise_gain, 0};
+    const BatchRecord record{call.asset(*d.asset), d.capacity,   d.load_model,   d.clock,
+                             d.table_end,          d.integrator, d.damping_gain, d.noise_gain};
     call.value(static_cast<uint32_t>(Where::here));
     call.raw(&record, sizeof record);
 }

@@ -9,16 +9,6 @@ using lr::api::in_range;
 using lr::api::read_struct;
 using lr::api::refuse;
 
-namespace {
-
-bool is_identity(const double axes[9]) {
-    for (size_t i = 0; i < 9; ++i)
-        if (axes[i] != (i % 4 == 0 ? 1.0 : 0.0)) return false;
-    return true;
-}
-
-} // namespace
-
 extern "C" {
 
 lr_status lr_inner_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
@@ -34,13 +24,7 @@ lr_status lr_inner_batch_set_aerodynamics(lr_world* world, lr_batch batch, const
     lr_aerodynamics a;
     const lr_status status = lr::api::read_loads(aerodynamics, a);
     if (status != LR_OK) return refuse(world, name, status);
-    if (b->step.body.diagonal && !is_identity(a.axes))
-        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
-                      "axes other than the body's need a batch made with LR_TENSOR_FULL");
     const lr::AerodynamicData loads = lr::api::from_struct(a);
-    if (b->step.body.diagonal && loads.center != std::array<double, 3>{})
-        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
-                      "a center other than that of buoyancy needs a batch made with LR_TENSOR_FULL");
     if (!lr::is_usable(loads) || !b->set_aerodynamics(loads, b->gains()))
         return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
                       "a value is out of its range, or the axes are no rotation");

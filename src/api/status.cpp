@@ -95,10 +95,6 @@ const char* lr_simd_target_name(int32_t target) {
     switch (target) {
     case LR_SIMD_AUTO:
         return "auto";
-    case LR_SIMD_EMULATED:
-        return "emulated";
-    case LR_SIMD_SSSE3:
-        return "SSSE3";
     case LR_SIMD_SSE4:
         return "SSE4";
     case LR_SIMD_AVX2:
@@ -109,6 +105,8 @@ const char* lr_simd_target_name(int32_t target) {
         return "NEON";
     case LR_SIMD_WASM:
         return "WebAssembly";
+    case LR_SIMD_PLAIN:
+        return "plain";
     default:
         return "unknown";
     }

@@ -9,7 +9,7 @@ namespace {
 using namespace lr::api;
 
 bool known_simd(int32_t target) {
-    return target >= LR_SIMD_AUTO && target <= LR_SIMD_WASM;
+    return target >= LR_SIMD_AUTO && target <= LR_SIMD_PLAIN;
 }
 
 } // namespace

@@ -59,8 +59,8 @@ struct Rates {
 // their own, each towards its terminal velocity.
 // The full path's halves are not inlined: each is there twice, and a substep would not fit into the instruction cache.
 template <class C>
-HWY_NOINLINE void drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull,
-                                 bool before_lift, Rates& rates, Twist& t) {
+static HWY_NOINLINE void drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull,
+                                        bool before_lift, Rates& rates, Twist& t) {
     const auto& a = c.aerodynamics;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);
     const Vec3 rate = scale(tau, broadcast(a.rate)), y = columns(a.modes, t.v);
@@ -163,8 +163,8 @@ template <int kAxis, class T> HWY_INLINE Vec3 relax_axis(const T* n, VF x, VF pu
 }
 
 template <class C>
-HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, bool before_lift,
-                                      Rates& rates, Twist& t) {
+static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, bool before_lift,
+                                             Rates& rates, Twist& t) {
     const auto& a = c.aerodynamics;
     const auto* const n = a.spin_answer;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);

@@ -8,13 +8,9 @@
 
 namespace lr {
 
-enum class Loads : int32_t { none, langevin_speed, langevin_age, aerodynamic_speed, aerodynamic_age };
-constexpr bool is_langevin(Loads l) {
-    return l == Loads::langevin_speed || l == Loads::langevin_age;
-}
-constexpr bool is_aerodynamic(Loads l) {
-    return l == Loads::aerodynamic_speed || l == Loads::aerodynamic_age;
-}
+enum class Loads : int32_t { none, langevin, aerodynamic };
+// Turbulence follows the body's present speed, or the table at its age (docs/physics.md).
+enum class Clock : int32_t { speed, age };
 enum class Integrator : int32_t { splitting, rk4 };
 
 // Quasi-steady loads (AerodynamicData) in kernel units. A diagonal body's axes are those of the loads. T: float for a

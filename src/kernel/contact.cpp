@@ -3,6 +3,11 @@
 #define HWY_TARGET_INCLUDE "kernel/contact.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
 
+// Vectors one by one: two side by side spill so much here that they gain nothing, in twice the code.
+#ifndef LR_NO_PAIRS
+#define LR_NO_PAIRS
+#endif
+
 #include "kernel/contact.h"
 
 #include "hwy/highway.h"

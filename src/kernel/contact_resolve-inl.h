@@ -182,7 +182,7 @@ HWY_INLINE void set_surface(Row& r, Vec3 velocity) {
     r.surface[1] = dot(r.along[2].v, velocity);
 }
 
-template <bool kFull> HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots) {
+template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots) {
     const DF d;
     const BodyConstants& c = *b.body;
     const VF zero = hn::Zero(d), one = constant(1.0f), half = constant(0.5f), h = constant(b.h);

@@ -14,7 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
 // What acts on one vector of bodies over a step; those of bodies are taken, and zeros left for the next step.
-template <class C> HWY_NOINLINE External take_external(const ExternalInput& in, const C& c, VF body_scale, size_t at) {
+template <class C>
+static HWY_NOINLINE External take_external(const ExternalInput& in, const C& c, VF body_scale, size_t at) {
     const DF d;
     VF sum[force_components];
     for (size_t i = 0; i < force_components; ++i) {

@@ -19,7 +19,7 @@ struct Motion {
 
 // Bodies that one Newton step does not solve: two, and a middle that keeps the energy whatever they give.
 template <bool kFull, class C>
-HWY_NOINLINE void resolve_motion(const C& c, const Twist& start, VF g, hn::Mask<DF> where, Motion& m) {
+static HWY_NOINLINE void resolve_motion(const C& c, const Twist& start, VF g, hn::Mask<DF> where, Motion& m) {
     const auto energy = [&](const Twist& t) LR_LAMBDA {
         const Twist p = momentum<kFull>(c, t);
         return hn::Add(dot(t.v, p.v), dot(t.u, p.u));

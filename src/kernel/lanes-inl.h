@@ -14,11 +14,11 @@
 #include <cstdint>
 #include <type_traits>
 
-// Wide registers and many of them. The others are for processors without, and for tests.
 // Lambdas in kernels: of the target, and never calls with vectors passed through memory.
 #undef LR_LAMBDA
 #define LR_LAMBDA HWY_ATTR __attribute__((always_inline))
 
+// Functions that are not inlined are static: files with and without pairs have others of the same names.
 #undef LR_KERNEL_PAIRS
 #if !defined(LR_NO_PAIRS) && (HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON)
 #define LR_KERNEL_PAIRS 1

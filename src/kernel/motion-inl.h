@@ -144,8 +144,8 @@ HWY_INLINE void grow_older(Body& b, VF h) {
     b.age = age;
 }
 
-// alpha and beta^2 at an age, linear between samples (docs/physics.md, "AGE clock").
-HWY_INLINE void sample_table(const TableConstants& t, VF age, VF& alpha, VF& beta_squared) {
+// alpha and beta^2 at an age, linear between samples (docs/physics.md, "AGE clock"). Not inlined: few batches have this clock.
+[[maybe_unused]] static HWY_NOINLINE void sample_table(const TableConstants& t, VF age, VF& alpha, VF& beta_squared) {
     const DI di;
     VF at = hn::Mul(age, constant(t.inverse_dt));
     const VF last = constant(t.last);
@@ -197,7 +197,7 @@ HWY_INLINE Twist to_body(Quaternion q, Twist t) {
 
 // Force and torque of what acts from outside at an orientation. Not inlined: few batches have any, and it would be there
 // four times in each variant of the kernel.
-template <bool kFull, class C> HWY_NOINLINE Twist external_force(const C& c, const External& e, Quaternion q) {
+template <bool kFull, class C> static HWY_NOINLINE Twist external_force(const C& c, const External& e, Quaternion q) {
     const Twist rate = add(e.rate[1], to_body(q, e.rate[0]));
     return add(add(e.force[1], to_body(q, e.force[0])), momentum<kFull>(c, rate));
 }
@@ -206,30 +206,6 @@ template <bool kFull, class C> HWY_NOINLINE Twist external_force(const C& c, con
 template <bool kFull, class C> HWY_INLINE Twist dragged(const C& c, Twist t) {
     if constexpr (kFull) return {symmetric3(c.full_damping, t.v), symmetric3(c.full_spin_damping, t.u)};
     return {scaled_by(c.damping, t.v), scaled_by(c.spin_damping, t.u)};
-}
-
-// Time derivative of the twist. P, L: momenta over mass unit; with w = u/(d s)
-//   P' = P x w + weight vector - alpha rho(V + A) v + noise
-//   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D (u - fluid spin) + noise
-// The Munk moment P x v carries the body's own momentum too, which is parallel to v and drops out.
-template <bool kFull, Loads kLoads, class C>
-HWY_INLINE Twist twist_rate(const C& c, const Held& held, Quaternion q, Twist t) {
-    const Twist p = momentum<kFull>(c, t);
-    Twist f;
-    f.v = add_scaled(to_body(q, held.weight), held.inverse_length, cross(p.v, t.u));
-    f.u = scale(held.inverse_length, add(cross(p.u, t.u), cross(p.v, t.v)));
-    if constexpr (kFull) f.u = add(f.u, cross(broadcast(c.buoyancy), to_body(q, held.gravity)));
-    if (held.external) f = add(f, external_force<kFull>(c, *held.external, q));
-    if constexpr (is_langevin(kLoads)) {
-        VF alpha = held.alpha;
-        if constexpr (kLoads == Loads::langevin_speed)
-            alpha = hn::Mul(hn::Mul(constant(c.speed_alpha), held.inverse_length), hn::Sqrt(dot(t.v, t.v)));
-        if (held.sheared) t.u = sub(t.u, to_body(q, held.fluid_spin)); // drag of the spin through the fluid
-        const Twist d = dragged<kFull>(c, t);
-        f.v = sub(add(f.v, held.noise.v), scale(alpha, d.v));
-        f.u = sub(add(f.u, held.noise.u), scale(alpha, d.u));
-    }
-    return acceleration<kFull>(c, f);
 }
 
 } // namespace lr::HWY_NAMESPACE

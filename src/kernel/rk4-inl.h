@@ -13,13 +13,37 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
+// Time derivative of the twist. P, L: momenta over mass unit; with w = u/(d s)
+//   P' = P x w + weight vector - alpha rho(V + A) v + noise
+//   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D (u - fluid spin) + noise
+// The Munk moment P x v carries the body's own momentum too, which is parallel to v and drops out.
+template <bool kFull, class C>
+HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Quaternion q, Twist t) {
+    const Twist p = momentum<kFull>(c, t);
+    Twist f;
+    f.v = add_scaled(to_body(q, held.weight), held.inverse_length, cross(p.v, t.u));
+    f.u = scale(held.inverse_length, add(cross(p.u, t.u), cross(p.v, t.v)));
+    if constexpr (kFull) f.u = add(f.u, cross(broadcast(c.buoyancy), to_body(q, held.gravity)));
+    if (held.external) f = add(f, external_force<kFull>(c, *held.external, q));
+    if (in.loads == Loads::langevin) {
+        VF alpha = held.alpha;
+        if (in.clock == Clock::speed)
+            alpha = hn::Mul(hn::Mul(constant(c.speed_alpha), held.inverse_length), hn::Sqrt(dot(t.v, t.v)));
+        if (held.sheared) t.u = sub(t.u, to_body(q, held.fluid_spin)); // drag of the spin through the fluid
+        const Twist d = dragged<kFull>(c, t);
+        f.v = sub(add(f.v, held.noise.v), scale(alpha, d.v));
+        f.u = sub(add(f.u, held.noise.u), scale(alpha, d.u));
+    }
+    return acceleration<kFull>(c, f);
+}
+
 // One substep of the classical Runge-Kutta scheme, with the noise held over its stages (docs/physics.md section 4).
-template <bool kFull, Loads kLoads, class C>
+template <bool kFull, bool kAerodynamic, class C>
 HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6], Body& b) {
     const VF h = constant(in.h), half = constant(0.5f * in.h), quarter = constant(0.25f * in.h);
-    if constexpr (is_langevin(kLoads)) {
+    if (!kAerodynamic && in.loads == Loads::langevin) {
         VF beta;
-        if constexpr (kLoads == Loads::langevin_speed) {
+        if (in.clock == Clock::speed) {
             const VF s2 = dot(b.t.v, b.t.v);
             beta = hn::Sqrt(hn::Mul(beta_unit, hn::Mul(s2, hn::Sqrt(s2))));
         } else {
@@ -33,8 +57,8 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
             c, {scale(beta, Vec3{gauss[0], gauss[1], gauss[2]}), scale(spin_beta, Vec3{gauss[3], gauss[4], gauss[5]})});
     }
     const auto rate = [&](Quaternion q, Twist t) LR_LAMBDA {
-        const Twist r = twist_rate<kFull, kLoads>(c, held, q, t);
-        if constexpr (!is_aerodynamic(kLoads)) return r;
+        const Twist r = twist_rate<kFull>(in, c, held, q, t);
+        if constexpr (!kAerodynamic) return r;
         if (held.sheared) t.u = sub(t.u, to_body(q, held.fluid_spin));
         return add(r, acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held.inverse_length, t)));
     };

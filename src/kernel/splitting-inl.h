@@ -81,7 +81,7 @@ template <bool kNoise> HWY_INLINE VF relax(VF y, VF x, VF tau_f, VF kick) {
 }
 
 // A body whose axes are its modes. gauss is read only with noise.
-template <Loads kLoads, bool kNoise, class C>
+template <bool kNoise, class C>
 HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6],
                                    Body& b) {
     const VF one = constant(1.0f), half = constant(0.5f), tau = constant(0.5f * in.h);
@@ -93,7 +93,7 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
         pull = add(pull, mul(mobility, f.v));
         couple = mul(spin_mobility, f.u);
     }
-    if constexpr (kLoads == Loads::none) {
+    if (in.loads == Loads::none) {
         b.t.v = add(b.t.v, pull);
         if (held.external) b.t.u = add(b.t.u, couple);
         return;
@@ -106,7 +106,7 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
     }
     const Vec3 rate = broadcast(c.rate), spin_rate = broadcast(c.rate + 3);
     VF share, beta = held.beta; // alpha tau
-    if constexpr (kLoads == Loads::langevin_speed) {
+    if (in.clock == Clock::speed) {
         // Speed in the middle of the half step, estimated implicitly: it makes the damping of second order.
         const VF unit = hn::Mul(hn::Mul(constant(c.speed_alpha), held.inverse_length), tau);
         const VF guess = hn::Mul(hn::Mul(unit, half), hn::Sqrt(dot(b.t.v, b.t.v)));
@@ -161,24 +161,24 @@ template <class C> HWY_INLINE Twist applied_to_modes(const C& c, const Held& hel
 }
 
 // Damping, weight, and at the end of a step noise, for half a substep; orientation held.
-template <Loads kLoads, bool kNoise, class C>
+template <bool kNoise, class C>
 HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6],
                                Body& b) {
     const VF tau = constant(0.5f * in.h);
     // Damping is towards the fluid's own rotation: relax the spin through the fluid.
-    const bool sheared = kLoads != Loads::none && held.sheared;
+    const bool sheared = in.loads != Loads::none && held.sheared;
     const auto fluid_spin = [&]() LR_LAMBDA { return to_body(b.q, held.fluid_spin); };
     if (sheared) b.t.u = sub(b.t.u, fluid_spin());
     const Twist tau_f = scale(tau, applied_to_modes(c, held, b.q));
     const Twist y = to_modes(c, b.t);
-    if constexpr (kLoads == Loads::none) {
+    if (in.loads == Loads::none) {
         b.t = add(b.t, from_modes(c, tau_f));
         return;
     }
     const Twist rate = broadcast6(c.rate);
     VF alpha = held.alpha;
     VF beta = held.beta;
-    if constexpr (kLoads == Loads::langevin_speed) {
+    if (in.clock == Clock::speed) {
         // Speed in the middle of the half step, estimated implicitly: it makes the damping of second order.
         const VF unit = hn::Mul(constant(c.speed_alpha), held.inverse_length);
         const VF half_tau = constant(0.25f * in.h);
@@ -234,24 +234,25 @@ HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     b.t = m.end;
 }
 
-template <bool kFull, Loads kLoads, class C>
+// Loads::none or langevin.
+template <bool kFull, class C>
 HWY_INLINE void splitting_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6],
                                   Body& b) {
     const VF half = constant(0.5f * in.h);
-    if constexpr (kLoads == Loads::langevin_age) {
+    if (in.loads == Loads::langevin && in.clock == Clock::age) {
         VF beta_squared;
         sample_table(in.table, hn::Add(b.age, half), held.alpha, beta_squared);
         held.beta = hn::Sqrt(beta_squared);
     }
     if constexpr (kFull)
-        load_half_full<kLoads, false>(in, c, held, beta_unit, gauss, b);
+        load_half_full<false>(in, c, held, beta_unit, gauss, b);
     else
-        load_half_diagonal<kLoads, false>(in, c, held, beta_unit, gauss, b);
+        load_half_diagonal<false>(in, c, held, beta_unit, gauss, b);
     free_step<kFull>(in.h, c, held, b);
     if constexpr (kFull)
-        load_half_full<kLoads, kLoads != Loads::none>(in, c, held, beta_unit, gauss, b);
+        load_half_full<true>(in, c, held, beta_unit, gauss, b);
     else
-        load_half_diagonal<kLoads, kLoads != Loads::none>(in, c, held, beta_unit, gauss, b);
+        load_half_diagonal<true>(in, c, held, beta_unit, gauss, b);
     b.x = add(b.x, scale(constant(in.h), held.wind));
     grow_older(b, constant(in.h));
 }

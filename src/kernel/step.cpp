@@ -7,6 +7,7 @@
 
 #include "hwy/cache_control.h"
 #include "hwy/highway.h"
+#include "kernel/built_targets.h"
 #include "kernel/external-inl.h"
 #include "kernel/faults-inl.h"
 #include "kernel/substep-inl.h"
@@ -38,15 +39,15 @@ constexpr size_t line = 64 / sizeof(float);
 
 // The lines of the next bodies are on their way while these are stepped: in worlds larger than the caches, from too many
 // arrays for the processor to see it by itself. `at` may lie behind the last body: nothing is read.
-template <Loads kLoads> HWY_INLINE void prefetch(const BatchArrays& a, size_t at, size_t count) {
-    constexpr size_t fields = is_aerodynamic(kLoads) ? field_count : size_t{field_gust_x};
+template <bool kAerodynamic> HWY_INLINE void prefetch(const BatchArrays& a, size_t at, size_t count) {
+    constexpr size_t fields = kAerodynamic ? field_count : size_t{field_gust_x};
     for (size_t i = 0; i < count; i += line) {
         for (size_t f = 0; f < fields; ++f) hwy::Prefetch(a.field[f] + at + i);
         hwy::Prefetch(a.key + at + i);
     }
 }
 
-template <bool kFull, Loads kLoads, Integrator kIntegrator>
+template <bool kFull, bool kAerodynamic, Integrator kIntegrator>
 HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
     const DF d;
     const DU du;
@@ -56,7 +57,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
     const Vec3 weight = scale(constant(c.weight), gravity);
     for (size_t at = begin; at < end; at += hn::Lanes(d)) {
         const size_t together = HWY_MAX(hn::Lanes(d), line);
-        if (at % together == 0) prefetch<kLoads>(a, at + together, together);
+        if (at % together == 0) prefetch<kAerodynamic>(a, at + together, together);
         Body b;
         b.x = load3(a, field_x, at);
         b.q = {hn::Load(d, a.field[field_qx] + at), hn::Load(d, a.field[field_qy] + at),
@@ -74,7 +75,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         held.sheared = false;
         held.uniform = true;
         // In a uniform wind the body moves through the fluid as if that were still: work with the relative velocity.
-        if constexpr (is_aerodynamic(kLoads)) b.gust = load3(a, field_gust_x, at);
+        if constexpr (kAerodynamic) b.gust = load3(a, field_gust_x, at);
         Vec3 begin_wind = broadcast(in.wind_begin), end_wind = held.wind;
         if (fluid) hold_field(*fluid, at - begin, c.weight, length, gravity, held, begin_wind, end_wind);
         b.t.v = sub(load3(a, field_vx, at), to_body(b.q, begin_wind));
@@ -89,17 +90,17 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
 
         for (uint32_t i = 0; i < in.substeps; ++i) {
             if (in.wind_changes && !fluid) held.wind = wind_of_substep(in, i);
-            one_substep<kFull, kLoads, kIntegrator>(in, c, held, key, i, beta_unit, b);
+            one_substep<kFull, kAerodynamic, kIntegrator>(in, c, held, key, i, beta_unit, b);
         }
 
         const Vec3 v = add(b.t.v, to_body(b.q, end_wind));
         const Vec3 w = scale(held.inverse_length, b.t.u);
         auto sane = hn::And(hn::And(sane_pose(b.x, b.q), sane_motion(v, w)), not_held(a, at));
-        if constexpr (is_aerodynamic(kLoads)) sane = hn::And(sane, sane_gust(b.gust));
+        if constexpr (kAerodynamic) sane = hn::And(sane, sane_gust(b.gust));
         const bool all_sane = hn::AllTrue(d, sane);
         BodiesBefore before;
         if (HWY_UNLIKELY(!all_sane)) before.take(a, at, hn::Lanes(d));
-        if constexpr (is_aerodynamic(kLoads)) store3(a, field_gust_x, at, b.gust);
+        if constexpr (kAerodynamic) store3(a, field_gust_x, at, b.gust);
         store3(a, field_x, at, b.x);
         hn::Store(b.q.x, d, a.field[field_qx] + at);
         hn::Store(b.q.y, d, a.field[field_qy] + at);
@@ -110,14 +111,22 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         hn::Store(b.age, d, a.field[field_age] + at);
         hn::Store(b.age_rest, d, a.field[field_age_rest] + at);
         if (HWY_UNLIKELY(!all_sane))
-            before.hold(a, at, hn::Lanes(d), in.h * static_cast<float>(in.substeps), is_aerodynamic(kLoads), in.faults);
+            before.hold(a, at, hn::Lanes(d), in.h * static_cast<float>(in.substeps), kAerodynamic, in.faults);
     }
 }
 
 void step_range(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
-    for_variant(in, [&]<bool kFull, Loads kLoads, Integrator kIntegrator>()
-                        HWY_ATTR { step_bodies<kFull, kLoads, kIntegrator>(in, a, begin, end); });
+    for_variant(in, [&]<bool kFull, bool kAerodynamic>()
+                        HWY_ATTR { step_bodies<kFull, kAerodynamic, Integrator::splitting>(in, a, begin, end); });
 }
+
+// A reference, which need not be fast: compiled for one instruction set, used by all. The bits are the same.
+#if HWY_TARGET == LR_REFERENCE_TARGET
+void step_range_rk4(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
+    for_variant(in, [&]<bool kFull, bool kAerodynamic>()
+                        HWY_ATTR { step_bodies<kFull, kAerodynamic, Integrator::rk4>(in, a, begin, end); });
+}
+#endif
 
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -32,6 +32,7 @@ struct StepInput {
     float wind[3];       // and as it ends; linear between
     bool wind_changes;
     Loads loads;
+    Clock clock;
     Integrator integrator;
     BodyConstants body;
     TableConstants table;
@@ -54,15 +55,19 @@ using SettleFunction = void (*)(const BodyConstants&, float h, const FieldBlock&
                                 const BatchArrays&, size_t begin, size_t end, uint32_t* faults);
 
 struct KernelTarget {
-    int32_t simd; // LR_SIMD_*
-    int64_t hwy;  // Highway's bit for it
-    StepFunction step;
+    int32_t simd;                // LR_SIMD_*
+    int64_t hwy;                 // Highway's bit for it
+    StepFunction splitting, rk4; // by a batch's integrator
     EndedFunction ended;
     PredictFunction predict;
     EvaluateFunction evaluate;
     CombineFunction combine;
     SettleFunction settle;
     SurfaceTarget surface;
+
+    void step(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) const {
+        (in.integrator == Integrator::rk4 ? rk4 : splitting)(in, a, begin, end);
+    }
 };
 
 // Targets in this build, best first; `count` receives how many.

@@ -49,12 +49,12 @@ HWY_INLINE VF laminar_product(const AerodynamicConstantsOf<VF>& a) {
 
 // A body in its own patch of moving air: quasi-steady motion through it, then the patch's next velocity, which the body
 // meets with the world velocity it has.
-template <bool kFull, Loads kLoads, Integrator kIntegrator, class C>
+template <bool kFull, Integrator kIntegrator, class C>
 HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held, VU key, uint32_t substep, Body& b) {
     b.t.v = sub(b.t.v, to_body(b.q, b.gust));
     const VF speed = hn::Sqrt(speed_squared(b.t.v));
     VF alpha, variance;
-    if constexpr (kLoads == Loads::aerodynamic_speed) {
+    if (in.clock == Clock::speed) {
         alpha = hn::Mul(hn::Mul(constant(c.aerodynamics.rate_of_gusts), held.inverse_length), speed);
         const VF laminar = hn::Mul(laminar_product(c.aerodynamics), held.inverse_length);
         const VF turbulent = hn::Div(hn::Mul(speed, speed), hn::Add(speed, laminar));
@@ -72,54 +72,38 @@ HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held,
         b.x = add(b.x, scale(constant(in.h), held.wind));
         grow_older(b, constant(in.h));
     } else {
-        rk4_substep<kFull, kLoads>(in, c, held, hn::Zero(DF()), gauss, b);
+        rk4_substep<kFull, true>(in, c, held, hn::Zero(DF()), gauss, b);
     }
     three_gaussians(key, in.first_substep + substep, in.seed, gauss);
     b.t.v = add(b.t.v, to_body(b.q, b.gust));
     b.gust = without_dust(next_gust(b.gust, alpha, variance, in.h, gauss));
 }
 
-template <bool kFull, Loads kLoads, Integrator kIntegrator, class C>
+template <bool kFull, bool kAerodynamic, Integrator kIntegrator, class C>
 HWY_INLINE void one_substep(const StepInput& in, const C& c, Held& held, VU key, uint32_t substep, VF beta_unit,
                             Body& b) {
-    if constexpr (is_aerodynamic(kLoads)) {
-        aerodynamic_substep<kFull, kLoads, kIntegrator>(in, c, held, key, substep, b);
+    if constexpr (kAerodynamic) {
+        aerodynamic_substep<kFull, kIntegrator>(in, c, held, key, substep, b);
         return;
     }
     VF gauss[6];
-    if constexpr (kLoads != Loads::none) six_gaussians(key, in.first_substep + substep, in.seed, gauss);
-    if constexpr (kIntegrator == Integrator::splitting)
-        splitting_substep<kFull, kLoads>(in, c, held, beta_unit, gauss, b);
+    if (in.loads != Loads::none)
+        six_gaussians(key, in.first_substep + substep, in.seed, gauss);
     else
-        rk4_substep<kFull, kLoads>(in, c, held, beta_unit, gauss, b);
+        for (VF& g : gauss) g = hn::Zero(DF());
+    if constexpr (kIntegrator == Integrator::splitting)
+        splitting_substep<kFull>(in, c, held, beta_unit, gauss, b);
+    else
+        rk4_substep<kFull, false>(in, c, held, beta_unit, gauss, b);
 }
 
-template <bool kFull, Loads kLoads, class F> HWY_INLINE void for_integrator(const StepInput& in, const F& f) {
-    if (in.integrator == Integrator::splitting)
-        f.template operator()<kFull, kLoads, Integrator::splitting>();
-    else
-        f.template operator()<kFull, kLoads, Integrator::rk4>();
-}
-template <bool kFull, class F> HWY_INLINE void for_loads(const StepInput& in, const F& f) {
-    switch (in.loads) {
-    case Loads::none:
-        return for_integrator<kFull, Loads::none>(in, f);
-    case Loads::langevin_speed:
-        return for_integrator<kFull, Loads::langevin_speed>(in, f);
-    case Loads::langevin_age:
-        return for_integrator<kFull, Loads::langevin_age>(in, f);
-    case Loads::aerodynamic_speed:
-        return for_integrator<kFull, Loads::aerodynamic_speed>(in, f);
-    case Loads::aerodynamic_age:
-        return for_integrator<kFull, Loads::aerodynamic_age>(in, f);
-    }
-}
-// Calls f<kFull, kLoads, kIntegrator>() for the batch's.
+// Calls f<kFull, kAerodynamic>() for the batch's. Bodies without loads go the way of LANGEVIN loads.
 template <class F> HWY_INLINE void for_variant(const StepInput& in, const F& f) {
+    const bool aerodynamic = in.loads == Loads::aerodynamic;
     if (in.body.diagonal)
-        for_loads<false>(in, f);
+        aerodynamic ? f.template operator()<false, true>() : f.template operator()<false, false>();
     else
-        for_loads<true>(in, f);
+        aerodynamic ? f.template operator()<true, true>() : f.template operator()<true, false>();
 }
 
 } // namespace lr::HWY_NAMESPACE

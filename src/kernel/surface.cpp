@@ -3,6 +3,11 @@
 #define HWY_TARGET_INCLUDE "kernel/surface.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
 
+// Vectors one by one: two side by side spill so much here that they are slower, in twice the code.
+#ifndef LR_NO_PAIRS
+#define LR_NO_PAIRS
+#endif
+
 #include "hwy/highway.h"
 #include "kernel/external-inl.h"
 #include "kernel/faults-inl.h"
@@ -139,7 +144,8 @@ HWY_INLINE void store_velocities(const BatchArrays& a, size_t at, VF inverse_len
     store3(a, field_wx, at, without_dust(scale(inverse_length, t.u)));
 }
 
-template <bool kFull, Loads kLoads, Integrator kIntegrator>
+// By the splitting scheme, whatever the batch has in the air.
+template <bool kFull, bool kAerodynamic>
 HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
     const DF d;
     const DU du;
@@ -152,7 +158,7 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         b.q = load_orientation(a, at);
         b.age = hn::Load(d, a.field[field_age] + at);
         b.age_rest = hn::Load(d, a.field[field_age_rest] + at);
-        if constexpr (is_aerodynamic(kLoads)) b.gust = load3(a, field_gust_x, at);
+        if constexpr (kAerodynamic) b.gust = load3(a, field_gust_x, at);
         const VF body_scale = hn::Load(d, a.field[field_scale] + at);
         const VF length = hn::Mul(body_scale, constant(in.body.length));
         const VF inverse_length = hn::Div(constant(1.0f), length);
@@ -172,7 +178,7 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
 
         LaneConstants c;
         VF unit;
-        blend<kFull, kLoads>(in.body, w, f, c, unit);
+        blend<kFull, kAerodynamic>(in.loads == Loads::langevin, in.body, w, f, c, unit);
         const VF wet = water_share(w, f);
         Held held;
         held.inverse_length = inverse_length;
@@ -197,16 +203,16 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         b.t = {sub(world.v, to_body(b.q, sub(held.wind, half_change))), world.u};
         const VU key = hn::Load(du, a.key + at);
         const VF beta_unit = hn::Mul(c.speed_beta, inverse_length);
-        one_substep<kFull, kLoads, kIntegrator>(in, c, held, key, 0, beta_unit, b);
+        one_substep<kFull, kAerodynamic, Integrator::splitting>(in, c, held, key, 0, beta_unit, b);
 
         b.t.v = add(b.t.v, to_body(b.q, add(held.wind, half_change)));
         const auto motion = sane_motion(b.t.v, scale(inverse_length, b.t.u));
         auto sane = hn::And(hn::And(sane_pose(b.x, b.q), motion), not_held(a, at));
-        if constexpr (is_aerodynamic(kLoads)) sane = hn::And(sane, sane_gust(b.gust));
+        if constexpr (kAerodynamic) sane = hn::And(sane, sane_gust(b.gust));
         const bool all_sane = hn::AllTrue(d, sane);
         BodiesBefore before;
         if (HWY_UNLIKELY(!all_sane)) before.take(a, at, hn::Lanes(d));
-        if constexpr (is_aerodynamic(kLoads)) store3(a, field_gust_x, at, b.gust);
+        if constexpr (kAerodynamic) store3(a, field_gust_x, at, b.gust);
         store3(a, field_x, at, b.x);
         hn::Store(b.q.x, d, a.field[field_qx] + at);
         hn::Store(b.q.y, d, a.field[field_qy] + at);
@@ -215,13 +221,13 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         store_velocities(a, at, inverse_length, b.t);
         hn::Store(b.age, d, a.field[field_age] + at);
         hn::Store(b.age_rest, d, a.field[field_age_rest] + at);
-        if (HWY_UNLIKELY(!all_sane)) before.hold(a, at, hn::Lanes(d), in.h, is_aerodynamic(kLoads), in.faults);
+        if (HWY_UNLIKELY(!all_sane)) before.hold(a, at, hn::Lanes(d), in.h, kAerodynamic, in.faults);
     }
 }
 
 void step_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
-    for_variant(in, [&]<bool kFull, Loads kLoads, Integrator kIntegrator>()
-                        HWY_ATTR { step_wet_bodies<kFull, kLoads, kIntegrator>(in, s, a, count); });
+    for_variant(in, [&]<bool kFull, bool kAerodynamic>()
+                        HWY_ATTR { step_wet_bodies<kFull, kAerodynamic>(in, s, a, count); });
 }
 
 template <bool kFull>

@@ -18,7 +18,7 @@ using LaneConstants = BodyConstantsOf<VF>;
 
 // Eigenvalues on the diagonal of `a`, eigenvectors in the columns of `v`. Cyclic Jacobi with a fixed number of sweeps:
 // it converges quadratically, and all lanes must do the same. Seven leave single precision's rounding for six rows.
-template <int N> HWY_NOINLINE void eigen(VF (&a)[N][N], VF (&v)[N][N]) {
+template <int N> static HWY_NOINLINE void eigen(VF (&a)[N][N], VF (&v)[N][N]) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     for (int i = 0; i < N; ++i)
         for (int j = 0; j < N; ++j) v[i][j] = i == j ? one : zero;
@@ -110,7 +110,7 @@ HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const Aerodyna
 }
 
 // As make_frame() of kernel/aerodynamics.cpp, for the inverse mass matrix in `c`.
-HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
+static HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
     AerodynamicConstantsOf<VF>& a = c.aerodynamics;
     const VF zero = hn::Zero(DF());
     const Vec3 arm = broadcast(a.arm), none{zero, zero, zero};
@@ -165,14 +165,14 @@ HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
 
 // Modes in which mass is 1 and the turbulent damping diagonal: with Z = X (1 + f lambda)^-1/2 mass is 1 already, and
 // Jacobi turns Z^T W Z.
-template <bool kDamped> HWY_NOINLINE void langevin_modes(const WaterBody& w, VF f, VF unit, LaneConstants& c) {
+static HWY_NOINLINE void langevin_modes(bool damped, const WaterBody& w, VF f, VF unit, LaneConstants& c) {
     const VF one = constant(1.0f), root = hn::Sqrt(unit);
     VF stretch[6], z[6][6], q[6][6];
     for (int j = 0; j < 6; ++j) {
         stretch[j] = hn::Div(hn::Sqrt(mul_add(f, constant(w.lambda[j]), one)), root);
         for (int i = 0; i < 6; ++i) z[i][j] = hn::Div(constant(w.from[i * 6 + j]), stretch[j]);
     }
-    if constexpr (!kDamped) {
+    if (!damped) {
         for (int i = 0; i < 6; ++i)
             for (int j = 0; j < 6; ++j) c.from_modes[i * 6 + j] = z[i][j];
         return;
@@ -208,8 +208,8 @@ template <bool kDamped> HWY_NOINLINE void langevin_modes(const WaterBody& w, VF 
     }
 }
 
-template <Loads kLoads>
-HWY_INLINE void blend_full(const BodyConstants& a, const WaterBody& w, VF f, VF unit, const Shares& mean,
+template <bool kAerodynamic>
+HWY_INLINE void blend_full(bool damped, const BodyConstants& a, const WaterBody& w, VF f, VF unit, const Shares& mean,
                            LaneConstants& c) {
     mean(a.full_mass, w.water.full_mass, c.full_mass);
     mean(a.full_damping, w.water.full_damping, c.full_damping);
@@ -235,15 +235,16 @@ HWY_INLINE void blend_full(const BodyConstants& a, const WaterBody& w, VF f, VF 
     }
     for (int i = 0, n = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j, ++n) c.reduced_rotation[n] = hn::Sub(rotation[n], dot(slips[i], coupling[j]));
-    if constexpr (is_aerodynamic(kLoads))
+    if constexpr (kAerodynamic)
         aerodynamic_frame(c);
     else
-        langevin_modes<is_langevin(kLoads)>(w, f, unit, c);
+        langevin_modes(damped, w, f, unit, c);
 }
 
 // unit: receives U(f)/U_a.
-template <bool kFull, Loads kLoads>
-HWY_NOINLINE void blend(const BodyConstants& a, const WaterBody& w, VF f, LaneConstants& c, VF& unit) {
+template <bool kFull, bool kAerodynamic>
+static HWY_NOINLINE void blend(bool damped, const BodyConstants& a, const WaterBody& w, VF f, LaneConstants& c,
+                               VF& unit) {
     const VF one = constant(1.0f), dry = hn::Sub(one, f);
     const VF ratio = constant(w.water.unit_mass / a.unit_mass);
     unit = mul_add(f, ratio, dry);
@@ -257,10 +258,10 @@ HWY_NOINLINE void blend(const BodyConstants& a, const WaterBody& w, VF f, LaneCo
     c.noise_spin = constant(a.noise_spin);
     mean(a.mass, w.water.mass, c.mass);
     mean(a.spin_mass, w.water.spin_mass, c.spin_mass);
-    if constexpr (is_aerodynamic(kLoads))
+    if constexpr (kAerodynamic)
         blend_aerodynamics(a.aerodynamics, w.water.aerodynamics, mean, water_share(w, f), c.aerodynamics);
     if constexpr (kFull) {
-        blend_full<kLoads>(a, w, f, unit, mean, c);
+        blend_full<kAerodynamic>(damped, a, w, f, unit, mean, c);
         for (int i = 0; i < 3; ++i) {
             c.inverse_mass[i] = c.full_inverse[i == 0 ? 0 : i == 1 ? 6 : 11];
             c.inverse_spin_mass[i] = c.full_inverse[i == 0 ? 15 : i == 1 ? 18 : 20];

@@ -12,6 +12,7 @@ namespace lr::HWY_NAMESPACE {
 
 // kernel/step.cpp
 void step_range(const StepInput& in, const BatchArrays& a, size_t begin, size_t end);
+void step_range_rk4(const StepInput& in, const BatchArrays& a, size_t begin, size_t end); // LR_REFERENCE_TARGET alone
 // kernel/ended.cpp
 bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin, size_t end, uint32_t* cause);
 // kernel/wind.cpp
@@ -40,7 +41,7 @@ namespace lr {
 const KernelTarget* built_targets(size_t& count) {
 // clang-format off
 #define LR_TARGET(simd, target)                                                                                        \
-    {simd, HWY_##target, &N_##target::step_range, &N_##target::ended_range, &N_##target::predict, &N_##target::evaluate,                \
+    {simd, HWY_##target, &N_##target::step_range, &LR_REFERENCE_NAMESPACE::step_range_rk4, &N_##target::ended_range, &N_##target::predict, &N_##target::evaluate,                \
      &N_##target::combine, &N_##target::settle,                                                                        \
      {&N_##target::near_surface, &N_##target::ahead_of, &N_##target::evaluate_surface, &N_##target::step_wet,          \
       &N_##target::settle_wet}},
@@ -58,8 +59,8 @@ const KernelTarget* find_target(int32_t simd) {
     size_t count = 0;
     const KernelTarget* const targets = built_targets(count);
     for (size_t i = 0; i < count; ++i) {
-        // The emulated target is plain C++ and runs anywhere, whatever the processor reports.
-        const bool runs = (targets[i].hwy & supported) != 0 || targets[i].simd == LR_SIMD_EMULATED;
+        // Plain C++ runs anywhere, whatever the processor reports.
+        const bool runs = (targets[i].hwy & supported) != 0 || targets[i].simd == LR_SIMD_PLAIN;
         if (runs && (simd == LR_SIMD_AUTO || simd == targets[i].simd)) return &targets[i];
     }
     return nullptr;

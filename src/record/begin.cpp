@@ -33,12 +33,12 @@ BatchRecord record_of(const Batch& batch, uint32_t asset) {
     BatchRecord r{};
     r.asset = asset;
     r.capacity = batch.capacity();
-    const bool langevin = s.loads == Loads::langevin_age || s.loads == Loads::langevin_speed;
-    r.load_model = s.loads == Loads::none ? LR_LOADS_NONE : langevin ? LR_LOADS_LANGEVIN : LR_LOADS_AERODYNAMIC;
-    r.clock = s.loads == Loads::langevin_age || s.loads == Loads::aerodynamic_age ? LR_CLOCK_AGE : LR_CLOCK_SPEED;
+    r.load_model = s.loads == Loads::none       ? LR_LOADS_NONE
+                   : s.loads == Loads::langevin ? LR_LOADS_LANGEVIN
+                                                : LR_LOADS_AERODYNAMIC;
+    r.clock = s.clock == Clock::age ? LR_CLOCK_AGE : LR_CLOCK_SPEED;
     r.table_end = s.loop ? LR_TABLE_LOOP : LR_TABLE_CLAMP;
     r.integrator = s.integrator == Integrator::rk4 ? LR_INTEGRATOR_RK4 : LR_INTEGRATOR_SPLITTING;
-    r.tensor = s.force_full ? LR_TENSOR_FULL : LR_TENSOR_AUTO;
     r.damping_gain = static_cast<float>(s.gains.damping);
     r.noise_gain = static_cast<float>(s.gains.noise);
     return r;

@@ -152,9 +152,8 @@ template <> inline constexpr uint32_t recorded_bytes<lr_force_arrays> = offsetof
 struct BatchRecord { // lr_batch_desc without what is not the same on every machine
     uint32_t asset;
     uint32_t capacity;
-    int32_t load_model, clock, table_end, integrator, tensor;
+    int32_t load_model, clock, table_end, integrator;
     float damping_gain, noise_gain;
-    uint32_t reserved;
 };
 struct TableRecord { // lr_turbulence_table likewise
     uint32_t count;

@@ -87,7 +87,6 @@ lr_status create_batch(Arguments& from, const Scene& scene, uint64_t& output) {
     d.clock = r.clock;
     d.table_end = r.table_end;
     d.integrator = r.integrator;
-    d.tensor = r.tensor;
     d.damping_gain = r.damping_gain;
     d.noise_gain = r.noise_gain;
     const lr_status status = lr_batch_create(scene.world, &d, &out);

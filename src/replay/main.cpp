@@ -34,7 +34,7 @@ bool read(const std::string& path, Bytes& bytes) {
 }
 
 bool simd_of(const std::string& name, int32_t& out) {
-    for (int32_t target = LR_SIMD_AUTO; target <= LR_SIMD_WASM; ++target)
+    for (int32_t target = LR_SIMD_AUTO; target <= LR_SIMD_PLAIN; ++target)
         if (lower(lr_simd_target_name(target)) == lower(name)) {
             out = target;
             return true;
@@ -77,7 +77,7 @@ int run(int argc, char** argv) {
     Options options;
     uint64_t megabytes = options.most_memory >> 20;
     app.add_option("FILE", path, "What lr_recording_desc.write was given")->required();
-    app.add_option("--simd", simd, "Instruction set: auto, emulated, SSSE3, SSE4, AVX2, AVX-512, NEON, WebAssembly");
+    app.add_option("--simd", simd, "Instruction set: auto, SSE4, AVX2, AVX-512, NEON, WebAssembly");
     app.add_option("--workers", options.workers, "Threads besides the first")->check(CLI::Range(0, 64));
     app.add_option("--until", options.until, "Stop after so many steps of the recording");
     app.add_flag("--print", print, "Write each call as text");

@@ -260,7 +260,7 @@ void write_range(const BatchArrays& a, uint32_t count, float ahead, int32_t form
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "hwy/targets.h"
+#include "kernel/built_targets.h"
 
 namespace lr {
 namespace {
@@ -274,32 +274,9 @@ struct Target {
     int32_t simd;
     WriteFunction write;
 };
-constexpr Target targets[] = {
-#if HWY_TARGETS & HWY_AVX3
-    {LR_SIMD_AVX512, &N_AVX3::write_range},
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    {LR_SIMD_AVX2, &N_AVX2::write_range},
-#endif
-#if HWY_TARGETS & HWY_SSE4
-    {LR_SIMD_SSE4, &N_SSE4::write_range},
-#endif
-#if HWY_TARGETS & HWY_SSSE3
-    {LR_SIMD_SSSE3, &N_SSSE3::write_range},
-#endif
-#if HWY_TARGETS & HWY_NEON
-    {LR_SIMD_NEON, &N_NEON::write_range},
-#endif
-#if HWY_TARGETS & HWY_WASM
-    {LR_SIMD_WASM, &N_WASM::write_range},
-#endif
-#if HWY_TARGETS & HWY_EMU128
-    {LR_SIMD_EMULATED, &N_EMU128::write_range},
-#endif
-#if HWY_TARGETS & HWY_SCALAR
-    {LR_SIMD_EMULATED, &N_SCALAR::write_range},
-#endif
-};
+#define LR_TARGET(simd, target) {simd, &N_##target::write_range},
+constexpr Target targets[] = {LR_FOR_BUILT_TARGETS(LR_TARGET)};
+#undef LR_TARGET
 
 } // namespace
 

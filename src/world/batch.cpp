@@ -55,12 +55,12 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->meeting = make_meeting_shape(batch->shape);
     batch->step = StepInput{};
     batch->step.loads = settings.loads;
+    batch->step.clock = settings.clock;
     batch->step.integrator = settings.integrator;
     batch->step.faults = &batch->faults.noted;
     if (!make_body_constants(asset.data, asset.diagonal, settings.fluid_density, batch->step.body)) {
         status = LR_ERROR_INTERNAL;
     } else {
-        if (settings.force_full) batch->step.body.diagonal = false;
         if (!batch->set_aerodynamics(asset.data.aerodynamics, settings.gains))
             status = LR_ERROR_INTERNAL;
         else if (batch->allocate(capacity) && batch->set_asset_table())
@@ -368,8 +368,17 @@ uint32_t Batch::padded_awake() const {
     return padded(awake_);
 }
 
+// Loads off the body's axes or centre of buoyancy need the full path. Those of a diagonal asset are its own.
+bool Batch::is_diagonal_with(const AerodynamicData& loads) const {
+    constexpr std::array<double, 9> body_axes{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+    const AerodynamicData& own = asset_->data.aerodynamics;
+    return asset_->diagonal && ((loads.axes == own.axes && loads.center == own.center) ||
+                                (loads.axes == body_axes && loads.center == std::array<double, 3>{}));
+}
+
 bool Batch::make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const {
     out = step.body;
+    out.diagonal = is_diagonal_with(loads);
     if (!make_aerodynamics(asset_->data, loads, gains, asset_->diagonal, settings_.fluid_density, settings_.viscosity,
                            out))
         return false;

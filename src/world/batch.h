@@ -22,10 +22,10 @@ namespace lr {
 class Lifecycle;
 
 struct BatchSettings {
-    Loads loads = Loads::langevin_speed;
+    Loads loads = Loads::langevin;
+    Clock clock = Clock::speed;
     Integrator integrator = Integrator::splitting;
     bool loop = false;
-    bool force_full = false;
     Gains gains;
     double fluid_density = 1.2; // kg/m^3
     double viscosity = 1.5e-5;  // m^2/s, kinematic
@@ -161,7 +161,7 @@ public:
     std::atomic<uint64_t> spent{0}; // ns of all threads in this step; where a budget asks for it
 
     // Arrays of BatchArrays::field that it has: the last three are those of AERODYNAMIC loads.
-    size_t fields() const { return is_aerodynamic(settings_.loads) ? field_count : field_gust_x; }
+    size_t fields() const { return settings_.loads == Loads::aerodynamic ? field_count : field_gust_x; }
 
 private:
     friend class SnapshotAccess;
@@ -176,6 +176,7 @@ private:
     bool reaches_into(uint32_t index, const float (&low)[3], const float (&high)[3]) const;
     void move(uint32_t from, uint32_t to);
     bool fill_table(const TableView& table);
+    bool is_diagonal_with(const AerodynamicData& loads) const;
     bool make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const;
 
     Allocator* allocator_;

@@ -128,9 +128,9 @@ void CrowdStep::move_alone(uint32_t substep) {
 }
 
 void CrowdStep::run() {
-    using Clock = std::chrono::steady_clock;
+    using Steady = std::chrono::steady_clock;
     const bool timed = world_->pacing.timed();
-    const Clock::time_point since = timed ? Clock::now() : Clock::time_point();
+    const Steady::time_point since = timed ? Steady::now() : Steady::time_point();
     for (uint32_t substep = 0; substep < time_.substeps; ++substep) {
         move_alone(substep);
         place_count_ = 0;
@@ -151,7 +151,7 @@ void CrowdStep::run() {
         if (batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
     });
     if (!timed) return;
-    const std::chrono::duration<double, std::nano> spent = Clock::now() - since;
+    const std::chrono::duration<double, std::nano> spent = Steady::now() - since;
     for (uint32_t m = 0; m < member_count_; ++m) {
         Batch& batch = *items_[m].batch;
         batch.spent += static_cast<uint64_t>(spent.count() * batch.padded_awake() / body_count_);

@@ -118,7 +118,7 @@ void LiftOff::try_range(const StepItem& item, uint32_t begin, uint32_t end) {
 void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t count) {
     Batch& batch = *item.batch;
     const StepInput& in = batch.step;
-    const bool field = world_->wind.active(), remembers = is_aerodynamic(in.loads);
+    const bool field = world_->wind.active(), remembers = in.loads == Loads::aerodynamic;
     Copies copies;
     uint32_t padded = copies.take(batch.arrays(), index, count);
     BatchArrays arrays = copies.arrays();

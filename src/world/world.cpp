@@ -287,8 +287,8 @@ void lr_world::fill_input(Batch& batch, float dt, bool& unfit) {
 }
 
 bool lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point since = pacing.timed() ? Clock::now() : Clock::time_point();
+    using Steady = std::chrono::steady_clock;
+    const Steady::time_point since = pacing.timed() ? Steady::now() : Steady::time_point();
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
     contact_events.begin_step();
@@ -334,7 +334,7 @@ bool lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     substep_count += substeps;
     time += static_cast<double>(dt);
     finish_batches(static_cast<double>(dt));
-    if (pacing.timed()) pacing.learn(std::chrono::duration<double>(Clock::now() - since).count());
+    if (pacing.timed()) pacing.learn(std::chrono::duration<double>(Steady::now() - since).count());
     return met;
 }
 
@@ -509,7 +509,7 @@ uint64_t lr_world::hash() const {
                 body = mix(body ^ mix(std::bit_cast<uint64_t>(batch.resting()->birth(i)) + 1ull));
             else
                 rare(lr::field_age_rest, std::bit_cast<uint32_t>(batch.arrays().field[lr::field_age_rest][i]));
-            if (lr::is_aerodynamic(batch.step.loads))
+            if (batch.step.loads == lr::Loads::aerodynamic)
                 for (size_t f : {lr::field_gust_x, lr::field_gust_y, lr::field_gust_z})
                     body = mix(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
             if (batch.lifecycle()) rare(lr::field_count, batch.lifecycle()->life(i));

@@ -297,10 +297,11 @@ TEST_CASE("the same events in the same order with any workers, instruction sets 
         CHECK(same(play({.workers = 4, .windy = windy}), expected));
 #ifndef LR_TEST_QUICK
         for (const uint32_t workers : {1u, 2u}) CHECK(same(play({.workers = workers, .windy = windy}), expected));
-        CHECK(same(play({.simd = LR_SIMD_EMULATED, .windy = windy}), expected));
+        CHECK(same(play({.simd = simd_targets().back(), .windy = windy}), expected));
         CHECK(same(play({.reversed = true, .windy = windy}), expected, false));
 #endif
-        CHECK(same(play({.workers = 3, .simd = LR_SIMD_EMULATED, .reversed = true, .windy = windy}), expected, false));
+        CHECK(same(play({.workers = 3, .simd = simd_targets().back(), .reversed = true, .windy = windy}), expected,
+                   false));
         // And keeping them changes nothing.
         play({.capacity = 0, .windy = windy}, &other);
         CHECK(other == hash);

@@ -210,17 +210,16 @@ TEST_CASE("in wind, in water, over colliders, beside others and at other rates a
           Place{"ground", false, false, true, false, 1}, Place{"windy ground", true, false, true, false, 1},
           Place{"wet ground", false, true, true, false, 1}, Place{"pairs", false, false, false, true, 1},
           Place{"everything", true, true, true, true, 1}, Place{"waiting", false, false, false, false, 4}})
-        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+        for (bool full : {false, true}) {
             CAPTURE(std::string(place.name));
-            CAPTURE(tensor);
+            CAPTURE(full);
             World worlds[2];
             std::vector<lr_body> ids[2];
             lr_batch batch = 0;
             for (size_t w = 0; w < 2; ++w) {
                 worlds[w] = make(world_desc());
                 lr_batch_desc d = free_fall();
-                d.tensor = tensor;
-                batch = add_batch(worlds[w], d, asset, 70);
+                batch = add_batch(worlds[w], d, asset, 70, full);
                 ids[w] = some_bodies(worlds[w], batch, 70, 0.5f);
                 if (place.wind) {
                     lr_wind_source_desc s = source_desc(LR_WIND_SOURCE_TURBULENCE);
@@ -493,11 +492,11 @@ TEST_CASE("policies: what is refused") {
 TEST_CASE("a scheme that blows up by itself leaves every body where the header says") {
     const Asset asset = leaf();
     for (int32_t loads : {LR_LOADS_NONE, LR_LOADS_LANGEVIN, LR_LOADS_AERODYNAMIC})
-        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+        for (bool full : {false, true}) {
             const World world = make(world_desc());
             lr_batch_desc d = batch_desc();
-            d.load_model = loads, d.integrator = LR_INTEGRATOR_RK4, d.tensor = tensor;
-            const lr_batch batch = add_batch(world, d, asset, 200);
+            d.load_model = loads, d.integrator = LR_INTEGRATOR_RK4;
+            const lr_batch batch = add_batch(world, d, asset, 200, full);
             some_bodies(world, batch, 200);
             set_wind(world, 500.0f, 0.0f, 0.0f);
             uint64_t faults = 0;

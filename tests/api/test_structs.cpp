@@ -187,7 +187,7 @@ TEST_CASE("initial values are those of the header") {
     CHECK((!w.allocator.allocate && !w.allocator.release && !w.log && !w.jobs.enqueue && !w.jobs.finish));
     const lr_batch_desc b = batch_desc();
     CHECK((b.load_model == LR_LOADS_DEFAULT && b.clock == LR_CLOCK_SPEED && b.table_end == LR_TABLE_CLAMP &&
-           b.integrator == LR_INTEGRATOR_DEFAULT && b.tensor == LR_TENSOR_AUTO));
+           b.integrator == LR_INTEGRATOR_DEFAULT));
     CHECK((b.damping_gain == 1.0f && b.noise_gain == 1.0f && b.asset == nullptr));
     const lr_body_desc o = body_desc();
     CHECK((o.orientation[0] == 0.0f && o.orientation[3] == 1.0f && o.scale == 1.0f && o.age == 0.0f && o.key == 0));

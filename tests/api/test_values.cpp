@@ -296,10 +296,8 @@ TEST_CASE("gravity, wind, batches and tables refuse impossible values and leave 
               {"clock", offsetof(lr_batch_desc, clock), Field::i32, {-1.0, 99.0}, {0.0, 1.0}},
               {"table_end", offsetof(lr_batch_desc, table_end), Field::i32, {-1.0, 99.0}, {0.0, 1.0}},
               {"integrator", offsetof(lr_batch_desc, integrator), Field::i32, {-1.0, 99.0}, {0.0, 1.0}},
-              {"tensor", offsetof(lr_batch_desc, tensor), Field::i32, {-1.0, 99.0}, {0.0, 1.0}},
               {"damping_gain", offsetof(lr_batch_desc, damping_gain), Field::f32, {-0.1, 100.1}, {0.0, 100.0}},
-              {"noise_gain", offsetof(lr_batch_desc, noise_gain), Field::f32, {-0.1, 100.1}, {0.0, 100.0}},
-              {"reserved", offsetof(lr_batch_desc, reserved), Field::u32, {1.0}, {0.0}}};
+              {"noise_gain", offsetof(lr_batch_desc, noise_gain), Field::f32, {-0.1, 100.1}, {0.0, 100.0}}};
     lr_batch_desc good = batch_desc();
     good.asset = asset.get();
     good.capacity = 1;

@@ -1,5 +1,6 @@
 // What a body at a surface costs beside one in air: 20,000 of each on one core, ns a body and substep.
 //     bench_water --benchmark_repetitions=5
+#include "bench/full_path.h"
 #include "langevin_rigid.h"
 
 #include <benchmark/benchmark.h>
@@ -29,12 +30,12 @@ struct Scene {
         lr_batch_desc_init(&bd, sizeof bd);
         bd.capacity = bodies;
         bd.load_model = loads;
-        bd.tensor = full ? LR_TENSOR_FULL : LR_TENSOR_AUTO;
         lr_batch batch = 0;
         if (lr_asset_create_ellipsoid(&shape, &asset) != LR_OK || lr_world_create(&wd, &world) != LR_OK) return false;
         bd.asset = asset;
         if (lr_world_set_surface(world, &surface) != LR_OK || lr_batch_create(world, &bd, &batch) != LR_OK)
             return false;
+        if (full && !take_full_path(world, batch)) return false;
         for (uint32_t i = 0; i < bodies; ++i) {
             lr_body_desc d;
             lr_body_desc_init(&d, sizeof d);

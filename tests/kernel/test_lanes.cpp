@@ -122,9 +122,6 @@ std::vector<Lanes> lanes() {
 #if HWY_TARGETS & HWY_SSE4
     LR_ADD(SSE4);
 #endif
-#if HWY_TARGETS & HWY_SSSE3
-    LR_ADD(SSSE3);
-#endif
 #if HWY_TARGETS & HWY_NEON
     LR_ADD(NEON);
 #endif

@@ -75,15 +75,14 @@ TEST_CASE("a fall against quadratic drag is the hyperbolic tangent, at any step"
     const double weight = (info.mass - info.fluid_density * info.volume) * 9.81;
     const double mass = info.mass + info.added_mass[14],
                  terminal = std::sqrt(2.0 * weight / (info.fluid_density * drag_area));
-    for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL})
+    for (bool full : {false, true})
         for (float gain : {1.0f, 4.0f})
             for (int steps_in_all : {12, 60, 600}) {
                 lr_world_desc wd = world_desc();
                 wd.gravity[1] = 0.0f, wd.gravity[2] = -9.81f;
                 const World world = make(wd);
                 lr_batch_desc bd = aerodynamic();
-                bd.tensor = tensor;
-                const lr_batch batch = add_batch(world, bd, asset, 1);
+                const lr_batch batch = add_batch(world, bd, asset, 1, full);
                 lr_load_gains gains = initialised(lr_load_gains_init);
                 gains.drag = gain;
                 REQUIRE(lr_batch_set_load_gains(world.get(), batch, &gains) == LR_OK);
@@ -198,25 +197,30 @@ TEST_CASE("loads act at their centre: a vane turns as force times arm says") {
         }
 }
 
-TEST_CASE("a batch takes a centre of the loads on the full path, as far as two lengths away") {
+TEST_CASE("a batch takes a centre of the loads as far as two lengths away, and other axes") {
     const Asset asset = rigid(rigid_plate());
     const double length = info_of(asset).length_d;
-    lr_batch_desc bd = aerodynamic();
-    bd.tensor = LR_TENSOR_FULL;
     const World world = weightless(1);
-    const lr_batch full = add_batch(world, bd, asset, 1), diagonal = add_batch(world, aerodynamic(), asset, 1);
+    const lr_batch batch = add_batch(world, aerodynamic(), asset, 1);
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
-    REQUIRE(lr_batch_get_aerodynamics(world.get(), full, &loads) == LR_OK);
+    REQUIRE(lr_batch_get_aerodynamics(world.get(), batch, &loads) == LR_OK);
     for (const double part : {-2.0, 0.1, 2.0}) {
         loads.center[1] = part * length;
-        CHECK(lr_batch_set_aerodynamics(world.get(), full, &loads) == LR_OK);
-        CHECK(lr_batch_set_aerodynamics(world.get(), diagonal, &loads) == LR_ERROR_INVALID_ARGUMENT);
+        CHECK(lr_batch_set_aerodynamics(world.get(), batch, &loads) == LR_OK);
     }
     loads.center[1] = 2.1 * length;
-    CHECK(lr_batch_set_aerodynamics(world.get(), full, &loads) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(lr_batch_set_aerodynamics(world.get(), batch, &loads) == LR_ERROR_INVALID_ARGUMENT);
     loads.center[1] = std::nan("");
-    CHECK(lr_batch_set_aerodynamics(world.get(), full, &loads) == LR_ERROR_NOT_FINITE);
+    CHECK(lr_batch_set_aerodynamics(world.get(), batch, &loads) == LR_ERROR_NOT_FINITE);
     lr_aerodynamics now = initialised(lr_aerodynamics_init);
-    REQUIRE(lr_batch_get_aerodynamics(world.get(), full, &now) == LR_OK);
+    REQUIRE(lr_batch_get_aerodynamics(world.get(), batch, &now) == LR_OK);
     CHECK(now.center[1] == 2.0 * length);
+    // A quarter of a turn about z: what was along x is along y. And back to the axes of the body.
+    const double turned[9] = {0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
+    loads = now;
+    loads.center[1] = 0.0;
+    std::copy(turned, turned + 9, loads.axes);
+    std::swap(loads.drag[0], loads.drag[1]);
+    CHECK(lr_batch_set_aerodynamics(world.get(), batch, &loads) == LR_OK);
+    CHECK(lr_batch_set_aerodynamics(world.get(), batch, nullptr) == LR_OK);
 }

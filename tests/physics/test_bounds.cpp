@@ -16,6 +16,7 @@ struct Draw {
     lr_ellipsoid_desc shape;
     lr_batch_desc batch;
     Asset asset;
+    bool full = false;
     bool couples = false; // lift has a moment, which does work
 };
 
@@ -39,7 +40,7 @@ Draw draw_body(Random& random, int i, bool noise) {
     out.batch.clock = random.below(2) ? LR_CLOCK_AGE : LR_CLOCK_SPEED;
     out.batch.damping_gain = random.real(noise ? 0.5 : 0.0, 3.0);
     out.batch.noise_gain = noise ? random.real(0.0, 2.0) : 0.0f;
-    if (random.below(4) == 0) out.batch.tensor = LR_TENSOR_FULL;
+    if (random.below(4) == 0) out.full = true;
     out.asset = make(out.shape);
     return out;
 }
@@ -172,7 +173,7 @@ TEST_CASE("random bodies at random steps gain no more energy than weight and the
         const double gust = random.below(2) ? 60.0 : 0.0;
         const Vec wind{wide(random.real(-0.57, 0.57)) * gust, wide(random.real(-0.57, 0.57)) * gust, 0.0};
         set_wind(world, narrow(wind[0]), narrow(wind[1]), narrow(wind[2]));
-        const lr_batch batch = add_batch(world, draw.batch, draw.asset, bodies);
+        const lr_batch batch = add_batch(world, draw.batch, draw.asset, bodies, draw.full);
         const DrawnLoads loads = draw_loads(random, world, batch, false, draw);
         const lr_asset_info info = info_of(draw.asset);
         std::vector<ReferenceBody> reference;
@@ -246,7 +247,7 @@ TEST_CASE("falls with couples of the lift and noise keep to the energy of their 
         const World world = make(world_desc());
         const Vec wind{wide(random.real(-60.0, 60.0)), 0.0, 0.0};
         set_wind(world, narrow(wind[0]), 0.0f, 0.0f);
-        const lr_batch batch = add_batch(world, draw.batch, draw.asset, bodies);
+        const lr_batch batch = add_batch(world, draw.batch, draw.asset, bodies, draw.full);
         lr_load_gains gains = initialised(lr_load_gains_init);
         gains.turbulence = random.real(0.0, 3.0);
         REQUIRE(lr_batch_set_load_gains(world.get(), batch, &gains) == LR_OK);
@@ -314,7 +315,7 @@ TEST_CASE("random bodies in changing winds with noise stay finite") {
         Draw draw = draw_body(random, i, true);
         draw.couples = true;
         const World world = make(world_desc());
-        const lr_batch batch = add_batch(world, draw.batch, draw.asset, bodies);
+        const lr_batch batch = add_batch(world, draw.batch, draw.asset, bodies, draw.full);
         draw_loads(random, world, batch, true, draw);
         if (i % 3 == 0) {
             lr_wind_source_desc gusts = source_desc(LR_WIND_SOURCE_GUSTS);

@@ -16,11 +16,10 @@ Asset foil() {
     return make(in_water(ellipsoid(0.04, 0.02, 0.004, 1000.0)));
 }
 
-lr_batch_desc without_loads(int32_t integrator, int32_t tensor = LR_TENSOR_AUTO) {
+lr_batch_desc without_loads(int32_t integrator) {
     lr_batch_desc d = langevin();
     d.load_model = LR_LOADS_NONE;
     d.integrator = integrator;
-    d.tensor = tensor;
     return d;
 }
 
@@ -83,11 +82,11 @@ TEST_CASE("a body starts with force over own and added mass, and torque over own
     const lr_asset_info info = info_of(asset);
     const double dt = 1e-3;
     for (int32_t integrator : integrators)
-        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL})
+        for (bool full : {false, true})
             for (double scale : {0.25, 1.0, 8.0})
                 for (size_t axis = 0; axis < 3; ++axis) {
                     const World world = weightless();
-                    const lr_batch batch = add_batch(world, without_loads(integrator, tensor), asset, 2);
+                    const lr_batch batch = add_batch(world, without_loads(integrator), asset, 2, full);
                     lr_body_desc d = body_desc();
                     d.scale = narrow(scale);
                     const lr_body pushed = add_body(world, batch, d), wrung = add_body(world, batch, d);

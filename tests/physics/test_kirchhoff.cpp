@@ -31,11 +31,12 @@ struct Drift {
 };
 
 // Many random bodies for `seconds`.
-Drift drift(const Asset& asset, lr_batch_desc desc, int count, float dt, uint32_t substeps, double scale = 1.0) {
+Drift drift(const Asset& asset, lr_batch_desc desc, int count, float dt, uint32_t substeps, double scale = 1.0,
+            bool full = false) {
     const ReferenceBody reference(info_of(asset), scale);
     const World world = weightless();
     desc.load_model = LR_LOADS_NONE;
-    const lr_batch batch = add_batch(world, desc, asset, 32);
+    const lr_batch batch = add_batch(world, desc, asset, 32, full);
     Random random(12);
     std::vector<lr_body> ids;
     std::vector<Invariants> before;
@@ -91,20 +92,19 @@ TEST_CASE("force-free motion keeps energy, momentum, p.l, and the impulse and it
     const struct {
         const char* name;
         const Asset& asset;
-        int32_t tensor;
+        bool full;
         double scale;
-    } cases[] = {{"diagonal", plain, LR_TENSOR_AUTO, 1.0},
-                 {"full path of a diagonal body", plain, LR_TENSOR_FULL, 1.0},
-                 {"full, ballasted", offset, LR_TENSOR_AUTO, 1.0},
-                 {"full, ballasted, three times as large", offset, LR_TENSOR_AUTO, 3.0}};
+    } cases[] = {{"diagonal", plain, false, 1.0},
+                 {"full path of a diagonal body", plain, true, 1.0},
+                 {"full, ballasted", offset, false, 1.0},
+                 {"full, ballasted, three times as large", offset, false, 3.0}};
     for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT})
         for (const auto& c : cases) {
             CAPTURE(std::string(c.name));
             CAPTURE(integrator);
             lr_batch_desc d = batch_desc();
             d.integrator = integrator;
-            d.tensor = c.tensor;
-            const Drift worst = drift(c.asset, d, count, 1.0f / 30.0f, 64, c.scale);
+            const Drift worst = drift(c.asset, d, count, 1.0f / 30.0f, 64, c.scale, c.full);
             const double bound = 1e-4; // rounding over 20,000 substeps and more
             CHECK(worst.energy < bound);
             CHECK(worst.p < bound);
@@ -129,13 +129,12 @@ TEST_CASE("with RK4 the drift of the invariants falls by sixteen and more when t
 TEST_CASE("a spinning force-free sphere goes straight") {
     const Asset sphere = make(in_water(ellipsoid(0.05, 0.05, 0.05, 700.0)));
     for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT})
-        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+        for (bool full : {false, true}) {
             const World world = weightless();
             lr_batch_desc d = batch_desc();
             d.load_model = LR_LOADS_NONE;
             d.integrator = integrator;
-            d.tensor = tensor;
-            const lr_batch batch = add_batch(world, d, sphere, 1);
+            const lr_batch batch = add_batch(world, d, sphere, 1, full);
             lr_body_desc b = body_desc();
             b.linear_velocity[0] = 1.0f, b.linear_velocity[1] = -0.5f, b.linear_velocity[2] = 0.25f;
             b.angular_velocity[0] = 10.0f, b.angular_velocity[1] = 15.0f, b.angular_velocity[2] = -5.0f;

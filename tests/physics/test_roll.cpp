@@ -14,7 +14,7 @@ namespace {
 constexpr double density = 1000.0, volume = 1e-6, inertia = 2e-8, damping = 4e-9;
 
 // Weightless, without added mass or any other load, driving along (1, 2, -2)/3 at 0.5 m/s with the given spin.
-lr_body_state driven(int32_t integrator, int32_t tensor, const float spin[3], double seconds) {
+lr_body_state driven(int32_t integrator, bool full, const float spin[3], double seconds) {
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     for (double& r : loads.roll_damping) r = damping;
     lr_rigid_desc d = initialised(lr_rigid_desc_init);
@@ -29,8 +29,8 @@ lr_body_state driven(int32_t integrator, int32_t tensor, const float spin[3], do
     for (float& g : wd.gravity) g = 0.0f;
     const World world = make(wd);
     lr_batch_desc bd = batch_desc();
-    bd.integrator = integrator, bd.tensor = tensor;
-    const lr_batch batch = add_batch(world, bd, asset, 1);
+    bd.integrator = integrator;
+    const lr_batch batch = add_batch(world, bd, asset, 1, full);
     lr_body_desc b = body_desc();
     const float direction[3] = {1.0f / 6.0f, 1.0f / 3.0f, -1.0f / 3.0f};
     for (size_t i = 0; i < 3; ++i) b.linear_velocity[i] = direction[i], b.angular_velocity[i] = spin[i];
@@ -41,12 +41,13 @@ lr_body_state driven(int32_t integrator, int32_t tensor, const float spin[3], do
 }
 
 struct Scheme {
-    int32_t integrator, tensor;
+    int32_t integrator;
+    bool full;
 };
-constexpr Scheme schemes[] = {{LR_INTEGRATOR_SPLITTING, LR_TENSOR_AUTO},
-                              {LR_INTEGRATOR_SPLITTING, LR_TENSOR_FULL},
-                              {LR_INTEGRATOR_RK4, LR_TENSOR_AUTO},
-                              {LR_INTEGRATOR_RK4, LR_TENSOR_FULL}};
+constexpr Scheme schemes[] = {{LR_INTEGRATOR_SPLITTING, false},
+                              {LR_INTEGRATOR_SPLITTING, true},
+                              {LR_INTEGRATOR_RK4, false},
+                              {LR_INTEGRATOR_RK4, true}};
 
 } // namespace
 
@@ -56,12 +57,12 @@ TEST_CASE("roll damping: spin about the stream decays exponentially, spin across
     const float along[3] = {3.0f, 6.0f, -6.0f}, across[3] = {6.0f, 0.0f, 3.0f};
     for (const Scheme& scheme : schemes) {
         CAPTURE(scheme.integrator);
-        CAPTURE(scheme.tensor);
-        const lr_body_state rolling = driven(scheme.integrator, scheme.tensor, along, seconds);
+        CAPTURE(scheme.full);
+        const lr_body_state rolling = driven(scheme.integrator, scheme.full, along, seconds);
         for (size_t i = 0; i < 3; ++i)
             CHECK(wide(rolling.angular_velocity[i]) ==
                   doctest::Approx(wide(along[i]) * std::exp(-rate * seconds)).epsilon(1e-4));
-        const lr_body_state pitching = driven(scheme.integrator, scheme.tensor, across, seconds);
+        const lr_body_state pitching = driven(scheme.integrator, scheme.full, across, seconds);
         for (size_t i = 0; i < 3; ++i)
             CHECK(wide(pitching.angular_velocity[i]) == doctest::Approx(wide(across[i])).epsilon(1e-4));
     }

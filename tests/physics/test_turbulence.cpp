@@ -46,13 +46,12 @@ TEST_CASE("stationary Langevin: variance of each axis, Gaussian tails, decay of 
     const double expected = 2.0 * k / 3.0 * 1.5 * c0 / (1.0 + 1.5 * c0);
     const Asset sphere = make(in_water(ellipsoid(0.02, 0.02, 0.02, 1000.0)));
     for (int32_t integrator : integrators)
-        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+        for (bool full : {false, true}) {
             const World world = weightless(9);
             lr_batch_desc d = langevin();
             d.clock = LR_CLOCK_AGE;
             d.integrator = integrator;
-            d.tensor = tensor;
-            const lr_batch batch = add_batch(world, d, sphere, crowd);
+            const lr_batch batch = add_batch(world, d, sphere, crowd, full);
             set_constant_table(world, batch, chi, epsilon, c0);
             const std::vector<lr_body> ids = add_crowd(world, batch, crowd);
             // Steps of 1/40 of the correlation time: held noise loses (alpha h)^2/12 = 5e-5 of the variance.
@@ -99,7 +98,7 @@ TEST_CASE("the stationary variance does not depend on the step, in the default s
         const World world = weightless(10);
         lr_batch_desc d = langevin();
         d.clock = LR_CLOCK_AGE;
-        const lr_batch batch = add_batch(world, d, sphere, crowd);
+        const lr_batch batch = add_batch(world, d, sphere, crowd, full);
         set_constant_table(world, batch, chi, epsilon, c0);
         const std::vector<lr_body> ids = add_crowd(world, batch, crowd);
         const auto substeps = static_cast<uint32_t>(std::ceil(5.0 / x));
@@ -123,13 +122,12 @@ TEST_CASE("the noise kicks each axis by its own weights") {
     const lr_asset_info info = info_of(asset);
     const double displaced = info.fluid_density * info.volume;
     for (int32_t integrator : integrators)
-        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+        for (bool full : {false, true}) {
             const World world = weightless(12);
             lr_batch_desc d = langevin();
             d.clock = LR_CLOCK_AGE;
             d.integrator = integrator;
-            d.tensor = tensor;
-            const lr_batch batch = add_batch(world, d, asset, crowd);
+            const lr_batch batch = add_batch(world, d, asset, crowd, full);
             set_constant_table(world, batch, chi, epsilon, c0);
             const std::vector<lr_body> ids = add_crowd(world, batch, crowd);
             const double time = 4e-4;

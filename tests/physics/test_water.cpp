@@ -13,10 +13,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi, g = 9.81;
 
-lr_batch_desc loads(int32_t model, int32_t tensor = LR_TENSOR_AUTO, int32_t integrator = LR_INTEGRATOR_DEFAULT) {
+lr_batch_desc loads(int32_t model, int32_t integrator = LR_INTEGRATOR_DEFAULT) {
     lr_batch_desc d = batch_desc();
     d.load_model = model;
-    d.tensor = tensor;
     d.integrator = integrator;
     return d;
 }
@@ -46,13 +45,13 @@ double draught(double density) {
 
 TEST_CASE("a floating body comes to rest at Archimedes' draught") {
     for (double density : {50.0, 250.0, 500.0, 900.0})
-        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+        for (bool full : {false, true}) {
             CAPTURE(density);
-            CAPTURE(tensor);
+            CAPTURE(full);
             const Asset ball = make(ellipsoid(0.05, 0.05, 0.05, density));
             const World world = make(world_desc());
             set_water(world, water_desc());
-            const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC, tensor), ball, 1);
+            const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), ball, 1, full);
             const lr_body body = add_body(world, batch, at_height(0.08));
             no_turbulence(world, batch);
             steps(world, 14400, 1.0f / 60.0f, 2);
@@ -69,14 +68,14 @@ TEST_CASE("a floating body bobs with its closed form's frequency") {
     };
     for (const Shape shape : {Shape{0.05, 0.05}, Shape{0.02, 0.1}}) // a sphere and an upright spar
         for (double density : {300.0, 500.0, 800.0})
-            for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+            for (bool full : {false, true}) {
                 CAPTURE(shape.c);
                 CAPTURE(density);
                 const Asset asset = make(ellipsoid(shape.a, shape.c, shape.a, density));
                 const lr_asset_info info = info_of(asset);
                 const World world = make(world_desc());
                 set_water(world, water_desc());
-                const lr_batch batch = add_batch(world, loads(LR_LOADS_NONE, tensor), asset, 1);
+                const lr_batch batch = add_batch(world, loads(LR_LOADS_NONE), asset, 1, full);
                 const double s0 = draught(density), rest = -shape.c * s0;
                 const lr_body body = add_body(world, batch, at_height(rest + 0.002 * shape.c));
                 const double waterplane = pi * shape.a * shape.a * (1.0 - s0 * s0);
@@ -175,15 +174,15 @@ TEST_CASE("a plank that rolls off balance through the surface converges with sec
 }
 
 TEST_CASE("on entry momentum is kept, whatever the step; on the way out velocity") {
-    for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL})
+    for (bool full : {false, true})
         for (float dt : {0.001f, 0.01f, 0.05f}) {
-            CAPTURE(tensor);
+            CAPTURE(full);
             CAPTURE(dt);
             const Asset plate = make(ellipsoid(0.05, 0.01, 0.03, 700.0));
             const lr_asset_info info = info_of(plate);
             const World world = weightless();
             set_water(world, water_desc());
-            const lr_batch batch = add_batch(world, loads(LR_LOADS_NONE, tensor), plate, 1);
+            const lr_batch batch = add_batch(world, loads(LR_LOADS_NONE), plate, 1, full);
             lr_body_desc d = at_height(0.5);
             d.linear_velocity[1] = -2.0f;
             const lr_body body = add_body(world, batch, d);
@@ -235,7 +234,7 @@ TEST_CASE("deep under the surface everything is as in a world of water; above it
                             REQUIRE(lr_world_set_surface_callback(
                                         world.get(), [](void*, const lr_surface_query*) {}, nullptr) == LR_OK);
                         }
-                        const lr_batch batch = add_batch(world, loads(model, LR_TENSOR_AUTO, integrator), asset, 1);
+                        const lr_batch batch = add_batch(world, loads(model, integrator), asset, 1);
                         lr_body_desc d = body_desc();
                         d.key = 5;
                         d.orientation[0] = 0.3f, d.orientation[2] = -0.2f;
@@ -263,10 +262,10 @@ TEST_CASE("between the fluids the full path agrees with the diagonal one") {
                 CAPTURE(height);
                 const Asset asset = make(ellipsoid(0.03, 0.02, 0.008, 600.0));
                 lr_body_state state[2];
-                for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+                for (bool full : {false, true}) {
                     const World world = make(world_desc());
                     set_water(world, water_desc());
-                    const lr_batch batch = add_batch(world, loads(model, tensor, integrator), asset, 1);
+                    const lr_batch batch = add_batch(world, loads(model, integrator), asset, 1, full);
                     lr_body_desc d = at_height(height);
                     d.key = 3;
                     d.orientation[0] = -0.5f, d.orientation[2] = 0.1f;
@@ -274,7 +273,7 @@ TEST_CASE("between the fluids the full path agrees with the diagonal one") {
                     d.angular_velocity[1] = 4.0f;
                     const lr_body body = add_body(world, batch, d);
                     steps(world, 30, 1.0f / 500.0f);
-                    state[tensor == LR_TENSOR_FULL] = state_of(world, body);
+                    state[full] = state_of(world, body);
                 }
                 for (size_t k = 0; k < 3; ++k) {
                     CHECK(std::abs(state[0].position[k] - state[1].position[k]) < 2e-5f);

@@ -12,7 +12,7 @@ namespace {
 struct Draw {
     lr_ellipsoid_desc shape;
     int32_t loads;
-    int32_t tensor = LR_TENSOR_AUTO;
+    bool full = false;
     double couples = 0.0; // multiplies the moment of the lift
 };
 
@@ -43,11 +43,10 @@ public:
         set_water(world, water_desc());
         lr_batch_desc d = batch_desc();
         d.load_model = draw.loads;
-        d.tensor = draw.tensor;
-        batch_ = add_batch(world, d, asset_, capacity);
+        batch_ = add_batch(world, d, asset_, capacity, draw.full);
         if (draw.loads != LR_LOADS_AERODYNAMIC) return;
         lr_aerodynamics a = initialised(lr_aerodynamics_init);
-        REQUIRE(lr_asset_get_aerodynamics(asset_.get(), &a) == LR_OK);
+        REQUIRE(lr_batch_get_aerodynamics(world.get(), batch_, &a) == LR_OK);
         for (size_t k = 0; k < 3; ++k) a.lift_moment[k] *= draw.couples, a.lift_moment_stalled[k] *= draw.couples;
         REQUIRE(lr_batch_set_aerodynamics(world.get(), batch_, &a) == LR_OK);
         lr_load_gains gains = initialised(lr_load_gains_init);
@@ -176,7 +175,7 @@ TEST_CASE("at any step a body that crosses the surface gains no more than weight
     for (uint32_t i = 0; i < batches; ++i) {
         Random random(7000 + i);
         Draw draw{draw_shape(random, i), random.below(4) ? LR_LOADS_AERODYNAMIC : LR_LOADS_NONE};
-        if (random.below(4) == 0) draw.tensor = LR_TENSOR_FULL;
+        if (random.below(4) == 0) draw.full = true;
         const double h = wide(narrow(random.logarithmic(1e-4, 0.1)));
         Floats floats(draw, h);
         for (int k = 0; k < 20; ++k) floats.add(draw_motion(random, longest(draw.shape), 10.0, 300.0));

@@ -135,11 +135,10 @@ TEST_CASE("a sphere starts with the acceleration of its weight on its own and ha
         const Asset asset = make(in_water(ellipsoid(0.02, 0.02, 0.02, density)));
         const double a = -(density - 1000.0) * g / (density + 500.0); // upwards
         for (int32_t integrator : integrators)
-            for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+            for (bool full : {false, true}) {
                 const World world = make(world_desc());
                 lr_batch_desc d = calm(LR_LOADS_NONE, integrator);
-                d.tensor = tensor;
-                const lr_batch batch = add_batch(world, d, asset, 1);
+                const lr_batch batch = add_batch(world, d, asset, 1, full);
                 const lr_body id = add_body(world, batch, body_desc());
                 steps(world, 50, 0.01f, 2);
                 const lr_body_state s = state_of(world, id);

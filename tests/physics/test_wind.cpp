@@ -235,14 +235,13 @@ TEST_CASE("a sphere in a vortex is thrown out when heavy and drawn in when light
 
 TEST_CASE("a body in the middle of a fluid that turns as a solid ends up turning with it") {
     for (int32_t integrator : integrators)
-        for (int32_t tensor : {LR_TENSOR_AUTO, LR_TENSOR_FULL}) {
+        for (bool full : {false, true}) {
             const World world = weightless();
             lr_batch_desc bd = langevin();
             bd.integrator = integrator;
-            bd.tensor = tensor;
             bd.clock = LR_CLOCK_AGE;
             const Asset asset = make(in_water(ellipsoid(0.03, 0.02, 0.01, 1000.0)));
-            const lr_batch batch = add_batch(world, bd, asset, 1);
+            const lr_batch batch = add_batch(world, bd, asset, 1, full);
             set_constant_table(world, batch, 20.0, 0.0, 2.0); // damping that does not depend on speed, no noise
             lr_body_desc at = body_desc();
             set(at.angular_velocity, 0.0f, 0.0f, 1.0f);

@@ -198,7 +198,6 @@ void HostileWorld::add_batches(Random& random) {
         d.clock = static_cast<int32_t>(random.below(2));
         d.table_end = static_cast<int32_t>(random.below(2));
         d.integrator = static_cast<int32_t>(random.below(3));
-        d.tensor = static_cast<int32_t>(random.below(2));
         if (chance(random, 3)) d.damping_gain = d.noise_gain = 100.0f;
         lr_batch batch = 0;
         if (lr_batch_create(world.get(), &d, &batch) != LR_OK)

@@ -34,7 +34,7 @@ std::vector<PlayedScene> played_scenes() {
     // Loads, clocks, paths and integrators.
     add("speed");
     rk4(add("speed_rk4"));
-    add("speed_full").tensor = LR_TENSOR_FULL;
+    add("speed_full").full = true;
     with("age", LR_LOADS_LANGEVIN, LR_CLOCK_AGE);
     PlayedScene& loop = with("age_loop_rk4", LR_LOADS_LANGEVIN, LR_CLOCK_AGE);
     rk4(loop), loop.table_end = LR_TABLE_LOOP;
@@ -42,7 +42,7 @@ std::vector<PlayedScene> played_scenes() {
     rk4(with("kirchhoff_rk4", LR_LOADS_NONE), 7);
     with("aerodynamic", LR_LOADS_AERODYNAMIC);
     rk4(with("aerodynamic_rk4", LR_LOADS_AERODYNAMIC));
-    with("aerodynamic_full", LR_LOADS_AERODYNAMIC).tensor = LR_TENSOR_FULL;
+    with("aerodynamic_full", LR_LOADS_AERODYNAMIC).full = true;
     with("aerodynamic_age", LR_LOADS_AERODYNAMIC, LR_CLOCK_AGE);
     rk4(with("aerodynamic_age_rk4", LR_LOADS_AERODYNAMIC, LR_CLOCK_AGE));
 
@@ -75,7 +75,7 @@ std::vector<PlayedScene> played_scenes() {
         return scene;
     };
     at_sea("sea", LR_LOADS_AERODYNAMIC);
-    at_sea("sea_full", LR_LOADS_LANGEVIN).tensor = LR_TENSOR_FULL;
+    at_sea("sea_full", LR_LOADS_LANGEVIN).full = true;
     const auto slowed = [&](PlayedScene& scene) { rk4(scene, 20), scene.dt = 1.0f / 600.0f, scene.bodies = 75; };
     slowed(at_sea("sea_rk4", LR_LOADS_AERODYNAMIC));
     slowed(at_sea("sea_age_rk4", LR_LOADS_LANGEVIN, LR_CLOCK_AGE));
@@ -124,7 +124,7 @@ std::vector<PlayedScene> played_scenes() {
     landing("landing", Solids::ground).bodies = 250;
     landing("landing_on_terrain", Solids::terrain);
     PlayedScene& landing_in_everything = landing("landing_in_everything", Solids::ground);
-    landing_in_everything.loads = LR_LOADS_LANGEVIN, landing_in_everything.tensor = LR_TENSOR_FULL;
+    landing_in_everything.loads = LR_LOADS_LANGEVIN, landing_in_everything.full = true;
     landing_in_everything.sources = {LR_WIND_SOURCE_GUSTS, LR_WIND_SOURCE_RANKINE, LR_WIND_SOURCE_GROUND};
     landing_in_everything.afloat = landing_in_everything.called_back = true;
     landing_in_everything.divisors[0] = 3, landing_in_everything.divisors[1] = 2;
@@ -142,7 +142,7 @@ std::vector<PlayedScene> played_scenes() {
     PlayedScene& pile_in_field = pile("pile_in_a_field", Solids::terrain);
     pile_in_field.sources = {LR_WIND_SOURCE_GUSTS, LR_WIND_SOURCE_RANKINE}, pile_in_field.forced = true;
     PlayedScene& pile_afloat = pile("pile_afloat", Solids::ground);
-    pile_afloat.afloat = true, pile_afloat.tensor = LR_TENSOR_FULL, pile_afloat.bodies = 60;
+    pile_afloat.afloat = true, pile_afloat.full = true, pile_afloat.bodies = 60;
     PlayedScene& paced_pile = pile("pile_at_rates", Solids::ground);
     paced_pile.divisors[0] = 2, paced_pile.divisors[1] = 2, paced_pile.born_and_dying = true;
     PlayedScene& apart_pile = pile("pile_at_two_rates", Solids::terrain);
@@ -252,8 +252,7 @@ void Play::build() {
         bd.clock = scene_.clock;
         bd.table_end = scene_.table_end;
         bd.integrator = scene_.integrator;
-        bd.tensor = scene_.tensor;
-        batches[b] = add_batch(world, bd, assets_[b], scene_.bodies + 40);
+        batches[b] = add_batch(world, bd, assets_[b], scene_.bodies + 40, scene_.full);
     }
     // Not part of snapshots: callbacks, and the samples of a grid, which may lie elsewhere.
     if (scene_.called_back) {

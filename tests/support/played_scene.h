@@ -15,7 +15,7 @@ struct PlayedScene {
     int32_t clock = LR_CLOCK_SPEED;
     int32_t table_end = LR_TABLE_CLAMP;
     int32_t integrator = LR_INTEGRATOR_DEFAULT;
-    int32_t tensor = LR_TENSOR_AUTO;
+    bool full = false;
     bool windy = false;
     bool born_and_dying = false;
     bool forced = false;               // forces on bodies and on batches

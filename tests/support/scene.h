@@ -129,11 +129,18 @@ inline World weightless(uint64_t seed = 0) {
     return make(d);
 }
 
-inline lr_batch add_batch(const World& w, lr_batch_desc d, const Asset& asset, uint32_t capacity) {
+// full: the path of bodies with a full mass matrix for one that is diagonal. Loads a hair off its centre bring it there.
+inline lr_batch add_batch(const World& w, lr_batch_desc d, const Asset& asset, uint32_t capacity, bool full = false) {
     d.asset = asset.get();
     d.capacity = capacity;
     lr_batch batch = 0;
     REQUIRE(lr_batch_create(w.get(), &d, &batch) == LR_OK);
+    if (full) {
+        lr_aerodynamics a = initialised(lr_aerodynamics_init);
+        REQUIRE(lr_batch_get_aerodynamics(w.get(), batch, &a) == LR_OK);
+        a.center[0] = 1e-12;
+        REQUIRE(lr_batch_set_aerodynamics(w.get(), batch, &a) == LR_OK);
+    }
     return batch;
 }
 inline lr_batch add_batch(const World& w, const Asset& asset, uint32_t capacity) {

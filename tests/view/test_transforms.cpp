@@ -36,10 +36,10 @@ TEST_CASE("matrices are rotations times scale: orthogonal, right-handed, and row
         fields[field_scale][i] = random.real(0.1, 3.0);
     }
     float row[16][12], column[16][12], row4[16][16], column4[16][16];
-    write_transforms(LR_SIMD_EMULATED, arrays, 16, 0.0f, LR_TRANSFORM_3X4_ROW_MAJOR, row, 48);
-    write_transforms(LR_SIMD_EMULATED, arrays, 16, 0.0f, LR_TRANSFORM_3X4_COLUMN_MAJOR, column, 48);
-    write_transforms(LR_SIMD_EMULATED, arrays, 16, 0.0f, LR_TRANSFORM_4X4_ROW_MAJOR, row4, 64);
-    write_transforms(LR_SIMD_EMULATED, arrays, 16, 0.0f, LR_TRANSFORM_4X4_COLUMN_MAJOR, column4, 64);
+    write_transforms(LR_SIMD_AUTO, arrays, 16, 0.0f, LR_TRANSFORM_3X4_ROW_MAJOR, row, 48);
+    write_transforms(LR_SIMD_AUTO, arrays, 16, 0.0f, LR_TRANSFORM_3X4_COLUMN_MAJOR, column, 48);
+    write_transforms(LR_SIMD_AUTO, arrays, 16, 0.0f, LR_TRANSFORM_4X4_ROW_MAJOR, row4, 64);
+    write_transforms(LR_SIMD_AUTO, arrays, 16, 0.0f, LR_TRANSFORM_4X4_COLUMN_MAJOR, column4, 64);
     for (size_t i = 0; i < 16; ++i) {
         const double s = static_cast<double>(fields[field_scale][i]);
         const auto entry = [&](size_t r, size_t c) { return static_cast<double>(row[i][4 * r + c]) / s; };
@@ -75,7 +75,7 @@ TEST_CASE("a known turn") {
     fields[field_scale][0] = 2.0f;
     fields[field_x][0] = 7.0f;
     float m[16];
-    write_transforms(LR_SIMD_EMULATED, arrays, 1, 0.0f, LR_TRANSFORM_4X4_COLUMN_MAJOR, m, 64);
+    write_transforms(LR_SIMD_AUTO, arrays, 1, 0.0f, LR_TRANSFORM_4X4_COLUMN_MAJOR, m, 64);
     const float expected[16] = {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 7, 0, 0, 1};
     for (size_t i = 0; i < 16; ++i) CHECK(std::abs(m[i] - expected[i]) < 1e-6f);
 }

@@ -54,7 +54,6 @@ class BatchOptions(TypedDict, total=False):
     clock: int
     table_end: int
     integrator: int
-    tensor: int
     damping_gain: float
     noise_gain: float
 

@@ -43,13 +43,12 @@ LR_LOG_ERROR = 1
 LR_LOG_WARNING = 2
 LR_LOG_INFO = 3
 LR_SIMD_AUTO = 0
-LR_SIMD_EMULATED = 1
-LR_SIMD_SSSE3 = 2
-LR_SIMD_SSE4 = 3
-LR_SIMD_AVX2 = 4
-LR_SIMD_AVX512 = 5
-LR_SIMD_NEON = 6
-LR_SIMD_WASM = 7
+LR_SIMD_SSE4 = 1
+LR_SIMD_AVX2 = 2
+LR_SIMD_AVX512 = 3
+LR_SIMD_NEON = 4
+LR_SIMD_WASM = 5
+LR_SIMD_PLAIN = 6
 LR_ASSET_DIAGONAL = 1
 LR_CHECK_THREADS = 1
 LR_WIND_NONE = 0
@@ -81,10 +80,7 @@ LR_CLOCK_AGE = 1
 LR_TABLE_CLAMP = 0
 LR_TABLE_LOOP = 1
 LR_INTEGRATOR_DEFAULT = 0
-LR_INTEGRATOR_RK4 = 1
 LR_INTEGRATOR_SPLITTING = 2
-LR_TENSOR_AUTO = 0
-LR_TENSOR_FULL = 1
 LR_TRANSFORM_POSITION_QUATERNION = 0
 LR_TRANSFORM_POSITION_QUATERNION_SCALE = 1
 LR_TRANSFORM_3X4_ROW_MAJOR = 2
@@ -506,7 +502,7 @@ class lr_recording_desc(ctypes.Structure):
 
 
 class lr_batch_desc(ctypes.Structure):
-    """lr_batch_desc: 48 bytes."""
+    """lr_batch_desc: 40 bytes."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('capacity', ctypes.c_uint32),
@@ -515,10 +511,8 @@ class lr_batch_desc(ctypes.Structure):
         ('clock', ctypes.c_int32),
         ('table_end', ctypes.c_int32),
         ('integrator', ctypes.c_int32),
-        ('tensor', ctypes.c_int32),
         ('damping_gain', ctypes.c_float),
         ('noise_gain', ctypes.c_float),
-        ('reserved', ctypes.c_uint32),
     ]
 
 
@@ -1094,7 +1088,6 @@ FIELD_DOCS = {
         'clock': '`Clock`; initially `Clock.SPEED`',
         'table_end': '`TableEnd`; initially `TableEnd.CLAMP`',
         'integrator': '`Integrator`; initially `Integrator.DEFAULT`',
-        'tensor': '`Tensor`; initially `Tensor.AUTO`',
         'damping_gain': 'multiplies the turbulent damping, 0 to 100; initially 1',
         'noise_gain': 'multiplies the turbulent noise, 0 to 100; initially 1; 0 for repeatable single falls',
     },
@@ -1412,8 +1405,8 @@ PROTOTYPES = {
         ('target',),
         """const char* lr_simd_target_name(int32_t target)
 
-        A name for people: "AVX-512", "AVX2", "SSE4", "SSSE3", "NEON", "WebAssembly", "emulated", "auto" or "unknown"; never
-        null; static storage.
+        A name for people: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown"; never null; static
+        storage.
         Any thread.
         """,
     ),
@@ -2093,7 +2086,8 @@ PROTOTYPES = {
         """lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics)
 
         Coefficients of the AERODYNAMIC loads for a batch, in place of its asset's, from the next step on; copied. Null puts the
-        asset's own back. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed.
+        asset's own back. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. With other axes than the
+        body's, or another center than 0, a body of LR_ASSET_DIAGONAL takes the slower path of all others.
 
         world: the world
         batch: handle of a batch of the world

@@ -31,7 +31,6 @@ __all__ = [
     'SimdTarget',
     'Status',
     'TableEnd',
-    'Tensor',
     'Transform',
     'VolumeShape',
     'WindKind',
@@ -104,13 +103,12 @@ class LogLevel(IntEnum):
 class SimdTarget(IntEnum):
     """Instruction sets, all of which give the same bits."""
     AUTO = 0
-    EMULATED = 1  # plain C++, on any processor
-    SSSE3 = 2
-    SSE4 = 3
-    AVX2 = 4
-    AVX512 = 5
-    NEON = 6
-    WASM = 7
+    SSE4 = 1  # with SSE4.2, AES and PCLMUL: the least that an x86-64 processor must have
+    AVX2 = 2
+    AVX512 = 3
+    NEON = 4
+    WASM = 5
+    PLAIN = 6  # plain C++, in builds for tests alone
 
 
 class AssetFlags(IntFlag):
@@ -183,14 +181,7 @@ class TableEnd(IntEnum):
 class Integrator(IntEnum):
     """How motion is integrated."""
     DEFAULT = 0  # `Integrator.SPLITTING` in this version
-    RK4 = 1  # classical Runge-Kutta, the paper's: fourth order, but unstable at long steps
     SPLITTING = 2  # second order and stable at any step; docs/numerics.md
-
-
-class Tensor(IntEnum):
-    """Which path is taken for the 6x6 mass matrix."""
-    AUTO = 0  # the diagonal path where the asset allows it
-    FULL = 1  # the full 6x6 path always; same motion up to rounding
 
 
 class Transform(IntEnum):

@@ -3,6 +3,7 @@
 #include "lr_bench/rows.h"
 #include "lr_bench/subject.h"
 
+#include "full_path.h"
 #include "langevin_rigid.h"
 
 #include <algorithm>
@@ -40,10 +41,10 @@ public:
         bd.capacity = row.bodies;
         if (!find_model(row.model, bd.load_model, bd.clock)) return "unknown model";
         if (!find_integrator(row.integrator, bd.integrator)) return "unknown integrator";
-        bd.tensor = row.path == "full" ? LR_TENSOR_FULL : LR_TENSOR_AUTO;
         // Turbulence that dies out in a second would leave nothing to time.
         bd.table_end = LR_TABLE_LOOP;
         if (lr_batch_create(world_, &bd, &batch_) != LR_OK) return "batch";
+        if (row.path == "full" && !take_full_path(world_, batch_)) return "full path";
 
         const uint64_t empty = lr_world_snapshot_size(world_);
         if (!release_bodies(row.bodies)) return "bodies";

@@ -155,7 +155,7 @@ std::vector<std::string> targets_here() {
 }
 
 int32_t target_value(const std::string& name) {
-    for (int32_t t = LR_SIMD_AUTO; t <= LR_SIMD_WASM; ++t)
+    for (int32_t t = LR_SIMD_AUTO; t <= LR_SIMD_PLAIN; ++t)
         if (target_word(t) == name) return t;
     return -1;
 }

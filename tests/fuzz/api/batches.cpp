@@ -12,17 +12,16 @@ void create(Fuzzer& f) {
     d.capacity = capacities[in.handle(0) % 8];
     d.load_model = in.handle(0) / 8 % 4;
     d.integrator = in.handle(0) >= 240 ? LR_INTEGRATOR_RK4 : LR_INTEGRATOR_DEFAULT;
-    d.clock = in.handle(1) % 2, d.table_end = in.handle(1) / 2 % 2, d.tensor = in.handle(1) / 4 % 2;
-    in.change(d.capacity, d.load_model, d.clock, d.table_end, d.integrator, d.tensor, d.damping_gain, d.noise_gain,
-              d.reserved);
+    d.clock = in.handle(1) % 2, d.table_end = in.handle(1) / 2 % 2;
+    in.change(d.capacity, d.load_model, d.clock, d.table_end, d.integrator, d.damping_gain, d.noise_gain);
     if (in.variant() == 3 && in.handle(1) > 250) d.capacity = in.integer(in.handle(2));
     if (d.capacity > 40 && d.capacity <= 70000) d.capacity = 40;
     d.asset = f.pick_asset();
     Expected e;
     e.add_if(d.capacity == 0 || d.capacity > 1u << 26, LR_ERROR_INVALID_ARGUMENT);
     e.add_if(d.load_model < 0 || d.load_model > LR_LOADS_AERODYNAMIC, LR_ERROR_INVALID_ARGUMENT);
-    e.add_if(d.clock < 0 || d.clock > 1 || d.table_end < 0 || d.table_end > 1 || d.tensor < 0 || d.tensor > 1 ||
-                 d.integrator < 0 || d.integrator > LR_INTEGRATOR_SPLITTING || d.reserved != 0,
+    e.add_if(d.clock < 0 || d.clock > 1 || d.table_end < 0 || d.table_end > 1 || d.integrator < 0 ||
+                 d.integrator > LR_INTEGRATOR_SPLITTING,
              LR_ERROR_INVALID_ARGUMENT);
     e.range(d.damping_gain, 0.0, 100.0);
     e.range(d.noise_gain, 0.0, 100.0);

@@ -6,6 +6,13 @@
 namespace fuzz {
 namespace {
 
+int32_t last_target() {
+    int32_t targets[LR_SIMD_PLAIN] = {};
+    uint32_t count = 0;
+    lr_simd_targets(targets, LR_SIMD_PLAIN, &count);
+    return count > 0 ? targets[count - 1] : LR_SIMD_AUTO;
+}
+
 std::vector<unsigned char> save_bytes(const World& w) {
     std::vector<unsigned char> bytes(LR_CALL(lr_world_snapshot_size)(w.at));
     uint64_t written = 0;
@@ -139,7 +146,7 @@ void twin(Fuzzer& f) {
     d.allocator = other.memory->hooks();
     d.jobs = hostile_jobs(f.in.handle(0));
     d.worker_count = d.jobs.enqueue ? 2 : f.in.handle(0) >= 248 ? 1 : 0;
-    d.simd_target = f.in.handle(1) % 2 ? LR_SIMD_EMULATED : LR_SIMD_AUTO;
+    d.simd_target = f.in.handle(1) % 2 ? last_target() : LR_SIMD_AUTO;
     if (LR_CALL(lr_world_create)(&d, &other.at) != LR_OK) defect("lr_world_create", "a twin is refused");
     for (const Past& p : w.past) {
         lr_batch id = 0;

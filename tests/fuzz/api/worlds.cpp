@@ -34,8 +34,8 @@ void create(Fuzzer& f) {
     e.range(d.gravity, -1e4, 1e4);
     e.range(d.fluid_density, 0.0, 1e6);
     e.range(d.fluid_viscosity, 0.0, 1e3);
-    e.add_if(d.simd_target < 0 || d.simd_target > LR_SIMD_WASM, LR_ERROR_INVALID_ARGUMENT);
-    e.may_if(d.simd_target > LR_SIMD_EMULATED && d.simd_target <= LR_SIMD_WASM, LR_ERROR_UNSUPPORTED);
+    e.add_if(d.simd_target < 0 || d.simd_target > LR_SIMD_PLAIN, LR_ERROR_INVALID_ARGUMENT);
+    e.may_if(d.simd_target > LR_SIMD_AUTO && d.simd_target <= LR_SIMD_PLAIN, LR_ERROR_UNSUPPORTED);
     d.allocator = w.memory->hooks();
     if (in.handle(0) >= 250) {
         const uint32_t half = in.handle(0) % 4;
@@ -89,8 +89,8 @@ void simd(Fuzzer& f) {
     World& w = f.world();
     auto target = static_cast<int32_t>(f.in.handle(0) % 12) - 2;
     Expected e;
-    e.add_if(target < 0 || target > LR_SIMD_WASM, LR_ERROR_INVALID_ARGUMENT);
-    e.may_if(target > LR_SIMD_EMULATED, LR_ERROR_UNSUPPORTED);
+    e.add_if(target < 0 || target > LR_SIMD_PLAIN, LR_ERROR_INVALID_ARGUMENT);
+    e.may_if(target > LR_SIMD_AUTO, LR_ERROR_UNSUPPORTED);
     Call call(f, w, "lr_world_set_simd_target", e);
     call.ended(LR_CALL(lr_world_set_simd_target)(call.world(), target));
 }

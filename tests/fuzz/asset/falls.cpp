@@ -59,7 +59,6 @@ void fall(const lr_asset* asset, uint32_t variant) {
     bd.asset = asset, bd.capacity = 2;
     bd.load_model = static_cast<int32_t>(1 + take(3));
     bd.clock = static_cast<int32_t>(take(2));
-    bd.tensor = static_cast<int32_t>(take(2));
     bd.table_end = static_cast<int32_t>(take(2));
     static constexpr float scales[] = {1.0f, 1.0f, 1.0f, 0.1f, 10.0f, 0.001f, 1000.0f};
     const float scale = scales[take(7)];
@@ -91,8 +90,8 @@ void fall(const lr_asset* asset, uint32_t variant) {
     // What is smaller, or in steps of half a second, may spin faster than is taken for physics (docs/faults.md), by the fluid's
     // inertia alone.
     if (events.total_faulted != 0 && size >= 1e-4f && !slow) {
-        std::fprintf(stderr, "DEFECT: left physics: model %d clock %d tensor %d scale %g around %u %s\n", bd.load_model,
-                     bd.clock, bd.tensor, static_cast<double>(scale), around, slow ? "slow" : "");
+        std::fprintf(stderr, "DEFECT: left physics: model %d clock %d scale %g around %u %s\n", bd.load_model, bd.clock,
+                     static_cast<double>(scale), around, slow ? "slow" : "");
         std::abort();
     }
     for (lr_body id : ids) {
@@ -104,8 +103,8 @@ void fall(const lr_asset* asset, uint32_t variant) {
         for (const auto* values : {&s.position, &s.linear_velocity, &s.angular_velocity})
             for (float v : *values) finite = finite && std::isfinite(v);
         if (!finite) {
-            std::fprintf(stderr, "DEFECT: not finite: model %d clock %d tensor %d scale %g around %u %s\n",
-                         bd.load_model, bd.clock, bd.tensor, static_cast<double>(scale), around, slow ? "slow" : "");
+            std::fprintf(stderr, "DEFECT: not finite: model %d clock %d scale %g around %u %s\n", bd.load_model,
+                         bd.clock, static_cast<double>(scale), around, slow ? "slow" : "");
             std::abort();
         }
     }

@@ -41,19 +41,8 @@ namespace LangevinRigid
     {
         /// <summary><see cref="Integrator.Splitting"/> in this version.</summary>
         Default = 0,
-        /// <summary>Classical Runge-Kutta, the paper's: fourth order, but unstable at long steps.</summary>
-        Rk4 = 1,
         /// <summary>Second order and stable at any step; docs/numerics.md.</summary>
         Splitting = 2,
-    }
-
-    /// <summary>How the mass matrix is used.</summary>
-    public enum TensorPath : int
-    {
-        /// <summary>The diagonal path where the asset allows it.</summary>
-        Auto = 0,
-        /// <summary>The full 6x6 path always; same motion up to rounding.</summary>
-        Full = 1,
     }
 
     /// <summary>Layouts of transforms, as float elements.</summary>
@@ -91,14 +80,10 @@ namespace LangevinRigid
         public TableEnd TableEnd;
         /// <summary><see cref="Integrator"/>; initially <see cref="Integrator.Default"/></summary>
         public Integrator Integrator;
-        /// <summary><see cref="TensorPath"/>; initially <see cref="TensorPath.Auto"/></summary>
-        public TensorPath Tensor;
         /// <summary>multiplies the turbulent damping, 0 to 100; initially 1</summary>
         public float DampingGain;
         /// <summary>multiplies the turbulent noise, 0 to 100; initially 1; 0 for repeatable single falls</summary>
         public float NoiseGain;
-        /// <summary>0.</summary>
-        public uint Reserved;
 
         /// <summary>One with its initial values and its size.</summary>
         public static BatchDesc Create()

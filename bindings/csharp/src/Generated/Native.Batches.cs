@@ -53,7 +53,8 @@ namespace LangevinRigid
 
         /// <summary>Coefficients of the AERODYNAMIC loads for a batch, in place of its asset's, from the next step on;
         /// copied. Null puts the asset's own back. With intensity 0 and <see cref="LoadGains.Turbulence"/> 1 a fall is
-        /// the same for any seed.</summary>
+        /// the same for any seed. With other axes than the body's, or another center than 0, a body of
+        /// <see cref="AssetFlags.Diagonal"/> takes the slower path of all others.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="aerodynamics">aerodynamics</param>

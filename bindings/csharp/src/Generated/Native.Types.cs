@@ -20,8 +20,8 @@ namespace LangevinRigid
         public static extern Status lr_simd_targets(SimdTarget* targets, uint capacity, uint* count);
 
         /// <summary>
-        /// <para>A name for people: "AVX-512", "AVX2", "SSE4", "SSSE3", "NEON", "WebAssembly", "emulated", "auto" or
-        /// "unknown"; never null; static storage.</para>
+        /// <para>A name for people: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown";
+        /// never null; static storage.</para>
         /// <para>Any thread.</para>
         /// </summary>
         /// <param name="target">target</param>

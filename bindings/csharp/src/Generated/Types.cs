@@ -22,20 +22,18 @@ namespace LangevinRigid
     {
         /// <summary>The header's <c>LR_SIMD_AUTO</c>.</summary>
         Auto = 0,
-        /// <summary>Plain C++, on any processor.</summary>
-        Emulated = 1,
-        /// <summary>The header's <c>LR_SIMD_SSSE3</c>.</summary>
-        Ssse3 = 2,
-        /// <summary>The header's <c>LR_SIMD_SSE4</c>.</summary>
-        Sse4 = 3,
+        /// <summary>With SSE4.2, AES and PCLMUL: the least that an x86-64 processor must have.</summary>
+        Sse4 = 1,
         /// <summary>The header's <c>LR_SIMD_AVX2</c>.</summary>
-        Avx2 = 4,
+        Avx2 = 2,
         /// <summary>The header's <c>LR_SIMD_AVX512</c>.</summary>
-        Avx512 = 5,
+        Avx512 = 3,
         /// <summary>The header's <c>LR_SIMD_NEON</c>.</summary>
-        Neon = 6,
+        Neon = 4,
         /// <summary>The header's <c>LR_SIMD_WASM</c>.</summary>
-        Wasm = 7,
+        Wasm = 5,
+        /// <summary>Plain C++, in builds for tests alone.</summary>
+        Plain = 6,
     }
 
     /// <summary>Handles are values. 0 is never a valid handle. A handle to something destroyed is recognised, not

@@ -74,14 +74,14 @@ export declare const LR: {
   readonly LOG_WARNING: 2;
   readonly LOG_INFO: 3;
   readonly SIMD_AUTO: 0;
-  /** plain C++, on any processor */
-  readonly SIMD_EMULATED: 1;
-  readonly SIMD_SSSE3: 2;
-  readonly SIMD_SSE4: 3;
-  readonly SIMD_AVX2: 4;
-  readonly SIMD_AVX512: 5;
-  readonly SIMD_NEON: 6;
-  readonly SIMD_WASM: 7;
+  /** with SSE4.2, AES and PCLMUL: the least that an x86-64 processor must have */
+  readonly SIMD_SSE4: 1;
+  readonly SIMD_AVX2: 2;
+  readonly SIMD_AVX512: 3;
+  readonly SIMD_NEON: 4;
+  readonly SIMD_WASM: 5;
+  /** plain C++, in builds for tests alone */
+  readonly SIMD_PLAIN: 6;
   /** diagonal in body axes, buoyancy at the centre of mass: the fast path applies */
   readonly ASSET_DIAGONAL: 1;
   readonly CHECK_THREADS: 1;
@@ -138,14 +138,8 @@ export declare const LR: {
   readonly TABLE_LOOP: 1;
   /** LR_INTEGRATOR_SPLITTING in this version */
   readonly INTEGRATOR_DEFAULT: 0;
-  /** classical Runge-Kutta, the paper's: fourth order, but unstable at long steps */
-  readonly INTEGRATOR_RK4: 1;
   /** second order and stable at any step; docs/numerics.md */
   readonly INTEGRATOR_SPLITTING: 2;
-  /** the diagonal path where the asset allows it */
-  readonly TENSOR_AUTO: 0;
-  /** the full 6x6 path always; same motion up to rounding */
-  readonly TENSOR_FULL: 1;
   /** 7 floats: position, quaternion x y z w */
   readonly TRANSFORM_POSITION_QUATERNION: 0;
   /** 8 floats: the same and the scale */
@@ -640,8 +634,6 @@ export interface BatchDesc {
   tableEnd: number;
   /** LR_INTEGRATOR_*; initially LR_INTEGRATOR_DEFAULT */
   integrator: number;
-  /** LR_TENSOR_*; initially LR_TENSOR_AUTO */
-  tensor: number;
   /** multiplies the turbulent damping, 0 to 100; initially 1 */
   dampingGain: number;
   /** multiplies the turbulent noise, 0 to 100; initially 1; 0 for repeatable single falls */
@@ -1122,8 +1114,8 @@ export interface RawFunctions {
    */
   lr_simd_targets(targets: number, capacity: number, count: number): number;
   /**
-   * A name for people: "AVX-512", "AVX2", "SSE4", "SSSE3", "NEON", "WebAssembly", "emulated", "auto" or "unknown"; never
-   * null; static storage.
+   * A name for people: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown"; never null; static
+   * storage.
    */
   lr_simd_target_name(target: number): number;
   /**
@@ -1334,7 +1326,8 @@ export interface RawFunctions {
   lr_batch_set_turbulence_table(world: number, batch: number, table: number): number;
   /**
    * Coefficients of the AERODYNAMIC loads for a batch, in place of its asset's, from the next step on; copied. Null puts the
-   * asset's own back. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed.
+   * asset's own back. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. With other axes than the
+   * body's, or another center than 0, a body of LR_ASSET_DIAGONAL takes the slower path of all others.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */

@@ -1,0 +1,12 @@
+// The path of bodies with a full mass matrix, for one that is diagonal: loads a hair off its centre bring it there.
+#pragma once
+
+#include <langevin_rigid.h>
+
+inline bool take_full_path(lr_world* world, lr_batch batch) {
+    lr_aerodynamics a;
+    if (lr_aerodynamics_init(&a, sizeof a) != LR_OK || lr_batch_get_aerodynamics(world, batch, &a) != LR_OK)
+        return false;
+    a.center[0] = 1e-12;
+    return lr_batch_set_aerodynamics(world, batch, &a) == LR_OK;
+}
