@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes docs/performance.md and docs/performance.png from what the measurements left in a folder.
+"""Writes docs/maintainers/performance.md and docs/maintainers/performance.png from what the measurements left in a folder.
 
-    /usr/bin/python3 scripts/performance.py [FOLDER [DOCS]]      initially build/release/bench, docs
+    /usr/bin/python3 scripts/performance.py [FOLDER [DOCS]]      initially build/release/bench, docs/maintainers
 
 rows.csv (lr_bench --csv) is needed; ports.csv, mix.csv (scripts/port_bound.py) and instructions.csv
 (scripts/instructions.sh) are taken when they are there. Every verdict is computed here, none is written by hand.
@@ -281,8 +281,8 @@ PEERS = """Each in the same process and the same turns, one thread, denormals fl
 
 - **sketch**: `tests/bench/peers/sketch_step-inl.h`: RK4, LANGEVIN with the SPEED clock, six Gaussians by Philox and Box-Muller, diagonal, fused
   multiply-adds; compiled with `-O3 -march=native`, also without fused multiply-adds, and as x86-64-v3.
-- **scalar**, **eigen**: Algorithm 2 of the paper with the equations of `docs/physics.md`, sections 3 and 4: RK4, `std::normal_distribution`; plain C++ and
-  Eigen, single precision, compiled as the library is. Both descend at 0.70 m/s and spin at 32 rad/s on average, the library at 0.69 to 0.71 and 33 (docs/numerics.md).
+- **scalar**, **eigen**: Algorithm 2 of the paper with the equations of `docs/maintainers/physics.md`, sections 3 and 4: RK4, `std::normal_distribution`; plain C++ and
+  Eigen, single precision, compiled as the library is. Both descend at 0.70 m/s and spin at 32 rad/s on average, the library at 0.69 to 0.71 and 33 (docs/maintainers/numerics.md).
 - **bullet**: gravity, quadratic drag, and Bullet's own integration of rigid bodies; no broad phase, contacts, islands. No fluid.
 - **ode**: gravity, quadratic drag, `dWorldQuickStep` without geometry. No fluid.
 - **mujoco**: free ellipsoids in its ellipsoid fluid model, no contacts or constraints, no noise. This version takes fluid forces through a dense Jacobian:
@@ -301,7 +301,7 @@ waiting: chains of instructions that need each other's results.
 """
 
 
-def main(folder="build/release/bench", docs="docs"):
+def main(folder="build/release/bench", docs="docs/maintainers"):
     rows = Rows(read(folder, "rows.csv"))
     ports, mix, instructions = (read(folder, name + ".csv") for name in ("ports", "mix", "instructions"))
     text = HEAD.format(rounds=rows.all[0]["rounds"])

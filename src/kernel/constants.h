@@ -1,4 +1,4 @@
-// Everything of a shape that the kernel needs, dimensionless and in single precision; docs/physics.md, "Kernel units".
+// Everything of a shape that the kernel needs, dimensionless and in single precision; docs/maintainers/physics.md, "Kernel units".
 #pragma once
 
 #include "format/asset_data.h"

@@ -88,7 +88,7 @@ std::string to_text(const Finished& f) {
 
 std::string to_markdown(const std::vector<Finished>& rows, const Context& context) {
     std::string out = "# Scorecard\n\nWritten by `lr_scorecard`. What each number means, and how it is measured: "
-                      "[measures.md](measures.md).\n\n";
+                      "[measurements.md](measurements.md).\n\n";
     out += "Loads: " + context.loads.name + ". Falls of a disc: " + std::to_string(context.seeds) +
            ". Releases a point of the phase map: " + std::to_string(context.quick ? 8 : context.phase_seeds) +
            (context.quick ? ". Quick: fewer and shorter runs than the full one" : "") + ".\n\n";
