@@ -209,7 +209,8 @@ def time_table(rows, wanted, head):
 
 def sections(rows, ports, mix, instructions):
     by_count = [row for n in COUNTS for row in rows.ours if row["bodies"] == str(n) and row["target"] == rows.best and
-                row["integrator"] == "default" and row["model"] in ("langevin-speed", "aerodynamic") and (n, row["workers"]) != (1, "1")]
+                row["integrator"] == "default" and row["model"] in ("langevin-speed", "aerodynamic") and
+                (row["substeps"] == "4" and n != 1 or row["workers"] == "0")]
     by_count.sort(key=lambda row: [-len(row["model"]), row["path"]] + [int(row[key]) for key in ("bodies", "substeps", "workers")])
     yield "Number of bodies, substeps, threads", time_table(rows, by_count, ["model", "path", "bodies", "substeps", "workers"])
     middle = "10000" if any(row["bodies"] == "10000" and row["integrator"] == "rk4" for row in rows.ours) else "1000"
@@ -220,7 +221,7 @@ def sections(rows, ports, mix, instructions):
               row["model"] in ("langevin-speed", "aerodynamic")]
     yield "Other instruction sets", time_table(rows, narrow, ["model", "path", "target", "bodies"])
     others = [row for row in rows.all if row["subject"] not in ("langevin_rigid", "clock", "transforms", "memcpy") and
-              (row["subject"] != "sketch" or row["target"] == "native" or row["bodies"] == middle)]
+              (row["bodies"] == middle or row["subject"] == "mujoco" or row["subject"] == "sketch" and row["target"] == "native" and row["substeps"] == "4")]
     yield "The sketch and peers", PEERS + time_table(rows, others, ["subject", "model", "integrator", "target", "bodies", "substeps"])
     if instructions:
         lines = []
@@ -278,7 +279,7 @@ median of the rounds' ratios. *workers* are threads besides the caller's. *bytes
 *hash*: `lr_world_hash` after the first four steps; equal for equal scenes, whatever the instruction set and the workers.
 
 The body is the paper's leaf, an ellipsoid of 8 cm x 2 cm x 0.1 mm in air; for the full path its weight lies off centre. Through the C API and the shared
-library as it ships.
+library as it ships. The tables are a selection of `build/release/bench/rows.csv`.
 """
 PEERS = """Each in the same process and the same turns, one thread, denormals flushed.
 

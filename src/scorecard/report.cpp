@@ -108,16 +108,28 @@ std::string to_markdown(const std::vector<Finished>& rows, const Context& contex
     for (const Finished& f : rows) {
         out += "\n## " + std::string(f.row->id) + "\n\n" + f.row->title + ". Reference: " + f.row->source + ".\n\n";
         out += "| what | value | reference | tolerance | verdict |\n|---|---|---|---|---|\n";
-        // Many numbers without a verdict are left to the picture.
+        // Many numbers without a verdict are left to the picture, and so are many that equal their reference to all digits.
         const auto shown = std::count_if(f.result.checks.begin(), f.result.checks.end(),
                                          [](const Check& c) { return c.rule == Rule::shown; });
+        size_t equal = 0;
         for (const Check& c : f.result.checks) {
             if (c.rule == Rule::shown && shown > 12) continue;
             const bool fails = !c.holds();
+            if (!fails && f.result.checks.size() > 30 && number(c.value) == reference(c)) {
+                ++equal;
+                continue;
+            }
             out += "| " + in_table(c.what) + " | " + with_unit(c.value, c.unit) + " | " + reference(c) + " | " +
                    tolerance(c) + " | " + (fails ? "**FAIL**" : verdict(c)) + " |\n";
         }
-        if (shown > 12) out += "\n" + std::to_string(shown) + " more numbers, without a verdict, are in `--json`.\n";
+        if (equal > 0)
+            out.append("\n")
+                .append(std::to_string(equal))
+                .append(" more values equal their references to all digits.\n");
+        if (shown > 12)
+            out.append("\n")
+                .append(std::to_string(shown))
+                .append(" more numbers, without a verdict, are in `--json`.\n");
         for (const std::string& r : f.result.remarks) out += "\n" + r + "\n";
         for (const Picture& p : f.result.pictures) out += "\n![" + p.caption + "](images/scorecard/" + p.file + ")\n";
     }
