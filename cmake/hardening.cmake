@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# What makes a defect of memory an end of the process rather than a way in. docs/security.md says what each flag is for and what it
+# What makes a defect of memory an end of the process rather than a way in. docs/maintainers/testing.md says what each flag is for and what it
 # costs; tests/security/check_hardening.sh looks for it in the built files.
 #   lr_harden(TARGET [EXCEPT SOURCE...])     for what ships, besides what all targets have
 

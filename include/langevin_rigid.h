@@ -22,7 +22,7 @@
  *              and may be shared by any number of worlds and threads. lr_world_desc.checks has misuse found: every function
  *              that takes a world then returns LR_ERROR_CONCURRENT_USE or LR_ERROR_REENTRANT besides what its text says.
  * Determinism  Same calls, same library version: same bits, whatever the processor, the number of workers, or the order
- *              in which bodies lie in memory. See docs/determinism.md.
+ *              in which bodies lie in memory. See docs/maintainers/determinism.md.
  */
 #ifndef LANGEVIN_RIGID_H
 #define LANGEVIN_RIGID_H
@@ -118,7 +118,7 @@ typedef struct lr_allocator {
     void (*release)(void* user, void* memory, uint64_t size, uint64_t alignment);
 } lr_allocator;
 
-/* Tasks of an engine's job system, in place of the world's own threads: docs/threads.md. Both functions are given or neither.
+/* Tasks of an engine's job system, in place of the world's own threads: docs/reference/stepping.md. Both functions are given or neither.
  *
  * `enqueue` has run(task, begin, end) called for ranges that together hold each of the indices 0 to count - 1 once, in
  * any order, on any threads, at any time from now on until `finish` returns: one call for all, one for each, or what a
@@ -169,7 +169,7 @@ LR_API const char* lr_simd_target_name(int32_t target);
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Assets                                                                                                             */
 
-/* One numbered fault of an asset file; see docs/format.md. Strings are valid during the call only. */
+/* One numbered fault of an asset file; see docs/reference/asset_format.md. Strings are valid during the call only. */
 typedef void (*lr_fault_fn)(void* user, uint32_t number, const char* where, const char* what, const char* remedy);
 
 /* Reads an asset made by `lr_bake`, a regular file. It is verified whole before anything of it is used.
@@ -208,7 +208,7 @@ LR_API lr_status lr_ellipsoid_desc_init(lr_ellipsoid_desc* desc, uint32_t struct
 
 /* out: as for lr_asset_load_file.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
- * LR_ERROR_OUT_OF_MEMORY. Any thread. Source: Lamb, Hydrodynamics, art. 114-115; docs/physics.md. */
+ * LR_ERROR_OUT_OF_MEMORY. Any thread. Source: Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md. */
 LR_API lr_status lr_asset_create_ellipsoid(const lr_ellipsoid_desc* desc, lr_asset** out);
 
 /* Adds a reference, to be given back by lr_asset_release. LR_OK, LR_ERROR_NULL_ARGUMENT. Any thread. */
@@ -217,7 +217,7 @@ LR_API lr_status lr_asset_retain(lr_asset* asset);
 /* Gives a reference back; the last one frees the asset. Batches hold their own. Null is fine. Any thread. */
 LR_API void lr_asset_release(lr_asset* asset);
 
-/* Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC. Everything acts at
+/* Coefficients of the quasi-steady loads at scale 1; equations in docs/maintainers/physics.md, AERODYNAMIC. Everything acts at
  * `center` along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
  * spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
  * the fluid. */
@@ -299,7 +299,7 @@ typedef struct lr_asset_info {
     double fluid_viscosity;       /* m^2/s, kinematic */
     double length_d;              /* m, characteristic length: the largest extent */
     double length_b;              /* m, thickness */
-    double length_l;              /* m, turbulence length; see docs/physics.md */
+    double length_l;              /* m, turbulence length; see docs/maintainers/physics.md */
     double u0;                    /* m/s, fall velocity scale sqrt(|density ratio - 1| g b), paper Eq. 1 */
     double reynolds;              /* u0 d / viscosity */
     double c0;                    /* Kolmogorov constant of the Langevin model, paper Eq. 10 */
@@ -319,7 +319,7 @@ LR_API lr_status lr_asset_info_init(lr_asset_info* info, uint32_t struct_size);
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
 LR_API lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info);
 
-/* The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/format.md.
+/* The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/reference/asset_format.md.
  * aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
 LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics);
@@ -332,7 +332,7 @@ LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamic
 /* A call on a world while another thread is inside one, or from inside one of the world's own callbacks (wind, surface,
  * allocator, log, job system, recording), is refused: it changes nothing, a message names both functions, and the call
  * that is under way goes on unharmed. A world that is destroyed so stays alive, and its memory is lost;
- * lr_world_snapshot_size returns 0. A call after lr_world_destroy has returned is not found. docs/threads.md */
+ * lr_world_snapshot_size returns 0. A call after lr_world_destroy has returned is not found. docs/reference/stepping.md */
 #define LR_CHECK_THREADS 1u
 
 typedef struct lr_world_desc {
@@ -405,11 +405,11 @@ LR_API lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size);
  * spread evenly over the next step, and bodies feel the fluid's acceleration in it (Froude-Krylov force and added mass):
  * one that has the fluid's density is carried along, a heavy one keeps most of its velocity. What is set before the
  * world's first step is there from the beginning and accelerates nothing; setting the same wind again changes nothing.
- * Null is still fluid. docs/wind.md.
+ * Null is still fluid. docs/reference/wind_and_water.md.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
-/* Wind sources: up to LR_MAX_WIND_SOURCES at a time, whose velocities add to the uniform wind. Formulas: docs/wind.md.
+/* Wind sources: up to LR_MAX_WIND_SOURCES at a time, whose velocities add to the uniform wind. Formulas: docs/reference/wind_and_water.md.
  * Time is that of the world (lr_world_info.time). A source's position is where it is when it is added or updated; from
  * then on it moves with its own `velocity`. Fields that each kind has:
  *   GUSTS         speed direction spread period seed
@@ -519,7 +519,7 @@ LR_API lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities);
 
-/* A second fluid under a surface: water, with air above. docs/water.md */
+/* A second fluid under a surface: water, with air above. docs/reference/wind_and_water.md */
 
 #define LR_MAX_WAVES 8u
 
@@ -578,7 +578,7 @@ typedef void (*lr_surface_fn)(void* user, const lr_surface_query* query);
 LR_API lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn callback, void* user);
 
 /* Advances all bodies by dt in `substeps` equal parts. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit
- * leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as
+ * leaves and paper of some centimetres, 4 petals and confetti (docs/maintainers/numerics.md). At its end bodies end and are born as
  * the batches' rules and emitters say. Allocates nothing but what lr_allocator says. The floating-point mode of the calling
  * thread is saved, set and restored.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step has been taken, not
@@ -588,7 +588,7 @@ LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 /* A budget for the work of each step. When the batches that are due would take more, all are slowed down as if their
  * divisors had grown (lr_batch_rate), those of low priority more, and take turns; nobody waits for ever.
  * Motion stays deterministic with LR_BUDGET_BODY_SUBSTEPS: the same calls give the same bits on every machine. With
- * LR_BUDGET_TIME it depends on the clock. docs/lod.md. */
+ * LR_BUDGET_TIME it depends on the clock. docs/reference/stepping.md. */
 #define LR_BUDGET_NONE 0
 #define LR_BUDGET_BODY_SUBSTEPS 1 /* a count of substeps of single bodies, whatever each of them costs */
 #define LR_BUDGET_TIME 2          /* time of lr_world_step on the wall; costs are learnt from the steps before */
@@ -649,13 +649,13 @@ LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uin
 /* Puts a saved state back, also into another world or process whose batches were created in the same order from equal
  * assets with equal capacities. Bodies, wind sources and colliders have the same ids as when it was saved; grids of
  * wind, hulls, heightfields and meshes must be in the world already, in any place. Checked whole before anything changes.
- * Allocates nothing where the world has held as much before. docs/snapshots.md: which versions restore which snapshots.
+ * Allocates nothing where the world has held as much before. docs/reference/snapshots.md: which versions restore which snapshots.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size);
 
 /* What of a snapshot is not in another one, the base, of the same world at another time: for sending, and for long rings of
  * states. They work on bytes alone, keep no memory of their own, and what lr_snapshot_delta_apply makes has the very bytes of
- * the snapshot. docs/snapshots.md says what they cost. Both snapshots must be of this library's snapshot version. Memory that
+ * the snapshot. docs/reference/snapshots.md says what they cost. Both snapshots must be of this library's snapshot version. Memory that
  * is written must not overlap memory that is read. */
 
 /* The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base. Any thread. */
@@ -680,7 +680,7 @@ LR_API lr_status lr_snapshot_delta_apply(const void* base, uint64_t base_size, c
                                          void* memory, uint64_t capacity, uint64_t* written);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
-/* Recording: what was done to a world, to be done again elsewhere by lr_replay. docs/replay.md                       */
+/* Recording: what was done to a world, to be done again elsewhere by lr_replay. docs/reference/snapshots.md          */
 
 /* Takes the next `size` bytes of a recording, valid during the call only: append them to a file, or to a ring in memory.
  * Returns 0; anything else ends the recording. Called within functions that take the world, by their thread; with
@@ -720,8 +720,8 @@ LR_API lr_status lr_world_record_stop(lr_world* world);
 
 #define LR_LOADS_DEFAULT 0     /* LR_LOADS_AERODYNAMIC in this version */
 #define LR_LOADS_NONE 1        /* gravity, buoyancy and added mass only: Kirchhoff's equations */
-#define LR_LOADS_LANGEVIN 2    /* the paper's turbulent loads, dimensionally repaired; docs/physics.md section 4 */
-#define LR_LOADS_AERODYNAMIC 3 /* quasi-steady drag and lift in a turbulent fluid; docs/physics.md section 5 */
+#define LR_LOADS_LANGEVIN 2    /* the paper's turbulent loads, dimensionally repaired; docs/maintainers/physics.md, 4 */
+#define LR_LOADS_AERODYNAMIC 3 /* quasi-steady drag and lift in a turbulent fluid; docs/maintainers/physics.md, 5 */
 
 #define LR_CLOCK_SPEED 0 /* turbulence scales with the body's present speed through the fluid */
 #define LR_CLOCK_AGE 1   /* the paper: turbulence follows the table at the body's age */
@@ -729,11 +729,9 @@ LR_API lr_status lr_world_record_stop(lr_world* world);
 #define LR_TABLE_CLAMP 0 /* LR_CLOCK_AGE: hold the last sample after the end of the table */
 #define LR_TABLE_LOOP 1  /* LR_CLOCK_AGE: begin again */
 
-#define LR_INTEGRATOR_DEFAULT 0 /* LR_INTEGRATOR_SPLITTING in this version */
-#define LR_INTEGRATOR_RK4                                                                                              \
-    1 /* classical Runge-Kutta, the paper's: fourth order, but unstable at long steps. A reference,
-                                     not built for speed; bodies near water are stepped by the splitting scheme */
-#define LR_INTEGRATOR_SPLITTING 2 /* second order and stable at any step; docs/numerics.md */
+#define LR_INTEGRATOR_DEFAULT 0   /* LR_INTEGRATOR_SPLITTING in this version */
+#define LR_INTEGRATOR_RK4 1       /* the paper's: fourth order, unstable at long steps, slow. In water: splitting */
+#define LR_INTEGRATOR_SPLITTING 2 /* second order and stable at any step; docs/maintainers/numerics.md */
 
 typedef struct lr_batch_desc {
     uint32_t struct_size;
@@ -807,7 +805,7 @@ LR_API lr_status lr_load_gains_init(lr_load_gains* gains, uint32_t struct_size);
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains);
 
-/* How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/lod.md.
+/* How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
  * A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one
  * in every so many steps, which makes up for all of them. No substep gets longer than `longest_substep` by that: a divisor
  * beyond has no more effect, and a budget that cannot afford them makes bodies slow rather than wrong. */
@@ -899,7 +897,7 @@ LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch
 
 /* The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
  * written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
- * enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md. Keep
+ * enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md. Keep
  * both numbers for each buffer that is written in turn.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
  * LR_ERROR_INVALID_ARGUMENT. */
@@ -968,7 +966,7 @@ LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_
  *  - by a force, impulse or velocity on it that is not zero (lr_body_add_force, lr_batch_add_forces),
  *  - by a change of lr_batch_set_force, lr_world_set_gravity or lr_batch_set_pair_contact, with all others that it is about,
  *  - when it begins anew by its batch's rules,
- *  - by contact: colliders, wind. docs/rest.md.
+ *  - by contact: colliders, wind. docs/reference/bodies.md.
  * It grows older, and the rules of its batch are for it too: they look at bodies at rest in every 16th step of the batch.
  * Bodies that wake and come to rest change indices in the view, not ids. Part of snapshots. The first body at rest of a
  * batch takes up to 25 bytes for each of the batch's capacity.
@@ -1065,7 +1063,7 @@ LR_API lr_status lr_batch_force_init(lr_batch_force* force, uint32_t struct_size
 LR_API lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
-/* Contact: what bodies land on. docs/contact.md                                                                      */
+/* Contact: what bodies land on. docs/maintainers/contact.md                                                          */
 
 /* Handles are values, 0 is never one, and those of destroyed colliders are recognised. */
 typedef uint64_t lr_collider;
@@ -1203,7 +1201,7 @@ typedef struct lr_batch_contact {
                                The lever is the geometric mean of reach and half of the least width: a sphere's radius */
     uint32_t flags;         /* LR_CONTACT_*; initially 0 */
     float ground_effect; /* the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and
-                                 heightfields gives in theory; initially 0. docs/contact.md */
+                                 heightfields gives in theory; initially 0. docs/maintainers/contact.md */
     uint32_t reserved;   /* 0 */
 } lr_batch_contact;
 
@@ -1224,7 +1222,7 @@ LR_API lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_
  * Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
  * at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
  * The first pair of a batch takes 28 bytes for each of its capacity, and up to 75 more unless there have been colliders.
- * docs/body_contact.md
+ * docs/maintainers/contact.md
  * enabled: 0 or 1.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH (either), LR_ERROR_INVALID_ARGUMENT (enabled),
  * LR_ERROR_OUT_OF_MEMORY. */
@@ -1235,7 +1233,7 @@ LR_API lr_status lr_batch_set_pair_contact(lr_world* world, lr_batch a, lr_batch
 LR_API lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
-/* Contact events: what touched, left, landed, woke and ended in a step. docs/contact_events.md                       */
+/* Contact events: what touched, left, landed, woke and ended in a step. docs/reference/bodies.md                     */
 
 #define LR_CONTACT_BEGIN 1 /* a body touches a collider that it did not touch at the end of the step before */
 #define LR_CONTACT_END 2   /* it no longer does, or the collider has been destroyed, whose id is then stale */
@@ -1298,7 +1296,7 @@ LR_API lr_status lr_contact_event_list_init(lr_contact_event_list* list, uint32_
 LR_API lr_status lr_world_get_contact_events(const lr_world* world, lr_contact_event_list* list);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
-/* Queries: rays, and what is in a sphere or box. docs/queries.md                                                     */
+/* Queries: rays, and what is in a sphere or box. docs/reference/bodies.md                                            */
 
 #define LR_RAY_BODIES 1u
 #define LR_RAY_COLLIDERS 2u
@@ -1327,7 +1325,7 @@ typedef struct lr_ray_hit {
     uint32_t reserved; /* 0 */
 } lr_ray_hit;
 
-/* What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/contact.md);
+/* What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/maintainers/contact.md);
  * those of batches that wait (lr_batch_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
  * meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
  * before colliders, then the order is that of batches and keys, or of colliders' slots.
@@ -1359,7 +1357,7 @@ LR_API lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* 
                                   uint32_t capacity, uint32_t* count);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
-/* Births and ends: storms that run by themselves. docs/lifecycle.md                                                  */
+/* Births and ends: storms that run by themselves. docs/reference/bodies.md                                           */
 
 #define LR_END_DESTROY 0 /* the body is destroyed, its id stale */
 #define LR_END_RESPAWN 1 /* the body begins anew where the batch's emitter says, at age 0, with the same id and key */
@@ -1406,7 +1404,7 @@ LR_API lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_ba
 /* What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a collider that shoots it out of
  * the world. Every body is judged in each step, and after impulses: a number that is not finite, a coordinate over 1e10 m, a velocity
  * over 2e6 m/s or 1e9 rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
- * in lr_batch_events, and logged once for all; others are not touched by it. docs/faults.md
+ * in lr_batch_events, and logged once for all; others are not touched by it. docs/reference/bodies.md
  * A body that is held has the position and orientation of the beginning of that step or substep, and no velocity. Nothing moves or
  * touches it, it moves and touches nothing, forces on it are taken and have no effect; it grows older, and rules may end it.
  * lr_body_set_state sets it free, and lr_body_set_rest puts it to rest like any other. lr_body_state.resting tells.

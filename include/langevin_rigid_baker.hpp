@@ -8,7 +8,7 @@
  * Units        SI, except lengths of the mesh and those marked "in `unit`".
  * Results      The bytes of an asset file, for lr_asset_load_memory or to be written as they are: the same bytes, for the
  *              same input and options, as those of lr_bake.
- * Errors       Numbered faults that say where, what, and what to do; docs/format.md lists them. Nothing throws, aborts or
+ * Errors       Numbered faults that say where, what, and what to do; docs/reference/asset_format.md lists them. Nothing throws, aborts or
  *              prints. Out of memory is a fault (or, if there is not even memory for that, a result without faults).
  * Threads      Every function may be called by any number of threads at once. Each works in its caller's thread, and
  *              possibly in more that it ends before it returns.

@@ -80,9 +80,12 @@ if [ "$platform" = linux-x64 ]; then
     PYTHON=/usr/bin/python3 bindings/python/wheel.sh "$stage" "$stage/bindings/python" >"$folder/wheel.log" 2>&1 ||
         { cat "$folder/wheel.log" >&2; exit 1; }
 fi
-mkdir -p "$stage/docs/integration" "$stage/docs/images"
-for page in "$stage"/bindings/*/; do cp "docs/integration/$(basename "$page").md" "$stage/docs/integration/"; done
-grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/integration/*.md | sort -u | sed 's|^\.\./|docs/|' | xargs -r cp -t "$stage/docs/images"
+mkdir -p "$stage/docs/guide" "$stage/docs/images"
+for binding in "$stage"/bindings/*/; do # C# has its page with Unity's
+    page=$(basename "$binding")
+    cp "docs/guide/${page/csharp/unity}.md" "$stage/docs/guide/"
+done
+grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|^\.\./|docs/|' | xargs -r cp -t "$stage/docs/images"
 
 cp LICENSE "$stage/"
 rm -rf "$stage/share"
@@ -95,5 +98,5 @@ linux-*)
     ;;
 esac
 python3 packaging/package_readme.py --platform "$platform" --version "$version" --stage "$stage" "${floor[@]}" \
-    --docs docs/packages.md
+    --docs docs/maintainers/releases.md
 packaging/write_archive.sh "$folder/stage" "$name" "$out/$name.$suffix"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""README.md of a package, with what was measured of its files; the same numbers go into the table of docs/packages.md.
+"""README.md of a package, with what was measured of its files; the same numbers go into the table of docs/maintainers/releases.md.
 
-    package_readme.py --platform linux-x64 --version 0.1.0 --stage STAGE --docs docs/packages.md
+    package_readme.py --platform linux-x64 --version 0.1.0 --stage STAGE --docs docs/maintainers/releases.md
         [--library-floor 2.17 --baker-floor 2.30]
 """
 import argparse
@@ -43,7 +43,7 @@ def read_me(options) -> str:
              ("assets", "baked meshes (.lrb) and what they were made of (.obj)"),
              ("samples/hello.c", "the first falling bodies")]
     if bindings:
-        rows.append(("bindings", ", ".join(bindings) + ": each has its page in `docs/integration`, from zero to falling leaves"))
+        rows.append(("bindings", ", ".join(bindings) + ": each has its page in `docs/guide`, from zero to falling leaves"))
     rows += [("LICENSE, THIRD_PARTY.md, licences", "terms, of this and of what of others is inside"),
              ("SHA256SUMS", "`sha256sum -c SHA256SUMS` checks every file")]
     table = "\n".join(f"| `{name}` | {what} |" for name, what in rows)

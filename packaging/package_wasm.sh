@@ -21,8 +21,8 @@ for file in langevin_rigid.wasm langevin_rigid.mjs package.json; do
     [ -s "$stage/$name/$file" ] || { echo "bindings/web/build.sh made no build/web/package/$file" >&2; exit 1; }
 done
 cp LICENSE include/langevin_rigid.h bindings/web/sample.mjs "$stage/$name/"
-mkdir -p "$stage/$name/docs/integration" "$stage/$name/docs/images"
-cp docs/integration/web.md "$stage/$name/docs/integration/"
+mkdir -p "$stage/$name/docs/guide" "$stage/$name/docs/images"
+cp docs/guide/web.md "$stage/$name/docs/guide/"
 cp docs/images/web_storm.png "$stage/$name/docs/images/"
 # The page with its leaves, for any server of static files. They are baked by the package for this machine.
 native=$PWD/build/packaging/linux-x64/stage/langevin_rigid-$version-linux-x64

@@ -5,7 +5,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 mkdir -p build/api
 version=$(awk '/define LR_VERSION_(MAJOR|MINOR|PATCH)/ { v = v (v == "" ? "" : ".") $3 } END { print v }' include/langevin_rigid.h)
 (
-    cat docs/api/Doxyfile
+    cat scripts/api_reference/Doxyfile
     echo "PROJECT_NUMBER = $version"
     echo "OUTPUT_DIRECTORY = build/api"
 ) | doxygen -

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The runtime built by several compilers, at several levels of optimisation, for several instruction sets and cut into other
 # chunks: all must move bodies to the very hashes in tests/determinism/golden.txt, and save and restore the very snapshot in
-# tests/travel. docs/determinism.md has the results.
+# tests/travel. docs/maintainers/determinism.md has the results.
 #   scripts/check_determinism.sh             GCC and clang at -O1, -O2 and -O3
 #   scripts/check_determinism.sh clang-O2    the builds that are named
 #   scripts/check_determinism.sh arm64       64-bit ARM, run by qemu (scripts/setup.sh arm64)

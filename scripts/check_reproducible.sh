@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # The same sources give the same bytes: the runtime library built twice, in folders of other names and lengths, one of them outside
-# of the sources, at other times and in another environment, must be one and the same file. docs/security.md
+# of the sources, at other times and in another environment, must be one and the same file. docs/maintainers/testing.md
 #   scripts/check_reproducible.sh [CMAKE_ARGUMENT...]    all of it, without a compiler cache: some 10 minutes of two cores
 #   scripts/check_reproducible.sh quick                  a few objects, those that could name where or when they were made
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Long runs and large ones, at full length: 24 simulated hours of a storm, 4 million bodies, 1,000 worlds, 64 threads. docs/load.md
+# Long runs and large ones, at full length: 24 simulated hours of a storm, 4 million bodies, 1,000 worlds, 64 threads. docs/maintainers/testing.md
 # scripts/load.sh [HOURS]: build/load has what was printed, the table of the storm (soak.csv), and its picture (soak.png).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs dieharder (Debian package `dieharder`) on the bits of the noise and prints a line a test: docs/noise.md.
+# Runs dieharder (Debian package `dieharder`) on the bits of the noise and prints a line a test: docs/maintainers/numerics.md.
 #   scripts/noise_battery.sh PATH_OF_NOISE_BITS [order ...]      orders: gaussians bodies substeps seeds (all)
 # About ten minutes of processor time an order.
 set -euo pipefail

@@ -4,7 +4,7 @@
 # Packages for people who build nothing: library, header, baker, bindings, assets and licences in one archive for each platform.
 #   scripts/package.sh [linux-x64|windows-x64|linux-arm64|wasm|all ...] [--out DIR]     default: linux-x64, into build/packages
 # What it needs is installed by scripts/setup.sh package [windows] [arm64]; sources of dependencies are fetched once, from Debian.
-# The same commit gives the same bytes. docs/packages.md
+# The same commit gives the same bytes. docs/maintainers/releases.md
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source packaging/platforms.sh

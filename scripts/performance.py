@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes docs/performance.md and docs/performance.png from what the measurements left in a folder.
+"""Writes docs/maintainers/performance.md and docs/maintainers/performance.png from what the measurements left in a folder.
 
-    /usr/bin/python3 scripts/performance.py [FOLDER [DOCS]]      initially build/release/bench, docs
+    /usr/bin/python3 scripts/performance.py [FOLDER [DOCS]]      initially build/release/bench, docs/maintainers
 
 rows.csv (lr_bench --csv) is needed; ports.csv, mix.csv (scripts/port_bound.py) and instructions.csv
 (scripts/instructions.sh) are taken when they are there. Every verdict is computed here, none is written by hand.
@@ -209,25 +209,28 @@ def time_table(rows, wanted, head):
 
 def sections(rows, ports, mix, instructions):
     by_count = [row for n in COUNTS for row in rows.ours if row["bodies"] == str(n) and row["target"] == rows.best and
-                row["integrator"] == "default" and row["model"] in ("langevin-speed", "aerodynamic")]
+                row["integrator"] == "default" and row["model"] in ("langevin-speed", "aerodynamic") and
+                (row["substeps"] == "4" and n != 1 or row["workers"] == "0")]
     by_count.sort(key=lambda row: [-len(row["model"]), row["path"]] + [int(row[key]) for key in ("bodies", "substeps", "workers")])
     yield "Number of bodies, substeps, threads", time_table(rows, by_count, ["model", "path", "bodies", "substeps", "workers"])
     middle = "10000" if any(row["bodies"] == "10000" and row["integrator"] == "rk4" for row in rows.ours) else "1000"
     rest = [row for row in rows.ours if row["bodies"] == middle and row["substeps"] == "4" and row["workers"] == "0"]
-    yield "Models, integrators, paths", time_table(rows, [row for row in rest if row["target"] == rows.best], ["model", "integrator", "path", "bodies"])
-    narrow = [row for row in rest if row["integrator"] == "default" and row["model"] in ("langevin-speed", "aerodynamic")]
-    narrow += [row for row in rows.ours if row["target"] == "avx2" and row["bodies"] not in (middle,)]
-    yield "Instruction sets", time_table(rows, narrow, ["model", "path", "target", "bodies"])
-    others = [row for row in rows.all if row["subject"] not in ("langevin_rigid", "clock", "transforms", "memcpy")]
+    yield "Other models and integrators", time_table(
+        rows, [row for row in rest if row["target"] == rows.best and row not in by_count], ["model", "integrator", "path", "bodies"])
+    narrow = [row for row in rest if row["target"] != rows.best and row["integrator"] == "default" and
+              row["model"] in ("langevin-speed", "aerodynamic")]
+    yield "Other instruction sets", time_table(rows, narrow, ["model", "path", "target", "bodies"])
+    others = [row for row in rows.all if row["subject"] not in ("langevin_rigid", "clock", "transforms", "memcpy") and
+              (row["bodies"] == middle or row["subject"] == "mujoco" or row["subject"] == "sketch" and row["target"] == "native" and row["substeps"] == "4")]
     yield "The sketch and peers", PEERS + time_table(rows, others, ["subject", "model", "integrator", "target", "bodies", "substeps"])
     if instructions:
         lines = []
         for row in instructions:
             words = row["row"].split("/")
             name = f"{words[0]}, {MODELS.get(words[1], words[1])}, {words[2]}, {words[3]}, {words[7]} substep{'s' * (words[7] != '1')}"
-            whole = row["function"] == "all"
-            lines.append([name if whole else "", "**all**" if whole else f"`{row['function']}`", number(row["instructions"], 4)])
-        yield "Instructions", INSTRUCTIONS + table(["row", "function", "instructions a body-step"], lines)
+            if row["function"] == "all":
+                lines.append([name, number(row["instructions"], 4)])
+        yield "Instructions", INSTRUCTIONS + table(["row", "instructions a body-step"], lines)
     if ports and mix:
         yield "Bound by the pipes", bound_section(rows, ports, mix)
 
@@ -261,7 +264,8 @@ def bound_section(rows, ports, mix):
 
 HEAD = """# Performance
 
-Written by `scripts/performance.py` from measurements; made anew by
+This page has the speed of the kernel beside other engines and beside its goals, and, at its end, the optimisations that were tried.
+Everything before those is written by `scripts/performance.py` from measurements; made anew by
 
     scripts/setup.sh bench                       # peers, valgrind, matplotlib; all of them optional
     cmake --preset release && cmake --build build/release --target lr_bench
@@ -275,33 +279,33 @@ median of the rounds' ratios. *workers* are threads besides the caller's. *bytes
 *hash*: `lr_world_hash` after the first four steps; equal for equal scenes, whatever the instruction set and the workers.
 
 The body is the paper's leaf, an ellipsoid of 8 cm x 2 cm x 0.1 mm in air; for the full path its weight lies off centre. Through the C API and the shared
-library as it ships.
+library as it ships. The tables are a selection of `build/release/bench/rows.csv`.
 """
 PEERS = """Each in the same process and the same turns, one thread, denormals flushed.
 
 - **sketch**: `tests/bench/peers/sketch_step-inl.h`: RK4, LANGEVIN with the SPEED clock, six Gaussians by Philox and Box-Muller, diagonal, fused
   multiply-adds; compiled with `-O3 -march=native`, also without fused multiply-adds, and as x86-64-v3.
-- **scalar**, **eigen**: Algorithm 2 of the paper with the equations of `docs/physics.md`, sections 3 and 4: RK4, `std::normal_distribution`; plain C++ and
-  Eigen, single precision, compiled as the library is. Both descend at 0.70 m/s and spin at 32 rad/s on average, the library at 0.69 to 0.71 and 33 (docs/numerics.md).
+- **scalar**, **eigen**: Algorithm 2 of the paper with the equations of [physics.md](physics.md), 3 and 4: RK4, `std::normal_distribution`; plain C++ and
+  Eigen, single precision, compiled as the library is. Both descend at 0.70 m/s and spin at 32 rad/s on average, the library at 0.69 to 0.71 and 33.
 - **bullet**: gravity, quadratic drag, and Bullet's own integration of rigid bodies; no broad phase, contacts, islands. No fluid.
 - **ode**: gravity, quadratic drag, `dWorldQuickStep` without geometry. No fluid.
 - **mujoco**: free ellipsoids in its ellipsoid fluid model, no contacts or constraints, no noise. This version takes fluid forces through a dense Jacobian:
-  its cost a body grows with the bodies of a model, which is why few are the fair rows.
+  its cost a body grows with the bodies of a model, so that the fair rows are those with few.
 
 """
-INSTRUCTIONS = """Counted by callgrind under AVX2, which has 8 bodies in a vector, 1024 bodies: `scripts/instructions.sh`. Functions of
-0.1 % and more; the kernel is one function, all of it inlined.
+BY_HAND = "## Optimisations"
+INSTRUCTIONS = """Counted by callgrind under AVX2, which has 8 bodies in a vector, 1024 bodies: `scripts/instructions.sh`, which also counts single functions.
 
 """
 BOUND = """`scripts/port_bound.py`: one step followed instruction by instruction (64 bodies, 4 substeps), each put to the pipe that takes it,
 with the cycles that it takes there when nothing waits, measured here by `lr_bench --ports`. Multiplications and additions have two
-pipes each; divisions and roots share a unit beside them; all of them together can start four a cycle. What is more than the bound is
+pipes each; divisions and roots share a unit beside them; all of them together can start four a cycle. The rest is
 waiting: chains of instructions that need each other's results.
 
 """
 
 
-def main(folder="build/release/bench", docs="docs"):
+def main(folder="build/release/bench", docs="docs/maintainers"):
     rows = Rows(read(folder, "rows.csv"))
     ports, mix, instructions = (read(folder, name + ".csv") for name in ("ports", "mix", "instructions"))
     text = HEAD.format(rounds=rows.all[0]["rounds"])
@@ -317,7 +321,12 @@ def main(folder="build/release/bench", docs="docs"):
     for title, body in sections(rows, ports, mix, instructions):
         text += f"\n## {title}\n\n{body}"
     plot(rows, os.path.join(docs, "performance.png"))
-    with open(os.path.join(docs, "performance.md"), "w", encoding="utf-8") as file:
+    page = os.path.join(docs, "performance.md")
+    if os.path.exists(page):  # the part that is written by hand stays
+        with open(page, encoding="utf-8") as file:
+            old = file.read()
+        text += "\n" + old[old.index(BY_HAND):] if BY_HAND in old else ""
+    with open(page, "w", encoding="utf-8") as file:
         file.write(text)
     for goal in goals(rows, mix):
         print(": ".join(goal).replace("**", ""))

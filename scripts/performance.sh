@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures, and writes docs/performance.md and docs/performance.png. lr_bench must be built; nothing is built here.
-#   scripts/performance.sh [--quick] [BUILD [DOCS]]     initially build/release, docs
+# Measures, and writes docs/maintainers/performance.md and docs/maintainers/performance.png. lr_bench must be built; nothing is built here.
+#   scripts/performance.sh [--quick] [BUILD [DOCS]]     initially build/release, docs/maintainers
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -10,7 +10,7 @@ if [ "${1:-}" = --quick ]; then
     shift
 fi
 build=${1:-build/release}
-docs=${2:-docs}
+docs=${2:-docs/maintainers}
 folder=$build/bench
 bench=$build/tests/bench/lr_bench/lr_bench
 [ -x "$bench" ] || { echo "performance: no $bench: cmake --build $build --target lr_bench" >&2; exit 1; }

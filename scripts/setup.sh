@@ -21,7 +21,7 @@ packages=(
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
     libglfw3-dev                                 # the viewer's window
 )
-if [ "${1:-build}" = bench ]; then               # test, and what docs/performance.md is made with
+if [ "${1:-build}" = bench ]; then               # test, and what docs/maintainers/performance.md is made with
     packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers of lr_bench, each optional
     packages+=(valgrind python3-matplotlib)              # instructions; the plot
     set -- test "${@:2}"

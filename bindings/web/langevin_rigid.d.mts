@@ -23,7 +23,7 @@ export declare class LangevinRigidError extends Error {
 }
 export declare function statusName(status: number): string;
 
-/** One numbered fault of an asset's bytes: docs/format.md. */
+/** One numbered fault of an asset's bytes: docs/reference/asset_format.md. */
 export interface Fault {
   number: number;
   where: string;

@@ -97,7 +97,7 @@ void bodies_update(bodies* b, const scene* s) {
         body_batch* d = &b->batches[k];
         const lr_batch batch = s->batches[k].batch;
         const lr_batch_view view = view_of(s, batch);
-        uint32_t count = view.count; /* docs/rest.md: whoever lay still and lies still stays where it was written */
+        uint32_t count = view.count; /* docs/reference/bodies.md: bodies still asleep keep their place */
         if (d->batch == batch && d->revision == view.revision && d->written == view.count)
             count = d->moved > view.awake_count ? d->moved : view.awake_count;
         if (view.count > d->capacity || !d->rows) reserve(d, view.capacity), count = view.count;

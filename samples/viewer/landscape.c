@@ -138,7 +138,7 @@ void landscape_draw(const landscape* l, const scene* s, const pass* p) {
 void landscape_draw_water(const landscape* l, const scene* s, const pass* p, double time) {
     if (!s->plan->water) return;
     pass_use(p, l->water_program);
-    float waves[pond_wave_count][4]; /* as docs/water.md has them */
+    float waves[pond_wave_count][4]; /* as docs/reference/wind_and_water.md has them */
     for (int i = 0; i < pond_wave_count; ++i) {
         const lr_wave* w = &pond_waves[i];
         const double number = 2.0 * 3.14159265358979 / (double)w->length, frequency = sqrt(9.81 * number);

@@ -1,4 +1,4 @@
-// Bodies that touch each other, solved together: pairs in colours that share no body, and sweeps over these. docs/body_contact.md
+// Bodies that touch each other, solved together: pairs in colours that share no body, and sweeps over these. docs/maintainers/contact.md
 #pragma once
 
 #include "contact/pose.h"

@@ -1,4 +1,4 @@
-// A body against a collider, one pair at a time. Everything is in the collider's frame; see docs/contact.md.
+// A body against a collider, one pair at a time. Everything is in the collider's frame; see docs/maintainers/contact.md.
 #pragma once
 
 #include "contact/body_shape.h"

@@ -1,4 +1,4 @@
-// Where two bodies meet in a substep: contacts as it begins, held against the way that both go. docs/body_contact.md
+// Where two bodies meet in a substep: contacts as it begins, held against the way that both go. docs/maintainers/contact.md
 #pragma once
 
 #include "contact/body_pair.h"

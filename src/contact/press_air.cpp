@@ -1,4 +1,4 @@
-// The cushion of air between a sheet and the ground (docs/contact.md, "Ground effect").
+// The cushion of air between a sheet and the ground (docs/maintainers/contact.md, "Ground effect").
 #include "contact/contact_group.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Gusts: a velocity that depends on time alone, as a sum of harmonics with von Karman's spectrum (docs/wind.md).
+// Gusts: a velocity that depends on time alone, as a sum of harmonics with von Karman's spectrum (docs/reference/wind_and_water.md).
 #pragma once
 
 #include <array>

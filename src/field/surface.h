@@ -1,4 +1,4 @@
-// The surface between two fluids: its description, its waves in time, and the caller's own. docs/water.md.
+// The surface between two fluids: its description, its waves in time, and the caller's own. docs/reference/wind_and_water.md.
 #pragma once
 
 #include "kernel/surface.h"

@@ -1,4 +1,4 @@
-// All wind of a world: the uniform part and how it changes, sources, the caller's own field. docs/wind.md.
+// All wind of a world: the uniform part and how it changes, sources, the caller's own field. docs/reference/wind_and_water.md.
 #pragma once
 
 #include "field/wind_source.h"

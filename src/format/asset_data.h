@@ -26,7 +26,7 @@ struct TurbulenceData {
     double max_divergence = 0.0;           // largest |div u| d/u0 left in the mean flow
 };
 
-// Quasi-steady loads at scale 1, docs/physics.md section 5. All are about `center`, along `axes`, and turn with the
+// Quasi-steady loads at scale 1, docs/maintainers/physics.md section 5. All are about `center`, along `axes`, and turn with the
 // body; s: speed through the fluid, (i, j, k) cyclic.
 struct AerodynamicData {
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: unit vectors in the body frame, right-handed

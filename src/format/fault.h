@@ -9,7 +9,7 @@ namespace lr {
 
 enum class Severity : int32_t { warning = 1, error = 2 };
 
-// Numbers are stable across releases; see docs/format.md. Never reuse one.
+// Numbers are stable across releases; see docs/reference/asset_format.md. Never reuse one.
 enum class FaultId : uint32_t {
     // 1xx: the file could not be read or written
     file_not_found = 101,

@@ -1,4 +1,4 @@
-// Quasi-steady loads for one vector of bodies: docs/physics.md, "AERODYNAMIC". Kernel units and constants: constants.h.
+// Quasi-steady loads for one vector of bodies: docs/maintainers/physics.md, "AERODYNAMIC". Kernel units and constants: constants.h.
 // `b`: 1/(d s). `nu`: viscosity over d s, a velocity. v: of the centre of the loads, along their axes.
 #if defined(LR_KERNEL_AERODYNAMIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_AERODYNAMIC_INL_H_

@@ -1,5 +1,5 @@
 // The splitting scheme's substep with quasi-steady loads: free motion, drag and weight, spin drag, lift, and back
-// (docs/numerics.md, "AERODYNAMIC loads").
+// (docs/maintainers/numerics.md, "AERODYNAMIC loads").
 #if defined(LR_KERNEL_AERODYNAMIC_SPLITTING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_AERODYNAMIC_SPLITTING_INL_H_
 #undef LR_KERNEL_AERODYNAMIC_SPLITTING_INL_H_

@@ -10,7 +10,7 @@ namespace {
 
 // Added inertia vanishes about an axis of revolution, and with it the turbulent damping of that spin. Real fluid slows
 // it through the boundary layer; 0.02 of the dragged fluid at the body's own gyration radius is of the size of the
-// turbulent skin friction on a spinning disc (docs/physics.md, "Viscous floor").
+// turbulent skin friction on a spinning disc (docs/maintainers/physics.md, "Viscous floor").
 constexpr double viscous_floor = 0.02;
 
 void upper_triangle(const Matrix6& m, float out[21]) {

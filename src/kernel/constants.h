@@ -1,4 +1,4 @@
-// Everything of a shape that the kernel needs, dimensionless and in single precision; docs/physics.md, "Kernel units".
+// Everything of a shape that the kernel needs, dimensionless and in single precision; docs/maintainers/physics.md, "Kernel units".
 #pragma once
 
 #include "format/asset_data.h"
@@ -9,7 +9,7 @@
 namespace lr {
 
 enum class Loads : int32_t { none, langevin, aerodynamic };
-// Turbulence follows the body's present speed, or the table at its age (docs/physics.md).
+// Turbulence follows the body's present speed, or the table at its age (docs/maintainers/physics.md).
 enum class Clock : int32_t { speed, age };
 enum class Integrator : int32_t { splitting, rk4 };
 

@@ -1,4 +1,4 @@
-// Bodies that touch colliders, compiled once for each instruction set. Method and formulas: docs/contact.md.
+// Bodies that touch colliders, compiled once for each instruction set. Method and formulas: docs/maintainers/contact.md.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/contact.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep

@@ -1,5 +1,5 @@
 // What contacts do to bodies: Gauss-Seidel over the contacts of each body by itself, with its own mass and that of the fluid that it
-// moves along, first for the way of the substep and then for the velocity at its end (docs/contact.md).
+// moves along, first for the way of the substep and then for the velocity at its end (docs/maintainers/contact.md).
 #if defined(LR_KERNEL_CONTACT_RESOLVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_RESOLVE_INL_H_
 #undef LR_KERNEL_CONTACT_RESOLVE_INL_H_

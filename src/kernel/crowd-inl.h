@@ -1,5 +1,5 @@
 // What bodies that touch each other do to each other: Gauss-Seidel over pairs, with the mass of both and that of the fluid that they
-// move along. As kernel/contact_resolve-inl.h, which has the formulas, but for two bodies; docs/body_contact.md.
+// move along. As kernel/contact_resolve-inl.h, which has the formulas, but for two bodies; docs/maintainers/contact.md.
 #if defined(LR_KERNEL_CROWD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CROWD_INL_H_
 #undef LR_KERNEL_CROWD_INL_H_

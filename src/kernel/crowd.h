@@ -1,5 +1,5 @@
 // Bodies that touch each other as the kernel sees them: bodies of a crowd by index, and blocks of pairs, a lane each, no two of
-// which in a colour share a body. Method: docs/body_contact.md.
+// which in a colour share a body. Method: docs/maintainers/contact.md.
 #pragma once
 
 #include "kernel/contact.h"

@@ -1,5 +1,5 @@
 // What of a body's state is no body's any more, and what becomes of it: it stays as it was, without motion, and is marked.
-// docs/faults.md
+// docs/reference/bodies.md
 #pragma once
 
 #include "kernel/batch_arrays.h"

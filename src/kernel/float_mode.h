@@ -1,5 +1,5 @@
 // The floating-point mode of a step: IEEE default, round to nearest, gradual underflow, no traps. Flushing denormals
-// would be quicker at best, but processors do it differently and WebAssembly not at all (docs/determinism.md).
+// would be quicker at best, but processors do it differently and WebAssembly not at all (docs/maintainers/determinism.md).
 #pragma once
 
 #include <cstdint>

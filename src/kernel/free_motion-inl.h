@@ -1,4 +1,4 @@
-// Kirchhoff's equations without loads over one step, for diagonal and for full mass matrices (docs/numerics.md, "Free motion").
+// Kirchhoff's equations without loads over one step, for diagonal and for full mass matrices (docs/maintainers/numerics.md, "Free motion").
 #if defined(LR_KERNEL_FREE_MOTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_FREE_MOTION_INL_H_
 #undef LR_KERNEL_FREE_MOTION_INL_H_

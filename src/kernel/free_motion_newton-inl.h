@@ -1,5 +1,5 @@
 // The implicit midpoint of Kirchhoff's equations, solved so that the energy is kept whatever the step
-// (docs/numerics.md, "Free motion").
+// (docs/maintainers/numerics.md, "Free motion").
 #if defined(LR_KERNEL_FREE_MOTION_NEWTON_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_FREE_MOTION_NEWTON_INL_H_
 #undef LR_KERNEL_FREE_MOTION_NEWTON_INL_H_

@@ -1,5 +1,5 @@
 // Vectors of bodies. A substep is one long chain of dependent operations, longer than a processor looks ahead: two hardware
-// vectors side by side fill the gaps (docs/performance.md). Everything else in the kernel is written for one vector,
+// vectors side by side fill the gaps (docs/maintainers/performance.md). Everything else in the kernel is written for one vector,
 // with Highway's names, and does not know.
 #if defined(LR_KERNEL_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_LANES_INL_H_

@@ -1,5 +1,5 @@
 // Elementary functions from + - x / sqrt only, so that every target gives the same bits. Polynomials are minimax fits
-// made for these ranges; their errors are below half an ulp of a float result (docs/determinism.md).
+// made for these ranges; their errors are below half an ulp of a float result (docs/maintainers/determinism.md).
 #if defined(LR_KERNEL_MATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_MATH_INL_H_
 #undef LR_KERNEL_MATH_INL_H_

@@ -1,5 +1,5 @@
 // The generalised Kirchhoff equations with turbulent loads, for one vector of bodies.
-// Equations: docs/physics.md, "Equations of motion" (paper Eqs. 4-6 and 11-12, corrected). Kernel units: constants.h.
+// Equations: docs/maintainers/physics.md, "Equations of motion" (paper Eqs. 4-6 and 11-12, corrected). Kernel units: constants.h.
 #if defined(LR_KERNEL_MOTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_MOTION_INL_H_
 #undef LR_KERNEL_MOTION_INL_H_
@@ -144,7 +144,7 @@ HWY_INLINE void grow_older(Body& b, VF h) {
     b.age = age;
 }
 
-// alpha and beta^2 at an age, linear between samples (docs/physics.md, "AGE clock"). Not inlined: few batches have this clock.
+// alpha and beta^2 at an age, linear between samples (docs/maintainers/physics.md, "AGE clock"). Not inlined: few batches have this clock.
 [[maybe_unused]] static HWY_NOINLINE void sample_table(const TableConstants& t, VF age, VF& alpha, VF& beta_squared) {
     const DI di;
     VF at = hn::Mul(age, constant(t.inverse_dt));
@@ -173,7 +173,7 @@ struct Held {
     VF inverse_length; // 1/(d s)
     VF alpha, beta;    // 1/s and m/s^(3/2), AGE clock
     Twist noise;       // weighted turbulent force and torque per unit mass
-    // The fluid at the body, world axes, in the middle of the substep (docs/wind.md).
+    // The fluid at the body, world axes, in the middle of the substep (docs/reference/wind_and_water.md).
     Vec3 wind;       // m/s
     Vec3 weight;     // force per mass unit: gravity, buoyancy, acceleration of the fluid and of the frame of t
     Vec3 gravity;    // m/s^2, as buoyancy feels it: less the fluid's own acceleration
@@ -202,7 +202,7 @@ template <bool kFull, class C> static HWY_NOINLINE Twist external_force(const C&
     return add(add(e.force[1], to_body(q, e.force[0])), momentum<kFull>(c, rate));
 }
 
-// rho (V I + A) on velocity, rho D on spin: the fluid that turbulence acts on (docs/physics.md section 3).
+// rho (V I + A) on velocity, rho D on spin: the fluid that turbulence acts on (docs/maintainers/physics.md section 3).
 template <bool kFull, class C> HWY_INLINE Twist dragged(const C& c, Twist t) {
     if constexpr (kFull) return {symmetric3(c.full_damping, t.v), symmetric3(c.full_spin_damping, t.u)};
     return {scaled_by(c.damping, t.v), scaled_by(c.spin_damping, t.u)};

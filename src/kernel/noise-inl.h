@@ -1,4 +1,4 @@
-// Six Gaussians a body and substep from a counter: no state, no order, no communication (docs/noise.md).
+// Six Gaussians a body and substep from a counter: no state, no order, no communication (docs/maintainers/numerics.md).
 #if defined(LR_KERNEL_NOISE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_NOISE_INL_H_
 #undef LR_KERNEL_NOISE_INL_H_

@@ -13,7 +13,7 @@ struct SearchHull {
     uint32_t count;
 };
 
-// Pairs of the same two hulls, each in the frame of its a. docs/body_contact.md, 2.
+// Pairs of the same two hulls, each in the frame of its a. docs/maintainers/contact.md, 12.
 struct SearchBlock {
     using Row = float[search_lanes];
     // In. b's scale, origin and axes; unit, from b to a: a guess; cores farther apart than `enough` are not looked at further, nearer

@@ -1,4 +1,4 @@
-// The paper's scheme: classical Runge-Kutta (docs/physics.md section 4, docs/numerics.md).
+// The paper's scheme: classical Runge-Kutta (docs/maintainers/physics.md section 4, docs/maintainers/numerics.md).
 #if defined(LR_KERNEL_RK4_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_RK4_INL_H_
 #undef LR_KERNEL_RK4_INL_H_
@@ -37,7 +37,7 @@ HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Q
     return acceleration<kFull>(c, f);
 }
 
-// One substep of the classical Runge-Kutta scheme, with the noise held over its stages (docs/physics.md section 4).
+// One substep of the classical Runge-Kutta scheme, with the noise held over its stages (docs/maintainers/physics.md section 4).
 template <bool kFull, bool kAerodynamic, class C>
 HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6], Body& b) {
     const VF h = constant(in.h), half = constant(0.5f * in.h), quarter = constant(0.25f * in.h);

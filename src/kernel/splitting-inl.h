@@ -1,5 +1,5 @@
 // The default scheme: half a step of damping, weight and noise, exactly; a step of Kirchhoff's equations without loads,
-// by a linearly implicit midpoint that keeps their energy; the other half (docs/numerics.md). Stable whatever the step:
+// by a linearly implicit midpoint that keeps their energy; the other half (docs/maintainers/numerics.md). Stable whatever the step:
 // the first part contracts towards its own equilibrium, the second neither gains nor loses.
 #if defined(LR_KERNEL_SPLITTING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_SPLITTING_INL_H_

@@ -17,7 +17,7 @@ namespace lr::HWY_NAMESPACE {
 
 // In a wind field. The body's velocity through the fluid obeys the equations of still fluid with the force
 //   (m - rho V) g + rho V a_f - m a_b,   m = (1 + weight)/2 and rho V = (1 - weight)/2 in mass units,
-// a_f the fluid's acceleration, a_b that of the wind that the body meets on its way (docs/wind.md).
+// a_f the fluid's acceleration, a_b that of the wind that the body meets on its way (docs/reference/wind_and_water.md).
 HWY_INLINE void hold_field(const FluidSample& f, size_t at, float weight, VF length, Vec3 gravity, Held& held,
                            Vec3& begin_wind, Vec3& end_wind) {
     const DF d;

@@ -1,4 +1,4 @@
-// A surface at a vector of points, and how much of a body is under it (docs/water.md).
+// A surface at a vector of points, and how much of a body is under it (docs/reference/wind_and_water.md).
 #if defined(LR_KERNEL_SURFACE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_SURFACE_INL_H_
 #undef LR_KERNEL_SURFACE_INL_H_

@@ -1,5 +1,5 @@
 // A surface between two fluids as the kernel sees it, and what a batch's bodies are in the lower one. Formulas:
-// docs/water.md.
+// docs/reference/wind_and_water.md.
 #pragma once
 
 #include "kernel/batch_arrays.h"

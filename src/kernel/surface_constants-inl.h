@@ -1,5 +1,5 @@
 // Constants of bodies of which a part f is in the lower fluid: rho(f) = rho_a + f (rho_w - rho_a) in everything that
-// goes with the fluid's density (docs/water.md).
+// goes with the fluid's density (docs/reference/wind_and_water.md).
 #if defined(LR_KERNEL_SURFACE_CONSTANTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_SURFACE_CONSTANTS_INL_H_
 #undef LR_KERNEL_SURFACE_CONSTANTS_INL_H_

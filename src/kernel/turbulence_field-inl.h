@@ -1,6 +1,6 @@
 // Divergence-free turbulence from a lattice of random eddies, with its gradient, for one vector of positions.
 // Each lattice point c carries w(d) (omega x d)/2 of a vector potential, d = x - c in cells, w a product of quintic
-// steps; the field is the curl of their sum (docs/wind.md, "Turbulence").
+// steps; the field is the curl of their sum (docs/reference/wind_and_water.md, "Turbulence").
 #if defined(LR_KERNEL_TURBULENCE_FIELD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_TURBULENCE_FIELD_INL_H_
 #undef LR_KERNEL_TURBULENCE_FIELD_INL_H_

@@ -1,4 +1,4 @@
-// Vortices, blowers, grids and the ground's boundary layer, for one vector of positions (docs/wind.md: each formula).
+// Vortices, blowers, grids and the ground's boundary layer, for one vector of positions (docs/reference/wind_and_water.md: each formula).
 #if defined(LR_KERNEL_WIND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_WIND_INL_H_
 #undef LR_KERNEL_WIND_INL_H_

@@ -1,5 +1,5 @@
 // Wind fields as the kernel sees them: sources at one instant, and what they give at a block of bodies.
-// Host side: src/field. Formulas: docs/wind.md.
+// Host side: src/field. Formulas: docs/reference/wind_and_water.md.
 #pragma once
 
 #include "kernel/batch_arrays.h"

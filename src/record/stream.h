@@ -1,4 +1,4 @@
-// The format of a recording: what recorder and player agree on. docs/replay.md
+// The format of a recording: what recorder and player agree on. docs/reference/snapshots.md
 #pragma once
 
 #include "langevin_rigid.h"

@@ -1,4 +1,4 @@
-// Why a recording cannot be played: numbers are documented in docs/replay.md.
+// Why a recording cannot be played: numbers are documented in docs/reference/snapshots.md.
 #pragma once
 
 #include <stdexcept>

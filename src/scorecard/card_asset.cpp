@@ -25,7 +25,7 @@ CardBody make_card(const CardModel& model) {
     card.fluid_viscosity = nu;
     const double extents[3] = {2.0 * a, 2.0 * b, span};
     std::copy(extents, extents + 3, card.extents);
-    // Term by term: docs/measures.md. (i, j, k) is (chord, normal, span).
+    // Term by term: docs/maintainers/measurements.md. (i, j, k) is (chord, normal, span).
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     loads.drag[0] = 2.0 * a * span * (model.a - model.b);
     loads.drag[1] = 2.0 * a * span * (model.a + model.b);

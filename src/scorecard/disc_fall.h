@@ -1,4 +1,4 @@
-// Paper discs let go in still air, and the four averages that were measured of real ones; docs/measures.md.
+// Paper discs let go in still air, and the four averages that were measured of real ones; docs/maintainers/measurements.md.
 #pragma once
 
 #include "scorecard/recording.h"

@@ -1,4 +1,4 @@
-// Discs falling through a liquid, over Re and I*, beside the boundaries that Field et al. 1997 drew; docs/measures.md.
+// Discs falling through a liquid, over Re and I*, beside the boundaries that Field et al. 1997 drew; docs/maintainers/measurements.md.
 #pragma once
 
 #include "scorecard/recording.h"

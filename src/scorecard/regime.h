@@ -1,4 +1,4 @@
-// How a disc falls: steady, periodic, chaotic or tumbling, told from the motion of its normal; docs/measures.md.
+// How a disc falls: steady, periodic, chaotic or tumbling, told from the motion of its normal; docs/maintainers/measurements.md.
 #pragma once
 
 #include <Eigen/Core>

@@ -87,8 +87,9 @@ std::string to_text(const Finished& f) {
 }
 
 std::string to_markdown(const std::vector<Finished>& rows, const Context& context) {
-    std::string out = "# Scorecard\n\nWritten by `lr_scorecard`. What each number means, and how it is measured: "
-                      "[measures.md](measures.md).\n\n";
+    std::string out = "# Scorecard\n\nThis page holds the library against every reference that is known for falling "
+                      "bodies, with verdicts. "
+                      "`lr_scorecard` writes it; how it measures: [measurements.md](measurements.md).\n\n";
     out += "Loads: " + context.loads.name + ". Falls of a disc: " + std::to_string(context.seeds) +
            ". Releases a point of the phase map: " + std::to_string(context.quick ? 8 : context.phase_seeds) +
            (context.quick ? ". Quick: fewer and shorter runs than the full one" : "") + ".\n\n";
@@ -107,14 +108,30 @@ std::string to_markdown(const std::vector<Finished>& rows, const Context& contex
     for (const Finished& f : rows) {
         out += "\n## " + std::string(f.row->id) + "\n\n" + f.row->title + ". Reference: " + f.row->source + ".\n\n";
         out += "| what | value | reference | tolerance | verdict |\n|---|---|---|---|---|\n";
+        // Many numbers without a verdict are left to the picture, and so are many that equal their reference to all digits.
+        const auto shown = std::count_if(f.result.checks.begin(), f.result.checks.end(),
+                                         [](const Check& c) { return c.rule == Rule::shown; });
+        size_t equal = 0;
         for (const Check& c : f.result.checks) {
+            if (c.rule == Rule::shown && shown > 12) continue;
             const bool fails = !c.holds();
+            if (!fails && f.result.checks.size() > 30 && number(c.value) == reference(c)) {
+                ++equal;
+                continue;
+            }
             out += "| " + in_table(c.what) + " | " + with_unit(c.value, c.unit) + " | " + reference(c) + " | " +
                    tolerance(c) + " | " + (fails ? "**FAIL**" : verdict(c)) + " |\n";
         }
+        if (equal > 0)
+            out.append("\n")
+                .append(std::to_string(equal))
+                .append(" more values equal their references to all digits.\n");
+        if (shown > 12)
+            out.append("\n")
+                .append(std::to_string(shown))
+                .append(" more numbers, without a verdict, are in `--json`.\n");
         for (const std::string& r : f.result.remarks) out += "\n" + r + "\n";
-        for (const Picture& p : f.result.pictures)
-            out += "\n![" + p.caption + "](images/scorecard/" + p.file + ")\n\n" + p.caption + "\n";
+        for (const Picture& p : f.result.pictures) out += "\n![" + p.caption + "](images/scorecard/" + p.file + ")\n";
     }
     return out;
 }

@@ -116,7 +116,7 @@ RowResult run_kirchhoff(const Context& context) {
         drifts[job] = drift(bodies[job / targets.size() / 2].asset, run);
     });
     // Every target gives the same bits, so one stands for all; that they do is counted. The bound is rounding over some 25,000
-    // substeps; docs/numerics.md.
+    // substeps; docs/maintainers/numerics.md.
     int different = 0;
     for (size_t first = 0; first < drifts.size(); first += targets.size()) {
         for (size_t i = 1; i < targets.size(); ++i) different += !same(drifts[first + i].end, drifts[first].end);

@@ -160,7 +160,7 @@ RowResult run_langevin(const Context& context) {
 
 RowResult run_tables(const Context&) {
     RowResult result;
-    // The paper's Re of 3.8e3 by its own leaf in its own units (docs/physics.md, errata): 4 x 1 x 0.01 cm in air.
+    // The paper's Re of 3.8e3 by its own leaf in its own units (docs/maintainers/physics.md, errata): 4 x 1 x 0.01 cm in air.
     langevin_rigid::BakeOptions options;
     options.unit = langevin_rigid::Unit::metre;
     options.density = 800.0;

@@ -9,7 +9,7 @@
 namespace lr::shape {
 namespace {
 
-// The coefficients of the rule; docs/physics.md, "AERODYNAMIC", says what each stands for and where it was measured.
+// The coefficients of the rule; docs/maintainers/physics.md, "AERODYNAMIC", says what each stands for and where it was measured.
 constexpr double streamlined_drag = 0.05;                         // the least C_D
 constexpr double blunt_slope = 2.0, blunt_offset = -0.8985;       // C_D over bluntness: sphere 0.43, flat face 1.10
 constexpr double aspect_gain = 0.7, aspect_half = 20.0;           // a long silhouette lets less flow around its ends

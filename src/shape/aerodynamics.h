@@ -1,4 +1,4 @@
-// Quasi-steady coefficients of a body from the measures of its shape; docs/physics.md, "AERODYNAMIC".
+// Quasi-steady coefficients of a body from the measures of its shape; docs/maintainers/physics.md, "AERODYNAMIC".
 #pragma once
 
 #include "format/asset_data.h"
@@ -28,7 +28,7 @@ struct AerodynamicGeometry {
 AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes);
 
 // What a thin plate in free flight adds to the rules for steady streams. Fitted to measured falls of discs
-// (docs/physics.md, "Plates in free flight"); a body that is no plate has none of it.
+// (docs/maintainers/physics.md, "Plates in free flight"); a body that is no plate has none of it.
 struct PlateCoefficients {
     double unsteady_disc = 2.536, unsteady_strip = 1.8; // drag broadside over that in a steady stream
     double edge_drag = 0.317, edge_strip = 0.6;         // C_D of the planform, edge on

@@ -13,7 +13,7 @@ BodyScales body_scales(double largest_extent, double smallest_extent, double vol
     // ellipsoid, which has its extent there anyway. A flat box keeps its true thickness by its extent.
     s.b = std::min(smallest_extent, 1.5 * volume / projected_area);
     // Half the depth of the layer of fluid that moves along broadside. With the paper's 100 % intensity this lets 70
-    // g/m^2 paper discs fall as measured ones do (docs/physics.md, "Scales").
+    // g/m^2 paper discs fall as measured ones do (docs/maintainers/physics.md, "Scales").
     s.l = 0.5 * broadside_added_mass / projected_area;
     s.u0 = speed_scale(density, fluid_density, s.b);
     return s;

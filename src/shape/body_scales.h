@@ -1,4 +1,4 @@
-// The lengths and the speed that make a body dimensionless; docs/physics.md, "Scales".
+// The lengths and the speed that make a body dimensionless; docs/maintainers/physics.md, "Scales".
 #pragma once
 
 namespace lr::shape {

@@ -25,7 +25,7 @@ bool ellipsoid_body(const EllipsoidSpec& spec, AssetData& out, Faults& faults);
 // 1. Needs volume, density and fluid.
 void set_scales(const std::array<double, 3>& semi_axes, const std::array<double, 3>& added_mass, AssetData& asset);
 
-// The decay of k and epsilon in a uniform stream, closed form (docs/physics.md, "Turbulence tables"): what the MAC grid
+// The decay of k and epsilon in a uniform stream, closed form (docs/maintainers/physics.md, "Turbulence tables"): what the MAC grid
 // computes for an empty stream. Needs lengths, u0 and fluid.
 TurbulenceData decay_table(const AssetData& asset, double intensity);
 

@@ -1,4 +1,4 @@
-// Added mass of an ellipsoid in closed form. Lamb, Hydrodynamics, art. 114-115; docs/physics.md, "Added mass".
+// Added mass of an ellipsoid in closed form. Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md, "Added mass".
 #pragma once
 
 #include <array>

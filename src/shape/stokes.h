@@ -1,5 +1,5 @@
 // Creeping flow about an ellipsoid in closed form. Oberbeck, J. reine angew. Math. 81 (1876); Jeffery, Proc. R. Soc. A 102
-// (1922); Happel & Brenner, Low Reynolds Number Hydrodynamics, ch. 5. docs/physics.md, "Aerodynamic measures of a shape".
+// (1922); Happel & Brenner, Low Reynolds Number Hydrodynamics, ch. 5. docs/maintainers/physics.md, "Aerodynamic measures of a shape".
 #pragma once
 
 #include <array>

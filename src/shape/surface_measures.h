@@ -1,4 +1,4 @@
-// Measures of a triangulated surface for the quasi-steady loads; docs/physics.md, "Aerodynamic measures of a shape".
+// Measures of a triangulated surface for the quasi-steady loads; docs/maintainers/physics.md, "Aerodynamic measures of a shape".
 #pragma once
 
 #include "shape/aerodynamics.h"

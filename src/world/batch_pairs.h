@@ -1,4 +1,4 @@
-// Which batches' bodies meet each other: pairs of batch slots, of which both may be the same. docs/body_contact.md
+// Which batches' bodies meet each other: pairs of batch slots, of which both may be the same. docs/maintainers/contact.md
 #pragma once
 
 #include "world/allocator.h"

@@ -1,4 +1,4 @@
-// The contact events of a batch: noted during a step, told at its end. docs/contact_events.md
+// The contact events of a batch: noted during a step, told at its end. docs/reference/bodies.md
 #pragma once
 
 #include "contact/colliders.h"

@@ -1,5 +1,5 @@
 // A step of the batches whose bodies meet each other: all through one substep, then what touches is solved together, then the
-// next. docs/body_contact.md
+// next. docs/maintainers/contact.md
 #pragma once
 
 #include "kernel/float_mode.h"

@@ -1,4 +1,4 @@
-// Bodies that have left physics in a step: frozen where they last were sane, or ended. docs/faults.md
+// Bodies that have left physics in a step: frozen where they last were sane, or ended. docs/reference/bodies.md
 #pragma once
 
 #include "langevin_rigid.h"

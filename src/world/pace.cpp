@@ -6,7 +6,7 @@
 namespace lr {
 namespace {
 
-// Up to these, the statistics of falls are kept within some per cent: docs/lod.md.
+// Up to these, the statistics of falls are kept within some per cent: docs/reference/stepping.md.
 constexpr double longest_of_all = 1.0 / 60.0; // s
 constexpr double pace_of_length = 1.5;        // m/s
 

@@ -1,4 +1,4 @@
-// The bodies of a batch that are at rest: since when and where. And what contact notes of each body until it is. docs/rest.md
+// The bodies of a batch that are at rest: since when and where. And what contact notes of each body until it is. docs/reference/bodies.md
 #pragma once
 
 #include "contact/body_pair.h"

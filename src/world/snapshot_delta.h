@@ -1,4 +1,4 @@
-// The difference between two snapshots as bytes. docs/snapshots.md
+// The difference between two snapshots as bytes. docs/reference/snapshots.md
 #pragma once
 
 #include "langevin_rigid.h"

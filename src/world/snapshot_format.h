@@ -1,5 +1,5 @@
 // How a snapshot's bytes lie: the world's header, wind, surface, colliders, pairs of batches, and for each batch its header and its
-// columns. All is little-endian, in 32-bit words, each piece padded to an even number of them. docs/snapshots.md
+// columns. All is little-endian, in 32-bit words, each piece padded to an even number of them. docs/reference/snapshots.md
 #pragma once
 
 #include "asset/asset.h"

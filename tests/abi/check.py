@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The gate of the ABI: a built library and the header against every released version that they must serve. docs/abi.md
+"""The gate of the ABI: a built library and the header against every released version that they must serve. docs/maintainers/releases.md
 
     tests/abi/check.py LIBRARY [--header FILE] [--exports FILE] [--baselines DIR]
     tests/abi/check.py --renew VERSION     at a release: freezes the present header as that version's baseline

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # A library of the next version, in which every struct that callers size has grown, and programs of all versions with it: they must
-# run as ever. Some 5 minutes of two cores, so by hand: docs/abi.md
+# run as ever. Some 5 minutes of two cores, so by hand: docs/maintainers/releases.md
 #   tests/abi/grown_library.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

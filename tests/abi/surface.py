@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a header promises to programs that are compiled with it, and what of it another header keeps: docs/abi.md."""
+"""What a header promises to programs that are compiled with it, and what of it another header keeps: docs/maintainers/releases.md."""
 import pathlib
 import sys
 

@@ -1,4 +1,4 @@
-// Memory that fails, at any allocation of a scenario of every call that may take some: docs/failures.md.
+// Memory that fails, at any allocation of a scenario of every call that may take some: docs/maintainers/testing.md.
 #include "support/counting_memory.h"
 #include "support/whole_scenario.h"
 

@@ -14,7 +14,7 @@ struct Damaged {
     uint32_t number;
     lr_status status;
 };
-// docs/format.md, 4xx. 104 needs more than a gibibyte.
+// docs/reference/asset_format.md, 4xx. 104 needs more than a gibibyte.
 const Damaged all[] = {{401, LR_ERROR_ASSET_FORMAT},  {402, LR_ERROR_ASSET_FORMAT},  {403, LR_ERROR_ASSET_VERSION},
                        {404, LR_ERROR_ASSET_CORRUPT}, {405, LR_ERROR_ASSET_CORRUPT}, {406, LR_ERROR_ASSET_INVALID},
                        {407, LR_ERROR_ASSET_INVALID}, {408, LR_ERROR_ASSET_INVALID}, {409, LR_ERROR_ASSET_INVALID},

@@ -1,4 +1,4 @@
-// Bodies that leave physics: docs/faults.md.
+// Bodies that leave physics: docs/reference/bodies.md.
 #include "support/contact_events.h"
 #include "support/counting_memory.h"
 #include "support/lifecycle.h"

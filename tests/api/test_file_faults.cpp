@@ -1,4 +1,4 @@
-// The one file that the runtime reads, and threads that cannot be had: docs/failures.md.
+// The one file that the runtime reads, and threads that cannot be had: docs/maintainers/testing.md.
 #include "support/counting_memory.h"
 #include "support/scene.h"
 #include "support/system_faults.h"

@@ -1,4 +1,4 @@
-// What the fuzzers of docs/fuzzing.md have found: one test each.
+// What the fuzzers of docs/maintainers/testing.md have found: one test each.
 #include "support/colliders.h"
 #include "support/contact.h"
 #include "support/lifecycle.h"

@@ -1,5 +1,5 @@
 // Worlds that have run for very long: counters past 32 bits, and times at which a float would no longer do. They are put there
-// through a snapshot in which a number has been replaced. docs/load.md
+// through a snapshot in which a number has been replaced. docs/maintainers/testing.md
 #include "support/lifecycle.h"
 #include "support/seal.h"
 #include "support/water.h"

@@ -1,4 +1,4 @@
-// The tables of docs/physics.md sections 2.1 and 2.2, printed and held.
+// The tables of docs/maintainers/physics.md sections 2.1 and 2.2, printed and held.
 #include "baker/added_mass/added_mass.h"
 #include "shape/lamb.h"
 #include "sheet_shapes.h"

@@ -1,4 +1,4 @@
-// Files that cannot be read or written, and bakes that are killed: docs/failures.md.
+// Files that cannot be read or written, and bakes that are killed: docs/maintainers/testing.md.
 #include "baker/file_io.h"
 #include "format/asset_file.h"
 #include "json.h"

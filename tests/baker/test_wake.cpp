@@ -214,7 +214,7 @@ TEST_CASE("tables with a wake hardly depend on the grid" * doctest::skip(lr::tes
     compare(test::leaf(20, 6, 0.01, 0.15), "leaf", {32, 32, 16}, {48, 48, 24});
 }
 
-// The table of docs/physics.md: minutes, so only when asked for.
+// The table of docs/maintainers/physics.md: minutes, so only when asked for.
 TEST_CASE("wake table: stationary points on three grids" * doctest::skip()) {
     const auto print = [](const char* name, const Mesh& mesh, double l) {
         for (const double intensity : {1.0, 0.1})
@@ -233,7 +233,7 @@ TEST_CASE("wake table: stationary points on three grids" * doctest::skip()) {
                     MESSAGE(line);
                 }
     };
-    // l/d as the bakes of these bodies have it (docs/physics.md, "Scales").
+    // l/d as the bakes of these bodies have it (docs/maintainers/physics.md, "Scales").
     print("cube", test::cube(2), 0.32);
     print("sphere", test::ellipsoid(0.5, 0.5, 0.5, 4), 1.0 / 6.0);
     print("plate", test::box({0.01, 1.0, 0.5}, {1, 2, 2}), 0.15);

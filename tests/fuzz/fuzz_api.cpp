@@ -1,4 +1,4 @@
-// Sequences of calls with any arguments, against a model of what must come of them: docs/fuzzing.md.
+// Sequences of calls with any arguments, against a model of what must come of them: docs/maintainers/testing.md.
 #include "fuzz/api/model.h"
 
 #include <mutex>

@@ -1,4 +1,4 @@
-// lr_load: long runs, many bodies, many worlds, many threads. docs/load.md. Exit code 0 when all bounds hold, 1 when one does not.
+// lr_load: long runs, many bodies, many worlds, many threads. docs/maintainers/testing.md. Exit code 0 when all bounds hold, 1 when one does not.
 #include "load/load.h"
 
 #include <chrono>

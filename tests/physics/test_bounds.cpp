@@ -116,7 +116,7 @@ double pull(const ReferenceBody& body) {
 
 // What the couple of the lift can add to the same root in a substep: it acts four times for h/4 each, in each not above
 // rho sum_k (|m_k| + |m_stalled_k|)^2, rooted, times |v|^2/2, and it makes the rim no more than once or eight times as
-// fast as the stream in each direction (docs/numerics.md).
+// fast as the stream in each direction (docs/maintainers/numerics.md).
 class CoupleBound {
 public:
     CoupleBound(const ReferenceBody& body, const lr_asset_info& info, const DrawnLoads& loads, double scale) {

@@ -88,7 +88,7 @@ TEST_CASE("boxes stick below the angle of friction and slide as they should abov
                     CAPTURE(size);
                     CAPTURE(substeps);
                     const double cone = std::atan(mu);
-                    // Small boxes on steep slopes creep by half a millimetre a second nearer to it (docs/contact.md).
+                    // Small boxes on steep slopes creep by half a millimetre a second nearer to it (docs/maintainers/contact.md).
                     const double below = size < 0.01 && mu > 0.8 ? 5.0 : 1.0;
                     const Slid held = slide(kind, cone - below * degree, size, mu, substeps, 2.0f);
                     CHECK(std::abs(held.crept) < 0.01 * size);

@@ -100,7 +100,7 @@ TEST_CASE("bodies of all shapes come to rest on colliders of all kinds, and gain
         for (lr_batch batch : batches) awake += view_of(world, batch).awake_count;
         double lowest = 1.0;
         for (lr_body body : bodies) lowest = std::min(lowest, wide(state_of(world, body).position[1]));
-        // Where terrain and net cross, what is between them is pushed out and up (docs/contact.md, 9).
+        // Where terrain and net cross, what is between them is pushed out and up (docs/maintainers/contact.md, 7).
         CHECK(rise < 3e-4 * first);
         CHECK(gains < 5e-3 * first);
         CHECK(fastest < std::sqrt(2.0 * gravity * 1.2));

@@ -141,7 +141,7 @@ TEST_CASE("the noise kicks each axis by its own weights") {
                 }
             }
             const double floor =
-                0.02 * (displaced + info.added_mass[14]) / info.mass; // docs/physics.md, "Viscous floor"
+                0.02 * (displaced + info.added_mass[14]) / info.mass; // docs/maintainers/physics.md, "Viscous floor"
             const double bound = 5.0 * std::sqrt(2.0 / crowd) + 2e-3;
             CAPTURE(integrator);
             for (size_t i = 0; i < 3; ++i) {
@@ -275,7 +275,7 @@ TEST_CASE("at rest in still fluid the SPEED clock makes no noise, and nothing mo
     }
 }
 
-// A coarse guard, not a fit: paper falls at 0.7 to 0.8 m/s (docs/physics.md section 5), a leaf without noise somewhat
+// A coarse guard, not a fit: paper falls at 0.7 to 0.8 m/s (docs/maintainers/physics.md section 5), a leaf without noise somewhat
 // faster.
 TEST_CASE("the paper's leaf falls about as fast as paper does") {
     const Asset asset = make(ellipsoid(0.04, 0.01, 0.00005, 800.0));

@@ -1,4 +1,4 @@
-// Two fluids with a surface between them, against closed forms: docs/water.md.
+// Two fluids with a surface between them, against closed forms: docs/reference/wind_and_water.md.
 #include "support/random.h"
 #include "support/vector.h"
 #include "support/water.h"

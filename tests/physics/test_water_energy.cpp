@@ -1,4 +1,4 @@
-// What crossing a surface does to the energy of body and fluid together: docs/water.md, "Energy".
+// What crossing a surface does to the energy of body and fluid together: docs/reference/wind_and_water.md, "Energy".
 #include "support/floating_body.h"
 #include "support/random.h"
 

@@ -34,7 +34,7 @@ lr_ellipsoid_desc float_with_keel(double offset) {
 double rocking_rate_squared(double offset) {
     const double volume = 4.0 / 3.0 * std::numbers::pi * 8e-6, m = 1000.0 * volume;
     const double b2 = 4e-4, c2 = 1e-4;
-    // docs/physics.md section 5: A/V and, from the same integrals, D about x.
+    // docs/maintainers/physics.md section 5: A/V and, from the same integrals, D about x.
     const double a_y = 0.39817 * m;
     const double alpha_y = 2.0 * 0.39817 / 1.39817, alpha_z = 2.0 * 1.51806 / 2.51806;
     const double d_x =

@@ -250,7 +250,7 @@ TEST_CASE("a body in the middle of a fluid that turns as a solid ends up turning
             set(d.direction, 0.0f, 0.0f, 1.0f);
             d.circulation = narrow(2.0 * pi * 3.0), d.size = 1.0f;
             add_source(world, d);
-            // The rate of its approach is alpha rho D'/(J0 + rho D): docs/physics.md section 4.
+            // The rate of its approach is alpha rho D'/(J0 + rho D): docs/maintainers/physics.md section 4.
             const lr_asset_info info = info_of(asset);
             const double alpha = (0.5 + 0.75 * 2.0) * 20.0, added = info.added_mass[35];
             const double floor = 0.02 * (1000.0 * info.volume + info.added_mass[14]) * info.inertia[8] / info.mass;

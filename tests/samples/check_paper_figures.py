@@ -52,7 +52,7 @@ def main(lr_bake, root, work):
         assert value("4", "AERODYNAMIC", front) >= 0.95 and value("4", uneven, front) >= 0.95
         assert value("4", uneven, sideways) >= value("4", "AERODYNAMIC", sideways) + 0.15
         assert value("4", uneven, sideways.replace("1.5 s", "3 s")) >= 0.8
-        # What docs/paper.md says of LANGEVIN alone.
+        # What docs/maintainers/measurements.md says of LANGEVIN alone.
         assert value("3b", "LANGEVIN", "share that tumbles") >= 0.5
         assert value("5b", "LANGEVIN", "share that swings in two directions") >= 0.5
         # Fig. 5a: without loads energy is kept, and with it the swing stays within that of the release.

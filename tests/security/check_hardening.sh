@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What cmake/hardening.cmake asks for, looked for in built files: shared libraries and programs, ELF or PE. docs/security.md
+# What cmake/hardening.cmake asks for, looked for in built files: shared libraries and programs, ELF or PE. docs/maintainers/testing.md
 #   check_hardening.sh [--plain] FILE...     --plain: of files without the flags for what ships, such as tests
 set -euo pipefail
 faults=0

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # What a shared library takes from others, held against a committed list: a new name there is a new thing that the runtime can do to
-# its host. docs/security.md
+# its host. docs/maintainers/testing.md
 #   check_imports.sh LIBRARY LIST
 #   check_imports.sh --list LIBRARY     the names, for a list
 set -euo pipefail

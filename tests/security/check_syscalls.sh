@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # What the runtime asks of the system, by strace: while an asset loads that very file, afterwards memory and threads, in steps
-# nothing but to wait and wake. docs/security.md
+# nothing but to wait and wake. docs/maintainers/testing.md
 #   check_syscalls.sh FOLDER ASSET     FOLDER: with liblangevin_rigid.so
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -44,7 +44,7 @@ judge() {
 trace "$asset"
 for name in load scene steps look end; do grep -q "lr-mark-$name" "$work/trace" || { echo "no mark $name"; exit 1; }; done
 [ "$(phase load scene | grep -cF "openat(AT_FDCWD, \"$asset\", O_RDONLY")" = 1 ] || { echo "the asset was not opened once"; exit 1; }
-judge || { echo "FAILED: the runtime asks the system for more than docs/security.md says"; exit 1; }
+judge || { echo "FAILED: the runtime asks the system for more than docs/maintainers/testing.md says"; exit 1; }
 echo "system calls: $(phase scene end | sed 's/(.*//' | sort | uniq -c | sort -rn | awk '{printf "%s%s %s", sep, $1, $2; sep=", "}')"
 
 # That this would see something.

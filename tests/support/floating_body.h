@@ -1,4 +1,4 @@
-// An ellipsoid under a flat, still surface at height 0, in double: how much of it is wet, and its energy (docs/water.md).
+// An ellipsoid under a flat, still surface at height 0, in double: how much of it is wet, and its energy (docs/reference/wind_and_water.md).
 #pragma once
 
 #include "support/reference_body.h"

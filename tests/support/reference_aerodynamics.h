@@ -1,4 +1,4 @@
-// The quasi-steady loads of docs/physics.md section 5 in double, written down apart from the kernel: force and torque about
+// The quasi-steady loads of docs/maintainers/physics.md section 5 in double, written down apart from the kernel: force and torque about
 // the centre of mass, body axes, in N and N m.
 #pragma once
 

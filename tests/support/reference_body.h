@@ -1,4 +1,4 @@
-// The equations of docs/physics.md sections 2 and 3 for one body, in SI units and double, written down apart from the
+// The equations of docs/maintainers/physics.md sections 2 and 3 for one body, in SI units and double, written down apart from the
 // kernel and integrated in small steps: what the kernel must agree with. Noise is off.
 #pragma once
 
@@ -69,7 +69,7 @@ public:
     ReferenceLoads loads;
     bool aerodynamic = false;
 
-    // The floor under the damping of spin: docs/physics.md, "Viscous floor".
+    // The floor under the damping of spin: docs/maintainers/physics.md, "Viscous floor".
     static constexpr double viscous_floor = 0.02;
 
     explicit ReferenceBody(const lr_asset_info& info, double scale = 1.0) {

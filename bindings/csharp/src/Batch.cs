@@ -118,7 +118,7 @@ namespace LangevinRigid
         }
 
         /// <summary>The same of the first <paramref name="count"/> bodies, or of all where there are fewer: for buffers that keep what was
-        /// written before, docs/rest.md.</summary>
+        /// written before, docs/reference/bodies.md.</summary>
         public int WriteFirstTransforms(TransformFormat format, void* to, ulong stride, int count)
         {
             uint room = Counts.Of(count), written = 0;

@@ -26,7 +26,7 @@ namespace LangevinRigid
         void Release(IntPtr memory, ulong size, ulong alignment);
     }
 
-    /// <summary>A job system that works on the steps of worlds, in place of threads of their own. docs/threads.md</summary>
+    /// <summary>A job system that works on the steps of worlds, in place of threads of their own. docs/reference/stepping.md</summary>
     public interface IJobSystem
     {
         /// <summary>Has <see cref="JobTask.Run"/> called for ranges that together hold each index below <see cref="JobTask.Count"/> once, on

@@ -60,7 +60,7 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>One numbered fault of an asset file; docs/format.md lists them.</summary>
+    /// <summary>One numbered fault of an asset file; docs/reference/asset_format.md lists them.</summary>
     public struct AssetFault
     {
         /// <summary>Its number, as of the baker's errors.</summary>

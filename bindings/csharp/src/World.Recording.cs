@@ -9,7 +9,7 @@ namespace LangevinRigid
         /// <summary>Has every call that can change the world written to a stream from now on, with its arguments and what came out, for
         /// <c>lr_replay</c>: the form of a bug report. The stream is written to within calls on this world; it stays the caller's, who
         /// closes it after <see cref="StopRecording"/>. What it throws ends the recording, and is thrown again by that call.
-        /// docs/replay.md</summary>
+        /// docs/reference/snapshots.md</summary>
         public void StartRecording(Stream to)
         {
             StartRecording(to, RecordingDesc.Create());
@@ -44,7 +44,7 @@ namespace LangevinRigid
     }
 
     /// <summary>What of a snapshot is not in another one of the same world: for sending, and for long rings of states.
-    /// docs/snapshots.md</summary>
+    /// docs/reference/snapshots.md</summary>
     public static unsafe class SnapshotDelta
     {
         /// <summary>The difference of a snapshot to an earlier one, the base.</summary>

@@ -1,5 +1,5 @@
 /*
- * Recordings: every call that reached the library goes into a file, for lr_replay. docs/replay.md
+ * Recordings: every call that reached the library goes into a file, for lr_replay. docs/reference/snapshots.md
  *
  * SPDX-License-Identifier: MIT
  */

@@ -269,7 +269,7 @@ class WorldOptions(TypedDict, total=False):
 
 
 class Aerodynamics(Record):
-    """Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC. Everything acts at
+    """Coefficients of the quasi-steady loads at scale 1; equations in docs/maintainers/physics.md, AERODYNAMIC. Everything acts at
     `center` along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
     spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
     the fluid.
@@ -332,7 +332,7 @@ class AssetInfo(Record):
     fluid_viscosity: m^2/s, kinematic
     length_d: m, characteristic length: the largest extent
     length_b: m, thickness
-    length_l: m, turbulence length; see docs/physics.md
+    length_l: m, turbulence length; see docs/maintainers/physics.md
     u0: m/s, fall velocity scale sqrt(|density ratio - 1| g b), paper Eq. 1
     reynolds: u0 d / viscosity
     c0: Kolmogorov constant of the Langevin model, paper Eq. 10
@@ -499,7 +499,7 @@ class BatchContact(Record):
     restitution: speed after over speed before an impact, 0 to 1; initially 0.1
     rolling_resistance: moment against rolling and spinning over normal force and a lever, 0 to 10; initially 0.05. The lever is the geometric mean of reach and half of the least width: a sphere's radius
     flags: `EventKind`; initially 0
-    ground_effect: the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and heightfields gives in theory; initially 0. docs/contact.md
+    ground_effect: the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and heightfields gives in theory; initially 0. docs/maintainers/contact.md
     """
     __slots__ = ('layers', 'friction', 'restitution', 'rolling_resistance', 'flags', 'ground_effect')
     layers: int

@@ -80,6 +80,7 @@ LR_CLOCK_AGE = 1
 LR_TABLE_CLAMP = 0
 LR_TABLE_LOOP = 1
 LR_INTEGRATOR_DEFAULT = 0
+LR_INTEGRATOR_RK4 = 1
 LR_INTEGRATOR_SPLITTING = 2
 LR_TRANSFORM_POSITION_QUATERNION = 0
 LR_TRANSFORM_POSITION_QUATERNION_SCALE = 1
@@ -158,7 +159,7 @@ class lr_asset(ctypes.Structure):
 
 
 lr_task_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32)
-lr_task_fn.__doc__ = """Tasks of an engine's job system, in place of the world's own threads: docs/threads.md. Both functions are given or neither.
+lr_task_fn.__doc__ = """Tasks of an engine's job system, in place of the world's own threads: docs/reference/stepping.md. Both functions are given or neither.
 
 `enqueue` has run(task, begin, end) called for ranges that together hold each of the indices 0 to count - 1 once, in
 any order, on any threads, at any time from now on until `finish` returns: one call for all, one for each, or what a
@@ -181,7 +182,7 @@ while another thread's call on the world goes on. Must not call the library on t
 
 
 lr_fault_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_char_p)
-lr_fault_fn.__doc__ = """One numbered fault of an asset file; see docs/format.md. Strings are valid during the call only."""
+lr_fault_fn.__doc__ = """One numbered fault of an asset file; see docs/reference/asset_format.md. Strings are valid during the call only."""
 
 
 class lr_wind_query(ctypes.Structure):
@@ -280,7 +281,7 @@ class lr_ellipsoid_desc(ctypes.Structure):
 
 
 class lr_aerodynamics(ctypes.Structure):
-    """Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC. Everything acts at
+    """Coefficients of the quasi-steady loads at scale 1; equations in docs/maintainers/physics.md, AERODYNAMIC. Everything acts at
     `center` along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
     spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
     the fluid.
@@ -545,7 +546,7 @@ class lr_load_gains(ctypes.Structure):
 
 
 class lr_batch_rate(ctypes.Structure):
-    """How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/lod.md.
+    """How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
     A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one
     in every so many steps, which makes up for all of them. No substep gets longer than `longest_substep` by that: a divisor
     beyond has no more effect, and a budget that cannot afford them makes bodies slow rather than wrong.
@@ -962,7 +963,7 @@ FIELD_DOCS = {
         'fluid_viscosity': 'm^2/s, kinematic',
         'length_d': 'm, characteristic length: the largest extent',
         'length_b': 'm, thickness',
-        'length_l': 'm, turbulence length; see docs/physics.md',
+        'length_l': 'm, turbulence length; see docs/maintainers/physics.md',
         'u0': 'm/s, fall velocity scale sqrt(|density ratio - 1| g b), paper Eq. 1',
         'reynolds': 'u0 d / viscosity',
         'c0': 'Kolmogorov constant of the Langevin model, paper Eq. 10',
@@ -1232,7 +1233,7 @@ FIELD_DOCS = {
         'restitution': 'speed after over speed before an impact, 0 to 1; initially 0.1',
         'rolling_resistance': "moment against rolling and spinning over normal force and a lever, 0 to 10; initially 0.05. The lever is the geometric mean of reach and half of the least width: a sphere's radius",
         'flags': '`EventKind`; initially 0',
-        'ground_effect': 'the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and heightfields gives in theory; initially 0. docs/contact.md',
+        'ground_effect': 'the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and heightfields gives in theory; initially 0. docs/maintainers/contact.md',
     },
     'lr_contact_event': {
         'kind': '`EventKind`, `EventKind`',
@@ -1477,7 +1478,7 @@ PROTOTYPES = {
         desc: initialised by its `_init` function, or with struct_size set
         out: as for lr_asset_load_file.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. Source: Lamb, Hydrodynamics, art. 114-115; docs/physics.md.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. Source: Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md.
         Any thread.
         """,
     ),
@@ -1569,7 +1570,7 @@ PROTOTYPES = {
         ('asset', 'aerodynamics'),
         """lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics)
 
-        The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/format.md.
+        The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/reference/asset_format.md.
 
         asset: the asset
         aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
@@ -1679,7 +1680,7 @@ PROTOTYPES = {
         spread evenly over the next step, and bodies feel the fluid's acceleration in it (Froude-Krylov force and added mass):
         one that has the fluid's density is carried along, a heavy one keeps most of its velocity. What is set before the
         world's first step is there from the beginning and accelerates nothing; setting the same wind again changes nothing.
-        Null is still fluid. docs/wind.md.
+        Null is still fluid. docs/reference/wind_and_water.md.
 
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
@@ -1819,7 +1820,7 @@ PROTOTYPES = {
 
         world: the world
         dt: s, > 0.
-        substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit leaves and paper of some centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as the batches' rules and emitters say. Allocates nothing but what lr_allocator says. The floating-point mode of the calling thread is saved, set and restored.
+        substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit leaves and paper of some centimetres, 4 petals and confetti (docs/maintainers/numerics.md). At its end bodies end and are born as the batches' rules and emitters say. Allocates nothing but what lr_allocator says. The floating-point mode of the calling thread is saved, set and restored.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step has been taken, not to be repeated, but bodies went through each other in it; the next one asks for the memory again.
         """,
@@ -1922,7 +1923,7 @@ PROTOTYPES = {
         Puts a saved state back, also into another world or process whose batches were created in the same order from equal
         assets with equal capacities. Bodies, wind sources and colliders have the same ids as when it was saved; grids of
         wind, hulls, heightfields and meshes must be in the world already, in any place. Checked whole before anything changes.
-        Allocates nothing where the world has held as much before. docs/snapshots.md: which versions restore which snapshots.
+        Allocates nothing where the world has held as much before. docs/reference/snapshots.md: which versions restore which snapshots.
 
         world: the world
         memory: the bytes
@@ -2235,7 +2236,7 @@ PROTOTYPES = {
 
         The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
         written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
-        enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md. Keep
+        enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md. Keep
         both numbers for each buffer that is written in turn.
 
         world: the world
@@ -2338,7 +2339,7 @@ PROTOTYPES = {
          - by a force, impulse or velocity on it that is not zero (lr_body_add_force, lr_batch_add_forces),
          - by a change of lr_batch_set_force, lr_world_set_gravity or lr_batch_set_pair_contact, with all others that it is about,
          - when it begins anew by its batch's rules,
-         - by contact: colliders, wind. docs/rest.md.
+         - by contact: colliders, wind. docs/reference/bodies.md.
         It grows older, and the rules of its batch are for it too: they look at bodies at rest in every 16th step of the batch.
         Bodies that wake and come to rest change indices in the view, not ids. Part of snapshots. The first body at rest of a
         batch takes up to 25 bytes for each of the batch's capacity.
@@ -2598,7 +2599,7 @@ PROTOTYPES = {
         Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
         at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
         The first pair of a batch takes 28 bytes for each of its capacity, and up to 75 more unless there have been colliders.
-        docs/body_contact.md
+        docs/maintainers/contact.md
 
         world: the world
         a: handle of a batch of the world
@@ -2682,7 +2683,7 @@ PROTOTYPES = {
         ('world', 'rays', 'count', 'hits'),
         """lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits)
 
-        What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/contact.md);
+        What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/maintainers/contact.md);
         those of batches that wait (lr_batch_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
         meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
         before colliders, then the order is that of batches and keys, or of colliders' slots.
@@ -2756,7 +2757,7 @@ PROTOTYPES = {
         What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a collider that shoots it out of
         the world. Every body is judged in each step, and after impulses: a number that is not finite, a coordinate over 1e10 m, a velocity
         over 2e6 m/s or 1e9 rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
-        in lr_batch_events, and logged once for all; others are not touched by it. docs/faults.md
+        in lr_batch_events, and logged once for all; others are not touched by it. docs/reference/bodies.md
         A body that is held has the position and orientation of the beginning of that step or substep, and no velocity. Nothing moves or
         touches it, it moves and touches nothing, forces on it are taken and have no effect; it grows older, and rules may end it.
         lr_body_set_state sets it free, and lr_body_set_rest puts it to rest like any other. lr_body_state.resting tells.

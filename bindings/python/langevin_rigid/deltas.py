@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Differences between snapshots of a world, for sending and for long rings of states: docs/snapshots.md."""
+"""Differences between snapshots of a world, for sending and for long rings of states: docs/reference/snapshots.md."""
 from __future__ import annotations
 
 import ctypes

@@ -162,8 +162,8 @@ class Loads(IntEnum):
     """What the fluid does to the bodies of a batch."""
     DEFAULT = 0  # `Loads.AERODYNAMIC` in this version
     NONE = 1  # gravity, buoyancy and added mass only: Kirchhoff's equations
-    LANGEVIN = 2  # the paper's turbulent loads, dimensionally repaired; docs/physics.md section 4
-    AERODYNAMIC = 3  # quasi-steady drag and lift in a turbulent fluid; docs/physics.md section 5
+    LANGEVIN = 2  # the paper's turbulent loads, dimensionally repaired; docs/maintainers/physics.md, 4
+    AERODYNAMIC = 3  # quasi-steady drag and lift in a turbulent fluid; docs/maintainers/physics.md, 5
 
 
 class Clock(IntEnum):
@@ -181,7 +181,8 @@ class TableEnd(IntEnum):
 class Integrator(IntEnum):
     """How motion is integrated."""
     DEFAULT = 0  # `Integrator.SPLITTING` in this version
-    SPLITTING = 2  # second order and stable at any step; docs/numerics.md
+    RK4 = 1  # the paper's: fourth order, unstable at long steps, slow. In water: splitting
+    SPLITTING = 2  # second order and stable at any step; docs/maintainers/numerics.md
 
 
 class Transform(IntEnum):

@@ -9,7 +9,7 @@ from .enums import Status
 
 
 class Fault(NamedTuple):
-    """One numbered fault of an asset or of a mesh that was to be baked; docs/format.md explains each number."""
+    """One numbered fault of an asset or of a mesh that was to be baked; docs/reference/asset_format.md explains each number."""
 
     number: int
     where: str

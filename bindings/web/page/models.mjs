@@ -52,7 +52,7 @@ function grid({ along, across, width, bend }, vertices, triangles) {
   }
 }
 
-// half: of the length, m. room: half width and height of what the storm fills, m. fall: m/s, about. substeps: at 60 Hz, docs/numerics.md.
+// half: of the length, m. room: half width and height of what the storm fills, m. fall: m/s, about. substeps: at 60 Hz, docs/maintainers/numerics.md.
 const autumn = [[0.93, 0.71, 0.1], [0.9, 0.45, 0.08], [0.72, 0.22, 0.06], [0.95, 0.82, 0.3], [0.55, 0.33, 0.12], [0.62, 0.6, 0.16]];
 export const models = {
   leaf: { name: 'Leaf, 7 cm', file: 'leaf.lrb', half: 0.035, shape: shapes.leaf, room: [3, 3.4], fall: 1.2, substeps: 2, colours: autumn, ribs: 1 },

@@ -11,7 +11,7 @@ namespace {
 constexpr double four_pi = 4.0 * std::numbers::pi;
 // Smaller leaves move work from the near blocks to the expansions.
 constexpr std::size_t leaf_size = 64;
-// With it and expansion_order the operator is right to about 1e-5 (docs/numerics.md).
+// With it and expansion_order the operator is right to about 1e-5 (docs/maintainers/numerics.md).
 constexpr double separation = 0.65;
 constexpr std::size_t moment_rows = 2 * expansion_terms;
 

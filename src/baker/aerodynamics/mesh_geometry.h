@@ -1,4 +1,4 @@
-// What the quasi-steady loads need to know of a mesh; docs/physics.md, "Aerodynamic measures of a shape".
+// What the quasi-steady loads need to know of a mesh; docs/maintainers/physics.md, "Aerodynamic measures of a shape".
 #pragma once
 
 #include "baker/mesh/mesh.h"

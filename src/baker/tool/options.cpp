@@ -279,7 +279,8 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     app.set_version_flag("--version", "lr_bake " + std::string(baker_version()) + ", asset format " +
                                           std::to_string(asset_format_version));
     app.require_subcommand(1);
-    app.footer("Exit code: 0 good; 1 a numbered fault (docs/format.md says what each means); 2 wrong usage.");
+    app.footer(
+        "Exit code: 0 good; 1 a numbered fault (docs/reference/asset_format.md says what each means); 2 wrong usage.");
 
     CLI::App* mesh = app.add_subcommand(
         "mesh", "bake triangle meshes (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...), closed or sheets");

@@ -1,4 +1,4 @@
-// The turbulence table of a body: Algorithm 1 of the paper on a MAC grid, as repaired in docs/physics.md sections 3, 6.
+// The turbulence table of a body: Algorithm 1 of the paper on a MAC grid, as repaired in docs/maintainers/physics.md sections 3, 6.
 //
 // Which particle is tracked. The paper's stream moves at the body's mean falling velocity (Eq. 19), so a particle
 // carried by it from where the body is stays with the falling body, and the table is the history of (chi, epsilon)

@@ -13,7 +13,7 @@ constexpr double air_viscosity = 1.5e-5;
 // To be released; null after an error. `ballasted`: its weight off centre, which needs the full 6x6 matrix.
 lr_asset* leaf_asset(bool ballasted);
 
-// What the equations of LANGEVIN loads ask for along the body axes; docs/physics.md, sections 3 and 4. SI.
+// What the equations of LANGEVIN loads ask for along the body axes; docs/maintainers/physics.md, sections 3 and 4. SI.
 struct LeafConstants {
     float weight;     // m - rho V
     float mass[3];    // m + rho A

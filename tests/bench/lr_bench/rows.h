@@ -10,7 +10,7 @@ namespace lr_bench {
 
 enum class Selection {
     quick,  // what the goals ask for, small bodies counts
-    usual,  // the table of docs/performance.md
+    usual,  // the table of docs/maintainers/performance.md
     product // all models, integrators, paths, targets, counts, workers, substeps
 };
 

@@ -86,7 +86,7 @@ void check_body(const World& w, const Batch& b, const lr_batch_view& view, uint3
     for (size_t k = 0; k < 3; ++k)
         if (std::memcmp(&s.position[k], &view.position[k][i], 4) != 0)
             defect("lr_body_get_state", "position is not that of the view");
-    // Whatever was given: docs/faults.md. Velocities in a snapshot are finite, and judged by the next step.
+    // Whatever was given: docs/reference/bodies.md. Velocities in a snapshot are finite, and judged by the next step.
     const auto square = [](const auto& v) {
         double sum = 0.0;
         for (float x : v) sum += static_cast<double>(x) * static_cast<double>(x);

@@ -87,7 +87,7 @@ void fall(const lr_asset* asset, uint32_t variant) {
     lr_batch_events events;
     must(lr_batch_events_init(&events, sizeof events), "init");
     must(lr_batch_get_events(world, batch, &events), "lr_batch_get_events");
-    // What is smaller, or in steps of half a second, may spin faster than is taken for physics (docs/faults.md), by the fluid's
+    // What is smaller, or in steps of half a second, may spin faster than is taken for physics (docs/reference/bodies.md), by the fluid's
     // inertia alone.
     if (events.total_faulted != 0 && size >= 1e-4f && !slow) {
         std::fprintf(stderr, "DEFECT: left physics: model %d clock %d scale %g around %u %s\n", bd.load_model, bd.clock,

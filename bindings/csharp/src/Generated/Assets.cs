@@ -15,8 +15,8 @@ namespace LangevinRigid
         Diagonal = 1,
     }
 
-    /// <summary>One numbered fault of an asset file; see docs/format.md. Strings are valid during the call
-    /// only.</summary>
+    /// <summary>One numbered fault of an asset file; see docs/reference/asset_format.md. Strings are valid during the
+    /// call only.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void FaultFn(IntPtr user, uint number, byte* where, byte* what, byte* remedy);
 
@@ -53,9 +53,9 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC.
-    /// Everything acts at <c>Center</c> along <c>Axes</c>, which turn with the body. Arrays have a value for each axis.
-    /// v: velocity through the fluid and w: spin, both along the axes; s = |v|; (i, j, k) cyclic; d:
+    /// <summary>Coefficients of the quasi-steady loads at scale 1; equations in docs/maintainers/physics.md,
+    /// AERODYNAMIC. Everything acts at <c>Center</c> along <c>Axes</c>, which turn with the body. Arrays have a value
+    /// for each axis. v: velocity through the fluid and w: spin, both along the axes; s = |v|; (i, j, k) cyclic; d:
     /// <see cref="AssetInfo.LengthD"/>; rho, nu: density and kinematic viscosity of the fluid.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Aerodynamics
@@ -189,7 +189,7 @@ namespace LangevinRigid
         public double LengthD;
         /// <summary>m, thickness</summary>
         public double LengthB;
-        /// <summary>m, turbulence length; see docs/physics.md</summary>
+        /// <summary>m, turbulence length; see docs/maintainers/physics.md</summary>
         public double LengthL;
         /// <summary>m/s, fall velocity scale sqrt(|density ratio - 1| g b), paper Eq. 1</summary>
         public double U0;

@@ -12,9 +12,9 @@ namespace LangevinRigid
         Default = 0,
         /// <summary>Gravity, buoyancy and added mass only: Kirchhoff's equations.</summary>
         None = 1,
-        /// <summary>The paper's turbulent loads, dimensionally repaired; docs/physics.md section 4.</summary>
+        /// <summary>The paper's turbulent loads, dimensionally repaired; docs/maintainers/physics.md, 4.</summary>
         Langevin = 2,
-        /// <summary>Quasi-steady drag and lift in a turbulent fluid; docs/physics.md section 5.</summary>
+        /// <summary>Quasi-steady drag and lift in a turbulent fluid; docs/maintainers/physics.md, 5.</summary>
         Aerodynamic = 3,
     }
 
@@ -41,7 +41,9 @@ namespace LangevinRigid
     {
         /// <summary><see cref="Integrator.Splitting"/> in this version.</summary>
         Default = 0,
-        /// <summary>Second order and stable at any step; docs/numerics.md.</summary>
+        /// <summary>The paper's: fourth order, unstable at long steps, slow. In water: splitting.</summary>
+        Rk4 = 1,
+        /// <summary>Second order and stable at any step; docs/maintainers/numerics.md.</summary>
         Splitting = 2,
     }
 
@@ -160,10 +162,10 @@ namespace LangevinRigid
     }
 
     /// <summary>How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight.
-    /// docs/lod.md. A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more
-    /// than the world's substeps, one in every so many steps, which makes up for all of them. No substep gets longer
-    /// than <c>LongestSubstep</c> by that: a divisor beyond has no more effect, and a budget that cannot afford them
-    /// makes bodies slow rather than wrong.</summary>
+    /// docs/reference/stepping.md. A batch of divisor n takes one substep where others take n: fewer in each step, or,
+    /// where n is more than the world's substeps, one in every so many steps, which makes up for all of them. No
+    /// substep gets longer than <c>LongestSubstep</c> by that: a divisor beyond has no more effect, and a budget that
+    /// cannot afford them makes bodies slow rather than wrong.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BatchRate
     {

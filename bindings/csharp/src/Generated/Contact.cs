@@ -247,7 +247,7 @@ namespace LangevinRigid
         /// <summary><see cref="ContactFlags"/>; initially 0</summary>
         public ContactFlags Flags;
         /// <summary>the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and
-        /// heightfields gives in theory; initially 0. docs/contact.md</summary>
+        /// heightfields gives in theory; initially 0. docs/maintainers/contact.md</summary>
         public float GroundEffect;
         /// <summary>0.</summary>
         public uint Reserved;

@@ -60,14 +60,14 @@ namespace LangevinRigid
         /// <summary>
         /// <para><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StructSize"/>,
         /// <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>, <see cref="Status.OutOfMemory"/>.
-        /// Source: Lamb, Hydrodynamics, art. 114-115; docs/physics.md.</para>
+        /// Source: Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md.</para>
         /// <para>Any thread.</para>
         /// </summary>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
         /// <param name="out">as for <see cref="Native.lr_asset_load_file"/>.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StructSize"/>,
         /// <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>, <see cref="Status.OutOfMemory"/>.
-        /// Source: Lamb, Hydrodynamics, art. 114-115; docs/physics.md.</returns>
+        /// Source: Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_asset_create_ellipsoid(EllipsoidDesc* desc, IntPtr* @out);
 
@@ -133,7 +133,7 @@ namespace LangevinRigid
 
         /// <summary>
         /// <para>The coefficients of an asset, as baked. A file from before they were stored has them from its hull:
-        /// docs/format.md.</para>
+        /// docs/reference/asset_format.md.</para>
         /// <para>Any thread.</para>
         /// </summary>
         /// <param name="asset">the asset</param>

@@ -170,8 +170,8 @@ namespace LangevinRigid
         /// <summary>The same of the first <paramref name="count"/> bodies, or of all where there are fewer. For an
         /// instance buffer that keeps what was written before: where <see cref="BatchView.Revision"/> is that of the
         /// last time, bodies at rest then still lie there, and it is enough to write as many as moved then or move now,
-        /// the greater awake_count of the two. Else all: docs/rest.md. Keep both numbers for each buffer that is
-        /// written in turn.</summary>
+        /// the greater awake_count of the two. Else all: docs/reference/bodies.md. Keep both numbers for each buffer
+        /// that is written in turn.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="format">one of the constants above</param>

@@ -31,13 +31,13 @@ namespace LangevinRigid
         /// collider that shoots it out of the world. Every body is judged in each step, and after impulses: a number
         /// that is not finite, a coordinate over 1e10 m, a velocity over 2e6 m/s or 1e9 rad/s, or an orientation that
         /// is none must not be seen. At the end of the step it is told by <see cref="ContactEventKind.BodyFaulted"/>,
-        /// counted in <see cref="BatchEvents"/>, and logged once for all; others are not touched by it. docs/faults.md
-        /// A body that is held has the position and orientation of the beginning of that step or substep, and no
-        /// velocity. Nothing moves or touches it, it moves and touches nothing, forces on it are taken and have no
-        /// effect; it grows older, and rules may end it. <see cref="Native.lr_body_set_state"/> sets it free, and
-        /// <see cref="Native.lr_body_set_rest"/> puts it to rest like any other. <see cref="BodyState.Resting"/> tells.
-        /// Initially <see cref="FaultPolicy.Auto"/>. From the next step on, also for the others; those that are held
-        /// stay so. Part of snapshots and hash.</summary>
+        /// counted in <see cref="BatchEvents"/>, and logged once for all; others are not touched by it.
+        /// docs/reference/bodies.md A body that is held has the position and orientation of the beginning of that step
+        /// or substep, and no velocity. Nothing moves or touches it, it moves and touches nothing, forces on it are
+        /// taken and have no effect; it grows older, and rules may end it. <see cref="Native.lr_body_set_state"/> sets
+        /// it free, and <see cref="Native.lr_body_set_rest"/> puts it to rest like any other.
+        /// <see cref="BodyState.Resting"/> tells. Initially <see cref="FaultPolicy.Auto"/>. From the next step on, also
+        /// for the others; those that are held stay so. Part of snapshots and hash.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="policy"><see cref="FaultPolicy"/>. <see cref="FaultPolicy.Remove"/> takes memory as

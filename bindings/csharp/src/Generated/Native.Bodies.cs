@@ -74,10 +74,10 @@ namespace LangevinRigid
         /// <para>- by a change of <see cref="Native.lr_batch_set_force"/>, <see cref="Native.lr_world_set_gravity"/> or
         /// <see cref="Native.lr_batch_set_pair_contact"/>, with all others that it is about,</para>
         /// <para>- when it begins anew by its batch's rules,</para>
-        /// <para>- by contact: colliders, wind. docs/rest.md. It grows older, and the rules of its batch are for it
-        /// too: they look at bodies at rest in every 16th step of the batch. Bodies that wake and come to rest change
-        /// indices in the view, not ids. Part of snapshots. The first body at rest of a batch takes up to 25 bytes for
-        /// each of the batch's capacity.</para>
+        /// <para>- by contact: colliders, wind. docs/reference/bodies.md. It grows older, and the rules of its batch
+        /// are for it too: they look at bodies at rest in every 16th step of the batch. Bodies that wake and come to
+        /// rest change indices in the view, not ids. Part of snapshots. The first body at rest of a batch takes up to
+        /// 25 bytes for each of the batch's capacity.</para>
         /// </summary>
         /// <param name="world">the world</param>
         /// <param name="bodies"><paramref name="count"/> ids of bodies</param>

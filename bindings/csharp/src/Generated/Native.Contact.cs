@@ -123,7 +123,7 @@ namespace LangevinRigid
         /// batches that are stepped at different rates (<see cref="Native.lr_batch_set_rate"/>), or wait for a budget,
         /// meet only while one of both is at rest. A change wakes the bodies at rest of both batches, and the end of
         /// one batch those of the other. Part of snapshots. The first pair of a batch takes 28 bytes for each of its
-        /// capacity, and up to 75 more unless there have been colliders. docs/body_contact.md</summary>
+        /// capacity, and up to 75 more unless there have been colliders. docs/maintainers/contact.md</summary>
         /// <param name="world">the world</param>
         /// <param name="a">handle of a batch of the world</param>
         /// <param name="b">handle of a batch of the world</param>

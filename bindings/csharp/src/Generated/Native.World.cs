@@ -75,7 +75,8 @@ namespace LangevinRigid
         /// theirs. A change is spread evenly over the next step, and bodies feel the fluid's acceleration in it
         /// (Froude-Krylov force and added mass): one that has the fluid's density is carried along, a heavy one keeps
         /// most of its velocity. What is set before the world's first step is there from the beginning and accelerates
-        /// nothing; setting the same wind again changes nothing. Null is still fluid. docs/wind.md.</summary>
+        /// nothing; setting the same wind again changes nothing. Null is still fluid.
+        /// docs/reference/wind_and_water.md.</summary>
         /// <param name="world">the world</param>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world),
@@ -169,9 +170,9 @@ namespace LangevinRigid
         /// <param name="world">the world</param>
         /// <param name="dt">s, &gt; 0.</param>
         /// <param name="substeps">1 to <see cref="Limits.MaxSubsteps"/>; at 60 Hz, 2 suit leaves and paper of some
-        /// centimetres, 4 petals and confetti (docs/numerics.md). At its end bodies end and are born as the batches'
-        /// rules and emitters say. Allocates nothing but what <see cref="Allocator"/> says. The floating-point mode of
-        /// the calling thread is saved, set and restored.</param>
+        /// centimetres, 4 petals and confetti (docs/maintainers/numerics.md). At its end bodies end and are born as the
+        /// batches' rules and emitters say. Allocates nothing but what <see cref="Allocator"/> says. The floating-point
+        /// mode of the calling thread is saved, set and restored.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <c>Status.Timestep*</c>,
         /// <see cref="Status.Substeps"/>, <see cref="Status.OutOfMemory"/>: the step has been taken, not to be
         /// repeated, but bodies went through each other in it; the next one asks for the memory again.</returns>
@@ -242,7 +243,7 @@ namespace LangevinRigid
         /// order from equal assets with equal capacities. Bodies, wind sources and colliders have the same ids as when
         /// it was saved; grids of wind, hulls, heightfields and meshes must be in the world already, in any place.
         /// Checked whole before anything changes. Allocates nothing where the world has held as much before.
-        /// docs/snapshots.md: which versions restore which snapshots.</summary>
+        /// docs/reference/snapshots.md: which versions restore which snapshots.</summary>
         /// <param name="world">the world</param>
         /// <param name="memory">the bytes</param>
         /// <param name="size">bytes</param>

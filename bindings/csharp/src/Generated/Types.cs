@@ -86,8 +86,8 @@ namespace LangevinRigid
     }
 
     /// <summary>
-    /// <para>Tasks of an engine's job system, in place of the world's own threads: docs/threads.md. Both functions are
-    /// given or neither.</para>
+    /// <para>Tasks of an engine's job system, in place of the world's own threads: docs/reference/stepping.md. Both
+    /// functions are given or neither.</para>
     /// <para><c>enqueue</c> has run(task, begin, end) called for ranges that together hold each of the indices 0 to
     /// count - 1 once, in any order, on any threads, at any time from now on until <c>finish</c> returns: one call for
     /// all, one for each, or what a parallel-for makes of it, also right away inside <c>enqueue</c>. It returns a token

@@ -7,9 +7,9 @@ namespace LangevinRigid
 {
     /// <summary>
     /// <para>Wind sources: up to <see cref="Limits.MaxWindSources"/> at a time, whose velocities add to the uniform
-    /// wind. Formulas: docs/wind.md. Time is that of the world (<see cref="WorldInfo.Time"/>). A source's position is
-    /// where it is when it is added or updated; from then on it moves with its own <c>velocity</c>. Fields that each
-    /// kind has:</para>
+    /// wind. Formulas: docs/reference/wind_and_water.md. Time is that of the world (<see cref="WorldInfo.Time"/>). A
+    /// source's position is where it is when it is added or updated; from then on it moves with its own
+    /// <c>velocity</c>. Fields that each kind has:</para>
     /// <code>
     ///   GUSTS         speed direction spread period seed
     ///   RANKINE       position direction velocity circulation size radius half_length
@@ -64,7 +64,8 @@ namespace LangevinRigid
     /// <summary>A budget for the work of each step. When the batches that are due would take more, all are slowed down
     /// as if their divisors had grown (<see cref="BatchRate"/>), those of low priority more, and take turns; nobody
     /// waits for ever. Motion stays deterministic with <see cref="BudgetKind.BodySubsteps"/>: the same calls give the
-    /// same bits on every machine. With <see cref="BudgetKind.Time"/> it depends on the clock. docs/lod.md.</summary>
+    /// same bits on every machine. With <see cref="BudgetKind.Time"/> it depends on the clock.
+    /// docs/reference/stepping.md.</summary>
     public enum BudgetKind : int
     {
         /// <summary>The header's <c>LR_BUDGET_NONE</c>.</summary>

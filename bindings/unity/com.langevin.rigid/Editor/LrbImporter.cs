@@ -8,7 +8,7 @@ using UnityEngine;
 namespace LangevinUnity.Editor
 {
     /// <summary>Imports .lrb files, which lr_bake makes, as LangevinAsset. A damaged file says in the console what is wrong with it, by the fault
-    /// numbers of docs/format.md.</summary>
+    /// numbers of docs/reference/asset_format.md.</summary>
     [ScriptedImporter(1, "lrb")]
     public sealed class LrbImporter : ScriptedImporter
     {

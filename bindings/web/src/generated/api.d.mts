@@ -124,9 +124,9 @@ export declare const LR: {
   readonly LOADS_DEFAULT: 0;
   /** gravity, buoyancy and added mass only: Kirchhoff's equations */
   readonly LOADS_NONE: 1;
-  /** the paper's turbulent loads, dimensionally repaired; docs/physics.md section 4 */
+  /** the paper's turbulent loads, dimensionally repaired; docs/maintainers/physics.md, 4 */
   readonly LOADS_LANGEVIN: 2;
-  /** quasi-steady drag and lift in a turbulent fluid; docs/physics.md section 5 */
+  /** quasi-steady drag and lift in a turbulent fluid; docs/maintainers/physics.md, 5 */
   readonly LOADS_AERODYNAMIC: 3;
   /** turbulence scales with the body's present speed through the fluid */
   readonly CLOCK_SPEED: 0;
@@ -138,7 +138,9 @@ export declare const LR: {
   readonly TABLE_LOOP: 1;
   /** LR_INTEGRATOR_SPLITTING in this version */
   readonly INTEGRATOR_DEFAULT: 0;
-  /** second order and stable at any step; docs/numerics.md */
+  /** the paper's: fourth order, unstable at long steps, slow. In water: splitting */
+  readonly INTEGRATOR_RK4: 1;
+  /** second order and stable at any step; docs/maintainers/numerics.md */
   readonly INTEGRATOR_SPLITTING: 2;
   /** 7 floats: position, quaternion x y z w */
   readonly TRANSFORM_POSITION_QUATERNION: 0;
@@ -289,7 +291,7 @@ export interface EllipsoidDesc {
 }
 
 /**
- * Coefficients of the quasi-steady loads at scale 1; equations in docs/physics.md, AERODYNAMIC. Everything acts at
+ * Coefficients of the quasi-steady loads at scale 1; equations in docs/maintainers/physics.md, AERODYNAMIC. Everything acts at
  * `center` along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
  * spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
  * the fluid.
@@ -389,7 +391,7 @@ export interface AssetInfo {
   lengthD: number;
   /** m, thickness */
   lengthB: number;
-  /** m, turbulence length; see docs/physics.md */
+  /** m, turbulence length; see docs/maintainers/physics.md */
   lengthL: number;
   /** m/s, fall velocity scale sqrt(|density ratio - 1| g b), paper Eq. 1 */
   u0: number;
@@ -673,7 +675,7 @@ export interface LoadGains {
 }
 
 /**
- * How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/lod.md.
+ * How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
  * A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one
  * in every so many steps, which makes up for all of them. No substep gets longer than `longest_substep` by that: a divisor
  * beyond has no more effect, and a budget that cannot afford them makes bodies slow rather than wrong.
@@ -928,7 +930,7 @@ export interface BatchContact {
   rollingResistance: number;
   /** LR_CONTACT_*; initially 0 */
   flags: number;
-  /** the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and heightfields gives in theory; initially 0. docs/contact.md */
+  /** the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and heightfields gives in theory; initially 0. docs/maintainers/contact.md */
   groundEffect: number;
 }
 
@@ -1141,7 +1143,7 @@ export interface RawFunctions {
   lr_ellipsoid_desc_init(desc: number, struct_size: number): number;
   /**
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
-   * LR_ERROR_OUT_OF_MEMORY. Source: Lamb, Hydrodynamics, art. 114-115; docs/physics.md.
+   * LR_ERROR_OUT_OF_MEMORY. Source: Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md.
    */
   lr_asset_create_ellipsoid(desc: number, out: number): number;
   /**
@@ -1163,7 +1165,7 @@ export interface RawFunctions {
   /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
   lr_asset_get_info(asset: number, info: number): number;
   /**
-   * The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/format.md.
+   * The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/reference/asset_format.md.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
    */
   lr_asset_get_aerodynamics(asset: number, aerodynamics: number): number;
@@ -1194,7 +1196,7 @@ export interface RawFunctions {
    * spread evenly over the next step, and bodies feel the fluid's acceleration in it (Froude-Krylov force and added mass):
    * one that has the fluid's density is carried along, a heavy one keeps most of its velocity. What is set before the
    * world's first step is there from the beginning and accelerates nothing; setting the same wind again changes nothing.
-   * Null is still fluid. docs/wind.md.
+   * Null is still fluid. docs/reference/wind_and_water.md.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
    */
   lr_world_set_wind(world: number, desc: number): number;
@@ -1272,7 +1274,7 @@ export interface RawFunctions {
    * Puts a saved state back, also into another world or process whose batches were created in the same order from equal
    * assets with equal capacities. Bodies, wind sources and colliders have the same ids as when it was saved; grids of
    * wind, hulls, heightfields and meshes must be in the world already, in any place. Checked whole before anything changes.
-   * Allocates nothing where the world has held as much before. docs/snapshots.md: which versions restore which snapshots.
+   * Allocates nothing where the world has held as much before. docs/reference/snapshots.md: which versions restore which snapshots.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_world_snapshot_restore(world: number, memory: number, size: bigint): number;
@@ -1374,7 +1376,7 @@ export interface RawFunctions {
   /**
    * The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
    * written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
-   * enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md. Keep
+   * enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md. Keep
    * both numbers for each buffer that is written in turn.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
    * LR_ERROR_INVALID_ARGUMENT.
@@ -1411,7 +1413,7 @@ export interface RawFunctions {
    *  - by a force, impulse or velocity on it that is not zero (lr_body_add_force, lr_batch_add_forces),
    *  - by a change of lr_batch_set_force, lr_world_set_gravity or lr_batch_set_pair_contact, with all others that it is about,
    *  - when it begins anew by its batch's rules,
-   *  - by contact: colliders, wind. docs/rest.md.
+   *  - by contact: colliders, wind. docs/reference/bodies.md.
    * It grows older, and the rules of its batch are for it too: they look at bodies at rest in every 16th step of the batch.
    * Bodies that wake and come to rest change indices in the view, not ids. Part of snapshots. The first body at rest of a
    * batch takes up to 25 bytes for each of the batch's capacity.
@@ -1497,7 +1499,7 @@ export interface RawFunctions {
    * Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
    * at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
    * The first pair of a batch takes 28 bytes for each of its capacity, and up to 75 more unless there have been colliders.
-   * docs/body_contact.md
+   * docs/maintainers/contact.md
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH (either), LR_ERROR_INVALID_ARGUMENT (enabled),
    * LR_ERROR_OUT_OF_MEMORY.
    */
@@ -1525,7 +1527,7 @@ export interface RawFunctions {
   lr_world_get_contact_events(world: number, list: number): number;
   lr_ray_init(ray: number, struct_size: number): number;
   /**
-   * What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/contact.md);
+   * What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/maintainers/contact.md);
    * those of batches that wait (lr_batch_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
    * meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
    * before colliders, then the order is that of batches and keys, or of colliders' slots.
@@ -1553,7 +1555,7 @@ export interface RawFunctions {
    * What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a collider that shoots it out of
    * the world. Every body is judged in each step, and after impulses: a number that is not finite, a coordinate over 1e10 m, a velocity
    * over 2e6 m/s or 1e9 rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
-   * in lr_batch_events, and logged once for all; others are not touched by it. docs/faults.md
+   * in lr_batch_events, and logged once for all; others are not touched by it. docs/reference/bodies.md
    * A body that is held has the position and orientation of the beginning of that step or substep, and no velocity. Nothing moves or
    * touches it, it moves and touches nothing, forces on it are taken and have no effect; it grows older, and rules may end it.
    * lr_body_set_state sets it free, and lr_body_set_rest puts it to rest like any other. lr_body_state.resting tells.
