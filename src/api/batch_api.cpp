@@ -79,6 +79,8 @@ lr_status lr_inner_batch_create(lr_world* world, const lr_batch_desc* desc, lr_b
         return refuse(world, "lr_batch_create", LR_ERROR_NOT_FINITE);
     if (const char* why = wrong_in(d)) return refuse(world, "lr_batch_create", LR_ERROR_INVALID_ARGUMENT, why);
 
+    if (!accepted(world)) return refuse(world, "lr_batch_create", LR_ERROR_OUT_OF_MEMORY);
+
     lr::BatchSettings settings;
     const bool by_age = d.clock == LR_CLOCK_AGE;
     switch (d.load_model) {
@@ -137,6 +139,7 @@ lr_status lr_inner_batch_set_turbulence_table(lr_world* world, lr_batch batch, c
         if (!in_range(t.chi[i], 0.0, 1e9) || !in_range(t.epsilon[i], 0.0, 1e12))
             return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "a sample is negative or far too large");
     }
+    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     const lr::TableView view{t.chi,
                              t.epsilon,
                              t.count,

@@ -92,6 +92,7 @@ lr_status lr_inner_body_create(lr_world* world, lr_batch batch, const lr_body_de
         if (!all_finite(d)) return refuse(world, name, LR_ERROR_NOT_FINITE);
         if (const char* why = wrong_in(d)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
+    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     for (uint32_t i = 0; i < count; ++i) {
         lr_body_desc d;
         all.read(i, d);
@@ -189,6 +190,7 @@ lr_status lr_inner_world_wake_box(lr_world* world, const float* low, const float
     if (!finite(from) || !finite(to)) return refuse(world, name, LR_ERROR_NOT_FINITE);
     for (size_t k = 0; k < 3; ++k)
         if (from[k] > to[k]) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "low is above high");
+    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     const uint32_t count = world->wake_box(from, to);
     if (woken) *woken = count;
     return LR_OK;

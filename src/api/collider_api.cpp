@@ -171,7 +171,7 @@ lr_status lr_inner_collider_create(lr_world* world, const lr_collider_desc* desc
         const Refusal refusal = check_desc(d, before);
         if (refusal.status != LR_OK) return refuse(world, name, refusal.status, refusal.why);
     }
-    if (!world->reserve_contact()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+    if (!accepted(world) || !world->reserve_contact()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     lr::Colliders& colliders = world->colliders;
     lr_status status = colliders.begin_create(count);
     for (uint32_t i = 0; i < count && status == LR_OK; ++i) {
@@ -230,7 +230,7 @@ lr_status lr_inner_collider_move(lr_world* world, const lr_collider_motion* moti
         colliders.reserve_move(slot, m);
     }
     const bool resting = world->any_resting();
-    if (!colliders.finish_reserve()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+    if (!accepted(world) || !colliders.finish_reserve()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     for (uint32_t i = 0; i < count; ++i) {
         all.read(i, m);
         colliders.find(m.collider, slot);

@@ -175,6 +175,7 @@ lr_status lr_inner_body_add_force(lr_world* world, const lr_body_force* forces, 
         if (!why) why = too_large(*batch, index, push_of(f, *batch, index));
         if (why) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
+    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     uint32_t index = 0;
     lr_body_force f{};
     for (uint32_t i = 0; i < count; ++i) {
@@ -218,7 +219,8 @@ lr_status lr_inner_batch_add_forces(lr_world* world, lr_batch batch, const lr_fo
         if (!finite(p.force) || !finite(p.torque)) return refuse(world, name, LR_ERROR_NOT_FINITE);
         if (const char* why = too_large(*b, a.first + i, p)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
-    if (continuous(a.mode) && !b->reserve_forces()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+    if (!accepted(world) || (continuous(a.mode) && !b->reserve_forces()))
+        return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     // From the first to the last: who changes places with one that wakes has been served.
     for (uint32_t i = 0; i < a.count; ++i) {
         force.read(i, p.force);

@@ -51,7 +51,7 @@ lr_status lr_inner_world_add_wind(lr_world* world, const lr_wind_source_desc* de
     lr_wind_source_desc d;
     lr_status status = check(world, name, desc, false, d);
     if (status != LR_OK) return status;
-    status = world->wind.add(d, world->time, world->seed, *out);
+    status = accepted(world) ? world->wind.add(d, world->time, world->seed, *out) : LR_ERROR_OUT_OF_MEMORY;
     return status == LR_OK ? status : refuse(world, name, status);
 }
 

@@ -155,7 +155,9 @@ lr_status lr_inner_world_snapshot_save(const lr_world* world, void* memory, uint
 lr_status lr_inner_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
     const lr::FloatMode mode; // boxes of bodies at rest and constants of loads are made anew
     if (!world || !memory) return LR_ERROR_NULL_ARGUMENT;
-    const lr_status status = lr::snapshot_restore(*world, memory, size);
+    lr_status status = LR_ERROR_SNAPSHOT_FORMAT;
+    if (lr::snapshot_is_whole(memory, size))
+        status = accepted(world) ? lr::snapshot_restore(*world, memory) : LR_ERROR_OUT_OF_MEMORY;
     return status == LR_OK ? status : refuse(world, "lr_world_snapshot_restore", status);
 }
 

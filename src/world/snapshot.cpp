@@ -28,6 +28,12 @@ uint32_t word_at(const unsigned char* from, uint64_t index) {
     return word;
 }
 
+SnapshotHeader header_of(const void* memory) {
+    SnapshotHeader header;
+    std::memcpy(&header, memory, sizeof header);
+    return header;
+}
+
 } // namespace
 
 // Reads and writes a batch's arrays in one order, given as visits of (pointer, words).
@@ -241,15 +247,21 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     return LR_OK;
 }
 
-lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
+bool snapshot_is_whole(const void* memory, uint64_t size) {
+    if (size < sizeof(SnapshotHeader)) return false;
+    const auto header = header_of(memory);
+    return header.magic == snapshot_magic && header.version == snapshot_version && header.size <= size &&
+           header.size >= sizeof header && header.size % 8 == 0 &&
+           seal_of(static_cast<const unsigned char*>(memory), header.size) == header.seal;
+}
+
+uint64_t snapshot_bytes(const void* memory) {
+    return header_of(memory).size;
+}
+
+lr_status snapshot_restore(lr_world& w, const void* memory) {
     const auto* const begin = static_cast<const unsigned char*>(memory);
-    SnapshotHeader header{};
-    if (size < sizeof header) return LR_ERROR_SNAPSHOT_FORMAT;
-    std::memcpy(&header, begin, sizeof header);
-    if (header.magic != snapshot_magic || header.version != snapshot_version || header.size > size ||
-        header.size < sizeof header || header.size % 8 != 0)
-        return LR_ERROR_SNAPSHOT_FORMAT;
-    if (seal_of(begin, header.size) != header.seal) return LR_ERROR_SNAPSHOT_FORMAT;
+    const SnapshotHeader header = header_of(memory);
     for (float v : header.gravity)
         if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
     for (float v : header.wind)
