@@ -11,7 +11,6 @@ using namespace lr::api;
 
 constexpr double most_acceleration = 1e9; // m/s^2
 constexpr double most_kick = 1e6;         // m/s and rad/s
-constexpr float most_on_batch = 1e9f;
 
 // One force and torque about the centre of mass.
 struct Push {
@@ -257,9 +256,7 @@ lr_status lr_inner_batch_set_force(lr_world* world, lr_batch batch, const lr_bat
         put(LR_FRAME_BODY, lr::force_spin, f.body_angular_acceleration);
         if (!finite(values)) return refuse(world, name, LR_ERROR_NOT_FINITE);
         if (f.reserved != 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "reserved is not 0");
-        for (float v : values)
-            if (!(v >= -most_on_batch && v <= most_on_batch))
-                return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "a component is over 1e9");
+        if (const char* why = lr::wrong_batch_force(values)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
     // Compared as they are kept, without negative zeros.
     if (!std::equal(values, values + lr::force_components, b->external.batch())) b->wake_all();

@@ -5,19 +5,8 @@
 #include "kernel/aerodynamics.h"
 #include "world/world.h"
 
-using lr::api::in_range;
 using lr::api::read_struct;
 using lr::api::refuse;
-
-namespace {
-
-bool is_identity(const double axes[9]) {
-    for (size_t i = 0; i < 9; ++i)
-        if (axes[i] != (i % 4 == 0 ? 1.0 : 0.0)) return false;
-    return true;
-}
-
-} // namespace
 
 extern "C" {
 
@@ -34,16 +23,10 @@ lr_status lr_inner_batch_set_aerodynamics(lr_world* world, lr_batch batch, const
     lr_aerodynamics a;
     const lr_status status = lr::api::read_loads(aerodynamics, a);
     if (status != LR_OK) return refuse(world, name, status);
-    if (b->step.body.diagonal && !is_identity(a.axes))
-        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
-                      "axes other than the body's need a batch made with LR_TENSOR_FULL");
     const lr::AerodynamicData loads = lr::api::from_struct(a);
-    if (b->step.body.diagonal && loads.center != std::array<double, 3>{})
-        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
-                      "a center other than that of buoyancy needs a batch made with LR_TENSOR_FULL");
-    if (!lr::is_usable(loads) || !b->set_aerodynamics(loads, b->gains()))
-        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
-                      "a value is out of its range, or the axes are no rotation");
+    const char* why = lr::wrong_in(loads, b->step.body.diagonal);
+    if (!why && !b->set_aerodynamics(loads, b->gains())) why = "center is too far";
+    if (why) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     return LR_OK;
 }
 
@@ -78,14 +61,13 @@ lr_status lr_inner_batch_set_load_gains(lr_world* world, lr_batch batch, const l
     }
     const float factors[] = {g.drag, g.lift, g.spin_drag, g.turbulence};
     if (!lr::api::finite(factors)) return refuse(world, name, LR_ERROR_NOT_FINITE);
-    for (float f : factors)
-        if (!in_range(f, 0.0, 100.0)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "a gain is not 0 to 100");
     if (g.reserved != 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "reserved is not 0");
     lr::Gains all = b->gains();
     all.drag = static_cast<double>(g.drag);
     all.lift = static_cast<double>(g.lift);
     all.spin_drag = static_cast<double>(g.spin_drag);
     all.turbulence = static_cast<double>(g.turbulence);
+    if (const char* why = lr::wrong_in(all)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     return b->set_aerodynamics(b->aerodynamics(), all) ? LR_OK : refuse(world, name, LR_ERROR_INTERNAL);
 }
 

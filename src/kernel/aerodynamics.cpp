@@ -172,6 +172,14 @@ bool is_usable(const AerodynamicData& a) {
     return is_rotation(a.axes, 1e-6); // a caller may have single precision
 }
 
+const char* wrong_in(const AerodynamicData& a, bool diagonal) {
+    constexpr std::array<double, 9> identity{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+    if (diagonal && a.axes != identity) return "axes other than the body's need a batch made with LR_TENSOR_FULL";
+    if (diagonal && a.center != std::array<double, 3>{})
+        return "a center other than that of buoyancy needs a batch made with LR_TENSOR_FULL";
+    return is_usable(a) ? nullptr : "a value is out of its range, or the axes are no rotation";
+}
+
 bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const Gains& gains, bool diagonal, double rho,
                        double viscosity, BodyConstants& body) {
     if (!within(loads.center, -2.0 * a.length_d, 2.0 * a.length_d)) return false; // as check_asset
