@@ -915,7 +915,7 @@ typedef struct lr_body_desc {
     float linear_velocity[3];  /* m/s, of the centre of mass; initially 0 */
     float angular_velocity[3]; /* rad/s, world frame; initially 0 */
     float scale;               /* uniform, 0.001 to 1000; mass goes with its cube; initially 1 */
-    float age;                 /* s, >= 0; initially 0 */
+    float age;                 /* s, 0 to 1e9; initially 0. Bodies grow no older than that */
     uint32_t reserved;         /* 0 */
 } lr_body_desc;
 
@@ -939,7 +939,7 @@ typedef struct lr_body_state {
     float linear_velocity[3];  /* m/s, of the centre of mass, world frame */
     float angular_velocity[3]; /* rad/s, world frame */
     float scale;               /* 0.001 to 1000 */
-    float age;                 /* s, >= 0 */
+    float age;                 /* s, 0 to 1e9 */
     uint32_t reserved;         /* 0 */
     int32_t resting;           /* LR_REST_*; read only */
 } lr_body_state;
@@ -1383,7 +1383,7 @@ typedef struct lr_kill_volume {
 typedef struct lr_batch_rules {
     uint32_t struct_size;
     int32_t action;                              /* LR_END_*; initially LR_END_DESTROY */
-    float max_age;                               /* s; initially 0: no limit */
+    float max_age;                               /* s, up to 1e9; initially 0: no limit */
     uint32_t volume_count;                       /* used part of `volumes`; initially 0 */
     lr_kill_volume volumes[LR_MAX_KILL_VOLUMES]; /* by the centre of mass */
 } lr_batch_rules;

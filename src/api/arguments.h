@@ -3,6 +3,7 @@
 
 #include "format/target.h"
 #include "kernel/float_mode.h"
+#include "kernel/limits.h"
 #include "langevin_rigid.h"
 #include "world/out_of_memory.h"
 
@@ -14,6 +15,8 @@
 #include <new>
 
 namespace lr::api {
+
+using lr::in_range;
 
 // No struct of this API comes near it: a size above it is not a size.
 inline constexpr uint32_t max_struct_size = 65536;
@@ -95,11 +98,6 @@ template <class T, size_t N> bool finite(const T (&values)[N]) {
     for (T v : values)
         if (!std::isfinite(v)) return false;
     return true;
-}
-
-// False for NaN.
-template <class T> bool in_range(T value, double low, double high) {
-    return static_cast<double>(value) >= low && static_cast<double>(value) <= high;
 }
 
 // Nothing that the library calls may throw across the ABI.

@@ -19,17 +19,22 @@ const char* wrong_in(const lr_batch_desc& d) {
     if (!one_of(d.clock, LR_CLOCK_AGE)) return "unknown clock";
     if (!one_of(d.table_end, LR_TABLE_LOOP)) return "unknown table_end";
     if (!one_of(d.integrator, LR_INTEGRATOR_SPLITTING)) return "unknown integrator";
-    if (!in_range(d.damping_gain, 0.0, 100.0)) return "damping_gain is not 0 to 100";
-    if (!in_range(d.noise_gain, 0.0, 100.0)) return "noise_gain is not 0 to 100";
+    lr::Gains gains;
+    gains.damping = static_cast<double>(d.damping_gain);
+    gains.noise = static_cast<double>(d.noise_gain);
+    if (const char* why = lr::wrong_in(gains)) return why;
     return nullptr;
+}
+
+lr::TurbulenceSample sample(const lr_turbulence_table& t, float chi, float epsilon) {
+    return {static_cast<double>(chi), static_cast<double>(epsilon), static_cast<double>(t.u0), static_cast<double>(t.l),
+            static_cast<double>(t.c0)};
 }
 
 const char* wrong_in(const lr_turbulence_table& t) {
     if (t.count == 0 || t.count > 65536) return "count is not 1 to 65536";
-    if (!in_range(t.dt, 1e-9, 1e9)) return "dt is not positive";
-    if (!in_range(t.u0, 1e-9, 1e6)) return "u0 is not positive";
-    if (!in_range(t.l, 1e-9, 1e6)) return "l is not positive";
-    if (!in_range(t.c0, 1e-9, 100.0)) return "c0 is not positive, or over 100";
+    if (!in_range(t.dt, lr::least_interval, lr::most_interval)) return "dt is not positive";
+    if (const char* why = lr::wrong_in(sample(t, 0.0f, 0.0f))) return why;
     if (t.stationary >= t.count) return "stationary lies behind the table";
     if (t.reserved != 0) return "reserved is not 0";
     return nullptr;
@@ -76,6 +81,8 @@ lr_status lr_inner_batch_create(lr_world* world, const lr_batch_desc* desc, lr_b
     if (!std::isfinite(d.damping_gain) || !std::isfinite(d.noise_gain))
         return refuse(world, "lr_batch_create", LR_ERROR_NOT_FINITE);
     if (const char* why = wrong_in(d)) return refuse(world, "lr_batch_create", LR_ERROR_INVALID_ARGUMENT, why);
+
+    if (!accepted(world)) return refuse(world, "lr_batch_create", LR_ERROR_OUT_OF_MEMORY);
 
     lr::BatchSettings settings;
     settings.loads = d.load_model == LR_LOADS_NONE       ? lr::Loads::none
@@ -124,9 +131,10 @@ lr_status lr_inner_batch_set_turbulence_table(lr_world* world, lr_batch batch, c
     if (!t.chi || !t.epsilon) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
     for (uint32_t i = 0; i < t.count; ++i) {
         if (!std::isfinite(t.chi[i]) || !std::isfinite(t.epsilon[i])) return refuse(world, name, LR_ERROR_NOT_FINITE);
-        if (!in_range(t.chi[i], 0.0, 1e9) || !in_range(t.epsilon[i], 0.0, 1e12))
-            return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "a sample is negative or far too large");
+        if (const char* why = lr::wrong_in(sample(t, t.chi[i], t.epsilon[i])))
+            return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
+    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     const lr::TableView view{t.chi,
                              t.epsilon,
                              t.count,

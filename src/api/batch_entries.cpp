@@ -9,12 +9,9 @@ using lr::record::Where;
 namespace {
 
 void tell_batch(Call& call, const lr_batch_desc* desc) {
+    if (!call.reads(desc)) return;
     lr_batch_desc d;
-    if (!desc) return call.value(static_cast<uint32_t>(Where::null));
-    if (lr::api::read_struct(desc, d) != LR_OK || !d.asset) {
-        call.cut();
-        return;
-    }
+    read_struct(desc, d);
     const BatchRecord record{call.asset(*d.asset), d.capacity,   d.load_model,   d.clock,
                              d.table_end,          d.integrator, d.damping_gain, d.noise_gain};
     call.value(static_cast<uint32_t>(Where::here));
@@ -22,12 +19,9 @@ void tell_batch(Call& call, const lr_batch_desc* desc) {
 }
 
 void tell_table(Call& call, const lr_turbulence_table* table) {
+    if (!call.reads(table)) return;
     lr_turbulence_table t;
-    if (!table) return call.value(static_cast<uint32_t>(Where::null));
-    if (lr::api::read_struct(table, t) != LR_OK || t.count > 65536) {
-        call.cut();
-        return;
-    }
+    read_struct(table, t);
     const TableRecord record{t.count, t.dt, t.u0, t.l, t.c0, t.stationary, t.reserved};
     call.value(static_cast<uint32_t>(Where::here));
     call.raw(&record, sizeof record);
@@ -36,14 +30,9 @@ void tell_table(Call& call, const lr_turbulence_table* table) {
 }
 
 // Arrays without gaps.
-void tell_forces(Call& call, const lr_world& world, lr_batch batch, const lr_force_arrays* arrays) {
+void tell_forces(Call& call, const lr_force_arrays* arrays) {
     lr_force_arrays a;
-    const lr::Batch* const b = world.find(batch);
     if (!call.structure(arrays, a)) return;
-    if (!b || a.first > b->count() || a.count > b->count() - a.first || a.stride % sizeof(float) != 0) {
-        call.cut();
-        return;
-    }
     const uint64_t stride = a.stride == 0 ? sizeof(float) : a.stride;
     for (const auto* three : {&a.force, &a.torque})
         for (const float* from : *three) {
@@ -142,7 +131,7 @@ lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_ar
         world, Op::batch_add_forces, [&] { return lr_inner_batch_add_forces(world, batch, arrays); },
         [&](Call& call) {
             call.value(batch);
-            tell_forces(call, *world, batch, arrays);
+            tell_forces(call, arrays);
         });
 }
 

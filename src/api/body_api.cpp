@@ -10,20 +10,13 @@ using namespace lr::api;
 using lr::rotate;
 using lr::WideVector;
 
-constexpr double least_scale = static_cast<double>(1e-3f), most_scale = 1e3;
-constexpr double most_speed = 1e6; // m/s and rad/s: far beyond physics, far below overflow
-constexpr double most_place = 1e9; // m
-
 // Desc and state have the same physical fields.
 template <class T> const char* wrong_in(const T& s) {
-    for (float x : s.position)
-        if (!in_range(x, -most_place, most_place)) return "position is over 1e9 m";
-    for (float v : s.linear_velocity)
-        if (!in_range(v, -most_speed, most_speed)) return "linear_velocity is over 1e6 m/s";
-    for (float w : s.angular_velocity)
-        if (!in_range(w, -most_speed, most_speed)) return "angular_velocity is over 1e6 rad/s";
-    if (!in_range(s.scale, least_scale, most_scale)) return "scale is not 0.001 to 1000";
-    if (!in_range(s.age, 0.0, 1e9)) return "age is negative or too large";
+    if (!lr::within(s.position, lr::most_place)) return "position is over 1e9 m";
+    if (!lr::within(s.linear_velocity, lr::most_speed)) return "linear_velocity is over 1e6 m/s";
+    if (!lr::within(s.angular_velocity, lr::most_speed)) return "angular_velocity is over 1e6 rad/s";
+    if (!(s.scale >= lr::least_scale && s.scale <= lr::most_scale)) return "scale is not 0.001 to 1000";
+    if (!(s.age >= 0.0f && s.age <= lr::most_age)) return "age is not 0 to 1e9 s";
     double n = 0.0;
     for (float q : s.orientation) n += static_cast<double>(q) * static_cast<double>(q);
     if (!in_range(n, 1e-12, 1e12)) return "orientation cannot be normalised";
@@ -92,6 +85,7 @@ lr_status lr_inner_body_create(lr_world* world, lr_batch batch, const lr_body_de
         if (!all_finite(d)) return refuse(world, name, LR_ERROR_NOT_FINITE);
         if (const char* why = wrong_in(d)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
+    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     for (uint32_t i = 0; i < count; ++i) {
         lr_body_desc d;
         all.read(i, d);
@@ -189,6 +183,7 @@ lr_status lr_inner_world_wake_box(lr_world* world, const float* low, const float
     if (!finite(from) || !finite(to)) return refuse(world, name, LR_ERROR_NOT_FINITE);
     for (size_t k = 0; k < 3; ++k)
         if (from[k] > to[k]) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "low is above high");
+    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     const uint32_t count = world->wake_box(from, to);
     if (woken) *woken = count;
     return LR_OK;

@@ -5,22 +5,13 @@ using namespace lr::api;
 
 namespace {
 
-// Arrays whose lengths are in their range: others are refused before they are read.
+// With the arrays that a collider of its kind is made of.
 void tell_colliders(Call& call, const lr_collider_desc* descs, uint32_t count) {
     call.structures(descs, count, [&](const lr_collider_desc& d) {
-        const uint64_t heights = uint64_t{d.counts[0]} * d.counts[1];
-        const bool hull = d.kind == LR_COLLIDER_HULL, mesh = d.kind == LR_COLLIDER_MESH;
-        const bool vertices =
-            hull ? d.vertex_count <= LR_MAX_HULL_VERTICES
-                 : mesh && d.vertex_count <= LR_MAX_COLLIDER_VERTICES && d.triangle_count <= LR_MAX_COLLIDER_VERTICES;
-        const bool field = d.kind == LR_COLLIDER_HEIGHTFIELD && heights <= LR_MAX_COLLIDER_VERTICES;
-        if ((hull || mesh) != vertices || (d.kind == LR_COLLIDER_HEIGHTFIELD) != field) {
-            call.cut();
-            return;
-        }
-        call.shared_array(vertices ? d.vertices : nullptr, 12 * uint64_t{d.vertex_count});
+        const bool mesh = d.kind == LR_COLLIDER_MESH, field = d.kind == LR_COLLIDER_HEIGHTFIELD;
+        call.shared_array(mesh || d.kind == LR_COLLIDER_HULL ? d.vertices : nullptr, 12 * uint64_t{d.vertex_count});
         call.shared_array(mesh ? d.indices : nullptr, 12 * uint64_t{d.triangle_count});
-        call.shared_array(field ? d.heights : nullptr, 4 * heights);
+        call.shared_array(field ? d.heights : nullptr, 4 * uint64_t{d.counts[0]} * d.counts[1]);
     });
 }
 
@@ -33,11 +24,7 @@ lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* de
         world, Op::body_create, [&] { return lr_inner_body_create(world, batch, descs, count, out_ids); },
         [&](Call& call) {
             call.value(batch);
-            const lr::Batch* const b = world->find(batch);
-            if (b && count > b->capacity() - b->count())
-                call.cut(); // it may be any number
-            else
-                call.structures(descs, count);
+            call.structures(descs, count);
             call.output(out_ids, count);
         });
 }

@@ -1,4 +1,5 @@
 #include "api/refuse.h"
+#include "contact/collider_limits.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -7,25 +8,11 @@ namespace {
 
 using namespace lr::api;
 
-constexpr double most_place = 1e9, most_speed = 1e6, most_size = 1e6; // m; m/s and rad/s; m
-
 const char* wrong_pose(const float (&position)[3], const float (&orientation)[4]) {
-    for (float x : position)
-        if (!in_range(x, -most_place, most_place)) return "position is over 1e9 m";
+    if (!lr::within(position, lr::most_place)) return "position is over 1e9 m";
     double n = 0.0;
     for (float q : orientation) n += static_cast<double>(q) * static_cast<double>(q);
     return in_range(n, 1e-12, 1e12) ? nullptr : "orientation cannot be normalised";
-}
-const char* wrong_velocity(const float (&linear)[3], const float (&angular)[3]) {
-    for (float v : linear)
-        if (!in_range(v, -most_speed, most_speed)) return "linear_velocity is over 1e6 m/s";
-    for (float w : angular)
-        if (!in_range(w, -most_speed, most_speed)) return "angular_velocity is over 1e6 rad/s";
-    return nullptr;
-}
-const char* wrong_surface(float friction, float restitution) {
-    if (!in_range(friction, 0.0, 10.0)) return "friction is not 0 to 10";
-    return in_range(restitution, 0.0, 1.0) ? nullptr : "restitution is not 0 to 1";
 }
 
 struct Refusal {
@@ -40,7 +27,7 @@ Refusal invalid(const char* why) {
 Refusal check_lengths(const float* values, uint64_t count) {
     for (uint64_t i = 0; i < count; ++i) {
         if (!std::isfinite(values[i])) return {LR_ERROR_NOT_FINITE, nullptr};
-        if (!in_range(values[i], -most_size, most_size)) return invalid("a vertex or height is over 1e6 m");
+        if (!in_range(values[i], -lr::most_size, lr::most_size)) return invalid("a vertex or height is over 1e6 m");
     }
     return fine;
 }
@@ -74,12 +61,10 @@ Refusal check_heightfield(const lr_collider_desc& d) {
     return check_lengths(d.heights, samples);
 }
 
-Refusal check_sizes(const float (&size)[3], uint32_t used) {
-    for (uint32_t i = 0; i < used; ++i) {
-        if (!std::isfinite(size[i])) return {LR_ERROR_NOT_FINITE, nullptr};
-        if (!(size[i] > 0.0f) || !in_range(size[i], 0.0, most_size)) return invalid("size is not over 0, up to 1e6 m");
-    }
-    return fine;
+Refusal check_sizes(const lr_collider_desc& d) {
+    for (int i = 0; i < lr::sizes_of(d.kind); ++i)
+        if (!std::isfinite(d.size[i])) return {LR_ERROR_NOT_FINITE, nullptr};
+    return invalid(lr::wrong_sizes(d.kind, d.size));
 }
 
 Refusal check_shape(const lr_collider_desc& d) {
@@ -87,11 +72,9 @@ Refusal check_shape(const lr_collider_desc& d) {
     case LR_COLLIDER_PLANE:
         return fine;
     case LR_COLLIDER_SPHERE:
-        return check_sizes(d.size, 1);
     case LR_COLLIDER_CAPSULE:
-        return check_sizes(d.size, 2);
     case LR_COLLIDER_BOX:
-        return check_sizes(d.size, 3);
+        return check_sizes(d);
     case LR_COLLIDER_HULL:
         return check_vertices(d, 4, LR_MAX_HULL_VERTICES);
     case LR_COLLIDER_HEIGHTFIELD:
@@ -105,11 +88,7 @@ Refusal check_shape(const lr_collider_desc& d) {
 
 // What a kind does not use is not looked at, and made zero: equal colliders are to be equal.
 void clear_unused(lr_collider_desc& d) {
-    const int used = d.kind == LR_COLLIDER_SPHERE    ? 1
-                     : d.kind == LR_COLLIDER_CAPSULE ? 2
-                     : d.kind == LR_COLLIDER_BOX     ? 3
-                                                     : 0;
-    std::fill(d.size + used, d.size + 3, 0.0f);
+    std::fill(d.size + lr::sizes_of(d.kind), d.size + 3, 0.0f);
 }
 
 // Descs often repeat the arrays of the one before, which need not be gone through again.
@@ -125,8 +104,8 @@ Refusal check_desc(const lr_collider_desc& d, const lr_collider_desc& before) {
         return {LR_ERROR_NOT_FINITE, nullptr};
     if (d.flags != 0) return invalid("flags are not 0");
     for (const char* why :
-         {wrong_pose(d.position, d.orientation), wrong_velocity(d.linear_velocity, d.angular_velocity),
-          wrong_surface(d.friction, d.restitution)})
+         {wrong_pose(d.position, d.orientation), lr::wrong_velocity(d.linear_velocity, d.angular_velocity),
+          lr::wrong_surface(d.friction, d.restitution)})
         if (why) return invalid(why);
     return d.kind >= LR_COLLIDER_HULL && same_arrays(d, before) ? fine : check_shape(d);
 }
@@ -138,7 +117,7 @@ Refusal check_motion(const lr_collider_motion& m) {
         return {LR_ERROR_NOT_FINITE, nullptr};
     if (m.mode != LR_MOVE_VELOCITY)
         if (const char* why = wrong_pose(m.position, m.orientation)) return invalid(why);
-    return m.mode == LR_MOVE_TO ? fine : invalid(wrong_velocity(m.linear_velocity, m.angular_velocity));
+    return m.mode == LR_MOVE_TO ? fine : invalid(lr::wrong_velocity(m.linear_velocity, m.angular_velocity));
 }
 
 } // namespace
@@ -171,7 +150,7 @@ lr_status lr_inner_collider_create(lr_world* world, const lr_collider_desc* desc
         const Refusal refusal = check_desc(d, before);
         if (refusal.status != LR_OK) return refuse(world, name, refusal.status, refusal.why);
     }
-    if (!world->reserve_contact()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+    if (!accepted(world) || !world->reserve_contact()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     lr::Colliders& colliders = world->colliders;
     lr_status status = colliders.begin_create(count);
     for (uint32_t i = 0; i < count && status == LR_OK; ++i) {
@@ -230,7 +209,7 @@ lr_status lr_inner_collider_move(lr_world* world, const lr_collider_motion* moti
         colliders.reserve_move(slot, m);
     }
     const bool resting = world->any_resting();
-    if (!colliders.finish_reserve()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+    if (!accepted(world) || !colliders.finish_reserve()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     for (uint32_t i = 0; i < count; ++i) {
         all.read(i, m);
         colliders.find(m.collider, slot);
@@ -288,7 +267,7 @@ lr_status lr_inner_collider_set_surface(lr_world* world, const lr_collider* coll
     const lr_status status = read_struct(surface, s);
     if (status != LR_OK) return refuse(world, name, status);
     if (!std::isfinite(s.friction) || !std::isfinite(s.restitution)) return refuse(world, name, LR_ERROR_NOT_FINITE);
-    if (const char* why = wrong_surface(s.friction, s.restitution))
+    if (const char* why = lr::wrong_surface(s.friction, s.restitution))
         return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     if (count == 0) return LR_OK;
     if (!colliders) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);

@@ -35,14 +35,23 @@ template <class Inner> lr_status query(const lr_world* world, const char* functi
 
 void end_recording(lr_world& world, const char* why); // why: null for no message
 
-// Of one that may change the world. `tell` says a Call what its arguments are, and what came out.
+// Of one that may change the world. `tell` says a Call what its arguments are, and what came out. Those that name none of the caller's memory
+// are recorded at once; others when the inner function says accepted(), or at the latest when it has succeeded: a call that is refused has
+// perhaps read nothing, and is recorded without them.
 template <class Inner, class Tell> lr_status change(lr_world* world, Op op, Inner&& inner, Tell&& tell) {
     const auto go = [&]() -> lr_status {
         record::Recorder* const recorder = world->recorder;
         if (!recorder) return inner();
         Call call(*recorder, op);
-        const lr_status status =
-            call.arguments(tell) ? inner() : refuse(world, record::name_of(op), LR_ERROR_OUT_OF_MEMORY);
+        const auto record = [&] { return call.arguments(tell); };
+        if (call.names_memory(tell))
+            recorder->wait_for(record);
+        else
+            record();
+        const lr_status status = inner();
+        if (status == LR_OK) recorder->accepted();
+        recorder->wait_for_nothing();
+        if (!call.recorded()) call.refused();
         call.result(tell, status, *world);
         if (recorder->failed()) end_recording(*world, "the recording's `write` has refused: it has ended");
         return status;

@@ -11,7 +11,6 @@ using namespace lr::api;
 
 constexpr double most_acceleration = 1e9; // m/s^2
 constexpr double most_kick = 1e6;         // m/s and rad/s
-constexpr float most_on_batch = 1e9f;
 
 // One force and torque about the centre of mass.
 struct Push {
@@ -175,6 +174,7 @@ lr_status lr_inner_body_add_force(lr_world* world, const lr_body_force* forces, 
         if (!why) why = too_large(*batch, index, push_of(f, *batch, index));
         if (why) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
+    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     uint32_t index = 0;
     lr_body_force f{};
     for (uint32_t i = 0; i < count; ++i) {
@@ -218,7 +218,8 @@ lr_status lr_inner_batch_add_forces(lr_world* world, lr_batch batch, const lr_fo
         if (!finite(p.force) || !finite(p.torque)) return refuse(world, name, LR_ERROR_NOT_FINITE);
         if (const char* why = too_large(*b, a.first + i, p)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
-    if (continuous(a.mode) && !b->reserve_forces()) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+    if (!accepted(world) || (continuous(a.mode) && !b->reserve_forces()))
+        return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
     // From the first to the last: who changes places with one that wakes has been served.
     for (uint32_t i = 0; i < a.count; ++i) {
         force.read(i, p.force);
@@ -255,9 +256,7 @@ lr_status lr_inner_batch_set_force(lr_world* world, lr_batch batch, const lr_bat
         put(LR_FRAME_BODY, lr::force_spin, f.body_angular_acceleration);
         if (!finite(values)) return refuse(world, name, LR_ERROR_NOT_FINITE);
         if (f.reserved != 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "reserved is not 0");
-        for (float v : values)
-            if (!(v >= -most_on_batch && v <= most_on_batch))
-                return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "a component is over 1e9");
+        if (const char* why = lr::wrong_batch_force(values)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     }
     // Compared as they are kept, without negative zeros.
     if (!std::equal(values, values + lr::force_components, b->external.batch())) b->wake_all();

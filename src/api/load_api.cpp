@@ -5,7 +5,6 @@
 #include "kernel/aerodynamics.h"
 #include "world/world.h"
 
-using lr::api::in_range;
 using lr::api::read_struct;
 using lr::api::refuse;
 
@@ -25,9 +24,9 @@ lr_status lr_inner_batch_set_aerodynamics(lr_world* world, lr_batch batch, const
     const lr_status status = lr::api::read_loads(aerodynamics, a);
     if (status != LR_OK) return refuse(world, name, status);
     const lr::AerodynamicData loads = lr::api::from_struct(a);
-    if (!lr::is_usable(loads) || !b->set_aerodynamics(loads, b->gains()))
-        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT,
-                      "a value is out of its range, or the axes are no rotation");
+    const char* why = lr::wrong_in(loads);
+    if (!why && !b->set_aerodynamics(loads, b->gains())) why = "center is too far";
+    if (why) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     return LR_OK;
 }
 
@@ -62,14 +61,13 @@ lr_status lr_inner_batch_set_load_gains(lr_world* world, lr_batch batch, const l
     }
     const float factors[] = {g.drag, g.lift, g.spin_drag, g.turbulence};
     if (!lr::api::finite(factors)) return refuse(world, name, LR_ERROR_NOT_FINITE);
-    for (float f : factors)
-        if (!in_range(f, 0.0, 100.0)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "a gain is not 0 to 100");
     if (g.reserved != 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "reserved is not 0");
     lr::Gains all = b->gains();
     all.drag = static_cast<double>(g.drag);
     all.lift = static_cast<double>(g.lift);
     all.spin_drag = static_cast<double>(g.spin_drag);
     all.turbulence = static_cast<double>(g.turbulence);
+    if (const char* why = lr::wrong_in(all)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
     return b->set_aerodynamics(b->aerodynamics(), all) ? LR_OK : refuse(world, name, LR_ERROR_INTERNAL);
 }
 

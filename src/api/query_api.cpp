@@ -7,16 +7,16 @@
 namespace {
 
 using namespace lr::api;
+using lr::most_place;
+using lr::most_size;
+using lr::within;
 
 static_assert(sizeof(lr_ray_hit) == 48);
-
-constexpr double most_place = 1e9, most_size = 1e6; // m
 
 // Null when fine, else what is wrong. Of finite numbers only.
 const char* wrong_in(const lr_ray& r) {
     if (r.flags == 0 || (r.flags & ~(LR_RAY_BODIES | LR_RAY_COLLIDERS)) != 0) return "flags are not of LR_RAY_*";
-    for (float x : r.origin)
-        if (!in_range(x, -most_place, most_place)) return "origin is over 1e9 m";
+    if (!within(r.origin, most_place)) return "origin is over 1e9 m";
     double square = 0.0;
     for (float x : r.direction) square += static_cast<double>(x) * static_cast<double>(x);
     if (!in_range(square, 0.999e-12, 1.001e12)) return "direction is not 1e-6 to 1e6 long";
@@ -26,8 +26,7 @@ const char* wrong_in(const lr_ray& r) {
 
 const char* wrong_in(const lr_overlap_desc& d) {
     if (d.shape != LR_OVERLAP_SPHERE && d.shape != LR_OVERLAP_BOX) return "unknown shape";
-    for (float x : d.position)
-        if (!in_range(x, -most_place, most_place)) return "position is over 1e9 m";
+    if (!within(d.position, most_place)) return "position is over 1e9 m";
     double n = 0.0;
     for (float q : d.orientation) n += static_cast<double>(q) * static_cast<double>(q);
     if (!in_range(n, 1e-12, 1e12)) return "orientation cannot be normalised";

@@ -1,4 +1,4 @@
-// A call as it goes into a recording: its arguments before it is carried out, what came out after it.
+// A call as it goes into a recording: its arguments before it is carried out, if it is, and what came out after it.
 #pragma once
 
 #include "api/arguments.h"
@@ -6,29 +6,39 @@
 
 namespace lr::api {
 
-// What is recorded of a call is said once, by a function that takes a Call. It is gone through three times: to see whether the
-// arguments can be read, which must not be further than the call itself reads them; to write them; for what came out.
+// What is recorded of a call is said once, by a function that takes a Call. It is gone through up to four times: to see whether anything is
+// named that would have to be read; for large arrays; to write the arguments; for what came out. The caller's memory is read in the middle two
+// alone, which come when the call has accepted what it was given: nobody has said before that it can be read.
 class Call {
 public:
-    enum class Pass { survey, write, output };
+    enum class Pass { ask, survey, write, output };
 
     Call(record::Recorder& recorder, record::Op op) : recorder_(&recorder), op_(op) {}
 
+    // Whether it names anything in the caller's memory.
+    template <class Tell> bool names_memory(Tell&& tell) {
+        tell(*this);
+        return names_memory_;
+    }
     // False where there is no memory to record what they name: without it nobody could play what follows.
     template <class Tell> bool arguments(Tell&& tell) {
+        pass_ = Pass::survey;
         tell(*this);
-        recorder_->open(record::Kind::call);
-        recorder_->value(static_cast<uint16_t>(op_));
-        recorder_->value(cut_ ? record::call_cut : uint16_t{0});
+        open(starved_ ? record::call_cut : uint16_t{0});
         pass_ = Pass::write;
-        if (!cut_) tell(*this);
-        recorder_->close();
-        recorder_->enter();
+        if (!starved_) tell(*this);
+        close();
         return !starved_;
     }
+    // It has accepted nothing, and is recorded without arguments.
+    void refused() {
+        open(record::call_cut);
+        close();
+    }
+    bool recorded() const { return recorded_; }
     template <class Tell> void result(Tell&& tell, lr_status status, const lr_world& world) {
         pass_ = Pass::output;
-        if (!cut_ && status == LR_OK) tell(*this);
+        if (status == LR_OK) tell(*this);
         recorder_->result(op_, status, output_, world);
     }
 
@@ -36,22 +46,27 @@ public:
         static_assert(std::is_arithmetic_v<T>);
         if (pass_ == Pass::write) recorder_->value(v);
     }
-    // Bytes that the call reads whole, whatever they say. Null too.
+    // Whether what this points to may be read now. That there is nothing is recorded.
+    bool reads(const void* from) {
+        if (!from) value(static_cast<uint32_t>(record::Where::null));
+        if (from && pass_ == Pass::ask) names_memory_ = true;
+        return from && (pass_ == Pass::survey || pass_ == Pass::write);
+    }
     void array(const void* bytes, uint64_t size) {
-        if (pass_ != Pass::write) return;
-        recorder_->value(bytes ? record::Where::here : record::Where::null);
-        if (!bytes) return;
+        if (!reads(bytes) || pass_ != Pass::write) return;
+        recorder_->value(record::Where::here);
         recorder_->value(size);
         recorder_->put(bytes, size);
     }
     // The same of what may be large, and given again.
     void shared_array(const void* bytes, uint64_t size) {
-        if (!bytes || size <= record::most_here) return array(bytes, size);
+        if (size <= record::most_here) return array(bytes, size);
+        if (!reads(bytes)) return;
         if (pass_ == Pass::survey) {
             blobs_[blob_count_ % most_blobs] = recorder_->blob(bytes, size);
             ++blob_count_;
+            return;
         }
-        if (pass_ != Pass::write) return;
         // Of colliders there may be many: those that were not kept are found again.
         const uint64_t hash =
             blob_count_ <= most_blobs ? blobs_[blobs_written_++] : record::Recorder::blob_hash(bytes, size);
@@ -59,17 +74,12 @@ public:
         recorder_->value(size);
         recorder_->value(hash);
     }
-    // A struct; false where there is none, or none that can be read.
+    // A struct; false where there is none, or it is not read now.
     template <class T> bool structure(const T* given, T& out) {
-        if (!given) {
-            if (pass_ == Pass::write) recorder_->value(record::Where::null);
-            return false;
-        }
-        if (read_struct(given, out) != LR_OK) return cut();
-        if (pass_ == Pass::write) {
-            recorder_->value(record::Where::here);
-            write(out);
-        }
+        if (!reads(given)) return false;
+        read_struct(given, out);
+        value(static_cast<uint32_t>(record::Where::here));
+        write(out);
         return true;
     }
     template <class T> bool structure(const T* given) {
@@ -79,36 +89,24 @@ public:
     // `each` for what an element points to.
     template <class T, class Each> void structures(const T* given, uint32_t count, Each&& each) {
         value(count);
-        if (!given || count == 0) {
-            if (pass_ == Pass::write) recorder_->value(record::Where::null);
-            return;
-        }
-        if (pass_ == Pass::output) return;
-        if (pass_ == Pass::write) recorder_->value(record::Where::here);
+        if (!reads(count != 0 ? given : nullptr)) return;
+        value(static_cast<uint32_t>(record::Where::here));
         const ArrayOf<T> all(given);
         T one;
-        for (uint32_t i = 0; i < count && !cut_; ++i) {
-            if (all.read(i, one) != LR_OK) {
-                cut();
-                return;
-            }
-            if (pass_ == Pass::write) write(one);
+        for (uint32_t i = 0; i < count; ++i) {
+            all.read(i, one);
+            write(one);
             each(one);
         }
     }
     template <class T> void structures(const T* given, uint32_t count) {
         structures(given, count, [](const T&) {});
     }
-    // Makes a record of its own where the asset is new. Any pass.
+    // Makes a record of its own where the asset is new.
     uint32_t asset(const lr_asset& asset) {
         uint32_t id = 0;
-        if (!recorder_->asset(asset, id)) starved_ = cut_ = true;
+        if (!recorder_->asset(asset, id)) starved_ = true;
         return id;
-    }
-    // Its arguments are not those of a call that is carried out: it is recorded without them.
-    bool cut() {
-        cut_ = true;
-        return false;
     }
     void raw(const void* bytes, uint64_t size) {
         if (pass_ == Pass::write) recorder_->put(bytes, size);
@@ -128,15 +126,25 @@ public:
 
 private:
     template <class T> void write(const T& s) {
-        recorder_->value(record::recorded_bytes<T>);
-        recorder_->put(&s, record::recorded_bytes<T>);
+        value(record::recorded_bytes<T>);
+        raw(&s, record::recorded_bytes<T>);
+    }
+    void open(uint16_t flags) {
+        recorded_ = true;
+        recorder_->open(record::Kind::call);
+        recorder_->value(static_cast<uint16_t>(op_));
+        recorder_->value(flags);
+    }
+    void close() {
+        recorder_->close();
+        recorder_->enter();
     }
 
     static constexpr uint32_t most_blobs = 8;
     record::Recorder* recorder_;
     record::Op op_;
-    Pass pass_ = Pass::survey;
-    bool cut_ = false, starved_ = false;
+    Pass pass_ = Pass::ask;
+    bool names_memory_ = false, recorded_ = false, starved_ = false;
     uint64_t output_ = 0;
     uint64_t blobs_[most_blobs] = {};
     uint32_t blob_count_ = 0, blobs_written_ = 0;

@@ -19,7 +19,7 @@ lr_status check(const lr_world* world, const char* function, const lr_wind_sourc
     const uint64_t count = lr::sample_count(out);
     for (uint64_t i = 0; i < count; ++i) {
         if (!std::isfinite(out.samples[i])) return refuse(world, function, LR_ERROR_NOT_FINITE);
-        if (!in_range(out.samples[i], -1000.0, 1000.0))
+        if (!in_range(out.samples[i], -lr::most_wind, lr::most_wind))
             return refuse(world, function, LR_ERROR_INVALID_ARGUMENT, "a sample is over 1000 m/s");
     }
     return LR_OK;
@@ -51,7 +51,7 @@ lr_status lr_inner_world_add_wind(lr_world* world, const lr_wind_source_desc* de
     lr_wind_source_desc d;
     lr_status status = check(world, name, desc, false, d);
     if (status != LR_OK) return status;
-    status = world->wind.add(d, world->time, world->seed, *out);
+    status = accepted(world) ? world->wind.add(d, world->time, world->seed, *out) : LR_ERROR_OUT_OF_MEMORY;
     return status == LR_OK ? status : refuse(world, name, status);
 }
 

@@ -34,8 +34,7 @@ lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
         !known_simd(d.simd_target) || !in_range(d.fluid_viscosity, 0.0, 1e3) || (d.checks & ~LR_CHECK_THREADS) != 0 ||
         d.reserved != 0 || !d.allocator.allocate != !d.allocator.release || !d.jobs.enqueue != !d.jobs.finish)
         return LR_ERROR_INVALID_ARGUMENT;
-    for (float g : d.gravity)
-        if (!in_range(g, -1e4, 1e4)) return LR_ERROR_INVALID_ARGUMENT;
+    if (lr::wrong_gravity(d.gravity)) return LR_ERROR_INVALID_ARGUMENT;
     return guarded([&] {
         *out = lr_world::create(d, status);
         return status;
@@ -71,11 +70,9 @@ lr_status lr_inner_world_set_gravity(lr_world* world, const float* gravity) {
     if (!world || !gravity) return LR_ERROR_NULL_ARGUMENT;
     float to[3];
     std::copy(gravity, gravity + 3, to);
-    for (int i = 0; i < 3; ++i) {
-        if (!std::isfinite(gravity[i])) return refuse(world, "lr_world_set_gravity", LR_ERROR_NOT_FINITE);
-        if (!in_range(gravity[i], -1e4, 1e4))
-            return refuse(world, "lr_world_set_gravity", LR_ERROR_INVALID_ARGUMENT, "gravity is over 1e4 m/s^2");
-    }
+    if (!finite(to)) return refuse(world, "lr_world_set_gravity", LR_ERROR_NOT_FINITE);
+    if (const char* why = lr::wrong_gravity(to))
+        return refuse(world, "lr_world_set_gravity", LR_ERROR_INVALID_ARGUMENT, why);
     world->set_gravity(to);
     return LR_OK;
 }
@@ -106,9 +103,8 @@ lr_status lr_inner_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
         if (!finite(d.velocity)) return refuse(world, "lr_world_set_wind", LR_ERROR_NOT_FINITE);
         if ((d.kind != LR_WIND_NONE && d.kind != LR_WIND_UNIFORM) || d.reserved != 0)
             return refuse(world, "lr_world_set_wind", LR_ERROR_INVALID_ARGUMENT, "unknown kind of wind");
-        for (float v : d.velocity)
-            if (!in_range(v, -1000.0, 1000.0))
-                return refuse(world, "lr_world_set_wind", LR_ERROR_INVALID_ARGUMENT, "velocity is over 1000 m/s");
+        if (const char* why = lr::wrong_wind(d.velocity))
+            return refuse(world, "lr_world_set_wind", LR_ERROR_INVALID_ARGUMENT, why);
         if (d.kind == LR_WIND_UNIFORM) std::copy(d.velocity, d.velocity + 3, wind);
     }
     std::copy(wind, wind + 3, world->wind.uniform.wind);
@@ -155,7 +151,9 @@ lr_status lr_inner_world_snapshot_save(const lr_world* world, void* memory, uint
 lr_status lr_inner_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
     const lr::FloatMode mode; // boxes of bodies at rest and constants of loads are made anew
     if (!world || !memory) return LR_ERROR_NULL_ARGUMENT;
-    const lr_status status = lr::snapshot_restore(*world, memory, size);
+    lr_status status = LR_ERROR_SNAPSHOT_FORMAT;
+    if (lr::snapshot_is_whole(memory, size))
+        status = accepted(world) ? lr::snapshot_restore(*world, memory) : LR_ERROR_OUT_OF_MEMORY;
     return status == LR_OK ? status : refuse(world, "lr_world_snapshot_restore", status);
 }
 

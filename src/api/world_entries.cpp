@@ -1,6 +1,7 @@
 // Exported functions of worlds: how calls come in.
 #include "api/entry.h"
 #include "field/wind_source.h"
+#include "world/snapshot.h"
 
 using namespace lr::api;
 
@@ -9,9 +10,8 @@ namespace {
 void tell_source(Call& call, const lr_wind_source_desc* desc) {
     lr_wind_source_desc d;
     if (!call.structure(desc, d)) return;
-    const char* why = nullptr;
-    const bool samples = d.kind == LR_WIND_SOURCE_GRID && d.samples && lr::check_wind_source(d, why) == LR_OK;
-    call.shared_array(samples ? d.samples : nullptr, samples ? sizeof(float) * lr::sample_count(d) : 0);
+    const float* const samples = d.kind == LR_WIND_SOURCE_GRID ? d.samples : nullptr;
+    call.shared_array(samples, samples ? sizeof(float) * lr::sample_count(d) : 0);
 }
 
 } // namespace
@@ -149,7 +149,9 @@ lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t s
 lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
     return change(
         world, Op::world_snapshot_restore, [&] { return lr_inner_world_snapshot_restore(world, memory, size); },
-        [&](Call& call) { call.array(memory, size); });
+        [&](Call& call) {
+            if (call.reads(memory)) call.array(memory, lr::snapshot_bytes(memory));
+        });
 }
 
 lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {

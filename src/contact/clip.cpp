@@ -114,11 +114,11 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
         for (bool slides = true; slides;) {
             float free = 1.0f;
             Candidate candidate{};
-            each_candidate(i, around(from, target, step_->shape->reach * scale), [&](const Candidate& c) {
+            any_order(i, around(from, target, step_->shape->reach * scale), [&](const Candidate& c) {
                 const auto same = [&](const Candidate& m) { return m.slot == c.slot && m.part.first == c.part.first; };
                 if (std::any_of(met_before, met_before + met_count, same)) return;
                 const float here = free_way(from, target, c);
-                if (here >= free) return;
+                if (here > free || (here == free && (free == 1.0f || comes_before(candidate, c)))) return;
                 free = here;
                 candidate = c;
             });

@@ -1,5 +1,7 @@
 #include "contact/collider_motion.h"
 
+#include "kernel/faults.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -143,7 +145,8 @@ Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector
     Pose to = from;
     const Wide x = wide(from.position), v = wide(linear), left = wide(rest), w = wide(angular);
     double next[3];
-    for (int k = 0; k < 3; ++k) next[k] = x.v[k] + left.v[k] + v.v[k] * dt;
+    constexpr auto most = static_cast<double>(farthest_place); // where no body comes
+    for (int k = 0; k < 3; ++k) next[k] = std::clamp(x.v[k] + left.v[k] + v.v[k] * dt, -most, most);
     to.position = {static_cast<float>(next[0]), static_cast<float>(next[1]), static_cast<float>(next[2])};
     rest = {static_cast<float>(next[0] - wide(to.position.x)), static_cast<float>(next[1] - wide(to.position.y)),
             static_cast<float>(next[2] - wide(to.position.z))};

@@ -1,5 +1,7 @@
 #include "contact/collider_snapshot.h"
 
+#include "contact/collider_limits.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -40,31 +42,34 @@ template <class T> T at(const unsigned char* from, uint64_t index) {
 bool has_data(ColliderKind kind) {
     return kind == ColliderKind::hull || kind == ColliderKind::heightfield || kind == ColliderKind::mesh;
 }
-bool within(Vector v, float most) {
-    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most; // false for NaN
+bool near(Vector v, Vector most) {
+    return std::abs(v.x) <= most.x && std::abs(v.y) <= most.y && std::abs(v.z) <= most.z; // false for NaN
+}
+bool zero(Vector v) {
+    return near(v, {0.0f, 0.0f, 0.0f});
 }
 
-// Long steps at high speed may take colliders farther than they can be put.
-constexpr float farthest = 1e30f;
-
+// Steps may take colliders farther than they can be put, as far as `advanced` does.
 bool consistent(const Pose& pose) {
     const Rotation& q = pose.rotation;
     const float n = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-    return within(pose.position, farthest) && n > 0.999f && n < 1.001f;
+    return near(pose.position, {farthest_place, farthest_place, farthest_place}) && n > 0.999f && n < 1.001f;
+}
+// What rounding has taken from a position is less than its last digit.
+bool is_rest(Vector rest, Vector of) {
+    const auto most = [](float x) { return 0x1p-23f * std::abs(x) + 1e-37f; };
+    return near(rest, {most(of.x), most(of.y), most(of.z)});
 }
 
 bool consistent(const SavedCollider& c) {
     if (c.kind < LR_COLLIDER_PLANE || c.kind > LR_COLLIDER_MESH || c.pending > 1 || c.fresh > 1) return false;
-    const int sizes = c.kind == LR_COLLIDER_SPHERE    ? 1
-                      : c.kind == LR_COLLIDER_CAPSULE ? 2
-                      : c.kind == LR_COLLIDER_BOX     ? 3
-                                                      : 0;
-    for (int i = 0; i < 3; ++i)
-        if (i < sizes ? !(c.size[i] > 0.0f && c.size[i] <= 1e6f) : c.size[i] != 0.0f) return false;
-    const bool still = within(c.linear, 0.0f) && within(c.angular, 0.0f);
-    return consistent(c.begin) && consistent(c.end) && within(c.linear, 1e6f) && within(c.angular, 1e6f) &&
-           within(c.rest, farthest) && c.friction >= 0.0f && c.friction <= 10.0f && c.restitution >= 0.0f &&
-           c.restitution <= 1.0f && (c.pending == 0 || still);
+    for (int i = sizes_of(c.kind); i < 3; ++i)
+        if (c.size[i] != 0.0f) return false;
+    const bool still = zero(c.linear) && zero(c.angular);
+    return consistent(c.begin) && consistent(c.end) && is_rest(c.rest, c.begin.position) &&
+           !wrong_sizes(c.kind, c.size) && !wrong_surface(c.friction, c.restitution) &&
+           !wrong_velocity({c.linear.x, c.linear.y, c.linear.z}, {c.angular.x, c.angular.y, c.angular.z}) &&
+           (c.pending == 0 || still);
 }
 
 // Free slots make one chain from the first to the last.
@@ -176,7 +181,7 @@ lr_status ColliderSnapshot::read(const unsigned char* from, uint64_t size, uint6
         }
         const uint64_t n = kind == ColliderKind::mesh && shared ? shared->parts.size() : 1;
         proxies += n;
-        if (saved.pending != 0 || !within(saved.linear, 0.0f) || !within(saved.angular, 0.0f)) movers += n;
+        if (saved.pending != 0 || !zero(saved.linear) || !zero(saved.angular)) movers += n;
     }
     if (!there) return LR_ERROR_SNAPSHOT_MISMATCH;
     if (proxies > INT32_MAX) return LR_ERROR_SNAPSHOT_FORMAT;

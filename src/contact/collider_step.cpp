@@ -241,10 +241,6 @@ bool Colliders::any_finite(const Box& box, uint32_t layers) const {
 
 namespace {
 
-bool comes_before(const Candidate& a, const Candidate& b) {
-    return a.slot != b.slot ? a.slot < b.slot : a.part.first < b.part.first;
-}
-
 // Into a list in order; what it has no room for, or pushes out, is the last.
 struct CandidateList {
     Candidate (&at)[most_candidates];
@@ -267,18 +263,9 @@ struct CandidateList {
 uint32_t Colliders::candidates(const Box& box, uint32_t layers, const Candidate* after,
                                Candidate (&out)[most_candidates], bool& more) const {
     CandidateList list{out};
-    const auto take = [&](uint32_t slot, ColliderPart part) {
-        const Candidate one{slot, part};
-        if ((colliders_[slot].layers & layers) != 0 && (!after || comes_before(*after, one))) list.take(one);
-    };
-    still_grid_.query(box, [&](const Proxy& p) {
-        if (slots_[p.slot].where == Where::still) take(p.slot, p.part);
+    visit(box, layers, [&](const Candidate& one) {
+        if (!after || comes_before(*after, one)) list.take(one);
     });
-    active_grid_.query(box, [&](const Proxy& p) {
-        if (slots_[p.slot].where == Where::active) take(p.slot, p.part);
-    });
-    for (uint32_t i = 0; i < unbounded_count_; ++i)
-        if (in_reach(colliders_[unbounded_[i]], box)) take(unbounded_[i], {0, 0});
     more = list.more;
     return list.count;
 }

@@ -27,6 +27,9 @@ struct Candidate {
     ColliderPart part;
 };
 inline constexpr uint32_t most_candidates = 64;
+inline bool comes_before(const Candidate& a, const Candidate& b) {
+    return a.slot != b.slot ? a.slot < b.slot : a.part.first < b.part.first;
+}
 
 struct ColliderMotion {
     Vector linear, angular; // m/s, rad/s
@@ -87,9 +90,23 @@ public:
             if (in_use(i) && slots_[i].shared) visit(slots_[i].shared->hash, desc_of(*slots_[i].shared));
     }
 
-    // Those whose boxes, over all of the step, reach into `box` (m, world) and that are in one of `layers`: in order of slots and
-    // parts, each once, at most most_candidates: the first ones behind `after`, which may be null. more: there are others behind
-    // them. Any thread.
+    // Calls found(candidate) for those whose boxes, over all of the step, reach into `box` (m, world) and that are in one of `layers`, each
+    // once, in no certain order. Any thread.
+    template <class Found> void visit(const Box& box, uint32_t layers, Found&& found) const {
+        const auto take = [&](uint32_t slot, ColliderPart part) {
+            if ((colliders_[slot].layers & layers) != 0) found(Candidate{slot, part});
+        };
+        still_grid_.query(box, [&](const Proxy& p) {
+            if (slots_[p.slot].where == Where::still) take(p.slot, p.part);
+        });
+        active_grid_.query(box, [&](const Proxy& p) {
+            if (slots_[p.slot].where == Where::active) take(p.slot, p.part);
+        });
+        for (uint32_t i = 0; i < unbounded_count_; ++i)
+            if (in_reach(colliders_[unbounded_[i]], box)) take(unbounded_[i], {0, 0});
+    }
+    // The same in order of slots and parts, at most most_candidates: the first ones behind `after`, which may be null. more: there are
+    // others behind them.
     uint32_t candidates(const Box& box, uint32_t layers, const Candidate* after, Candidate (&out)[most_candidates],
                         bool& more) const;
     // The same of planes and heightfields alone; of more than there is room for the first.

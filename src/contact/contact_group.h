@@ -137,6 +137,7 @@ private:
         Candidate candidate[most_candidates];
     };
     template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
+    template <class Found> void any_order(uint32_t lane, const Box& around, Found&& found) const;
     ContactBodies bodies(const LaneRow (&before)[pose_fields], float h) const;
     void press_air(const LaneRow (&before)[pose_fields], float begin, float end);
     void clip(const LaneRow (&before)[pose_fields], float begin, float end, float h);
@@ -178,6 +179,14 @@ template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& 
         for (uint32_t k = 0; k < count; ++k) found(list[k]);
         if (more) last = list[count - 1];
     }
+}
+
+// The same in any order: of a long way among very many they are not sorted.
+template <class Found> void ContactGroup::any_order(uint32_t i, const Box& around, Found&& found) const {
+    if (near_[i].crowded)
+        step_->colliders->visit(around, step_->settings->layers, found);
+    else
+        each_candidate(i, around, found);
 }
 
 // Of [begin, end), up to near_range and as far as there is room for field_block of them, which field_block bodies always have:

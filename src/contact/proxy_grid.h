@@ -52,7 +52,8 @@ public:
     template <class Found> void query(const Box& box, Found&& found) const;
 
 private:
-    static constexpr int least_rung = -24, rungs = 48; // cells of 2^rung m
+    // Cells of 2^rung m, up to more than the longest step at the highest speed can reach: a box lies in few of its own.
+    static constexpr int least_rung = -24, rungs = 96;
     struct Level {
         OccupancyLevel near;
         float inverse_bucket; // 1/m, of the cells that make buckets: coarser, so that a query visits few

@@ -1,11 +1,6 @@
 #include "contact/rest_grid.h"
 
 namespace lr {
-namespace {
-
-constexpr double least_scale = 1e-3;
-
-} // namespace
 
 bool RestGrid::create(Allocator& allocator, uint32_t capacity, double reach) {
     uint32_t buckets = 16;
@@ -15,7 +10,7 @@ bool RestGrid::create(Allocator& allocator, uint32_t capacity, double reach) {
         return false;
     mask_ = buckets - 1;
     reach_ = reach;
-    double size = 2.0 * reach * least_scale;
+    double size = 2.0 * reach * 1e-3; // of bodies of the least scale
     for (double& s : size_) s = size, size *= 4.0;
     clear();
     return true;

@@ -174,6 +174,26 @@ float sweep_triangle(const Way& way, const Triangle& t) {
     return sweep(way, [&](Vector position) { return PlacedCollider(t.corners, position); });
 }
 
+// Of a row's columns [first, last), where these are very many, those about the way: a long one across a field goes over few of its cells.
+void columns_under(const Way& way, const HeightfieldGeometry& field, uint32_t row, uint32_t& first, uint32_t& last) {
+    constexpr uint32_t many = 64;
+    if (last - first <= many) return;
+    const Vector a = way.from.position, d = way.move;
+    const float reach = way.reach + field.spacing[1], z = static_cast<float>(row) * field.spacing[1];
+    float begin = 0.0f, end = 1.0f; // of the way
+    if (d.z != 0.0f) {
+        const float t = (z - reach - a.z) / d.z, u = (z + field.spacing[1] + reach - a.z) / d.z;
+        begin = std::clamp(std::min(t, u), 0.0f, 1.0f);
+        end = std::clamp(std::max(t, u), 0.0f, 1.0f);
+    }
+    const float low = a.x + (d.x < 0.0f ? end : begin) * d.x, high = a.x + (d.x < 0.0f ? begin : end) * d.x;
+    // What rounding may take from both ends.
+    const float more = way.reach + field.spacing[0] + 1e-5f * (std::abs(a.x) + std::abs(d.x));
+    const Cells cells = cells_between(field, low - more, high + more, z, z);
+    first = std::max(first, cells.first[0]);
+    last = std::min(last, cells.last[0]);
+}
+
 float sweep_heightfield(const Way& way, const HeightfieldGeometry& field) {
     const Vector a = way.from.position, b = way.to.position;
     const float lowest = std::min(a.y, b.y) - way.reach;
@@ -187,14 +207,17 @@ float sweep_heightfield(const Way& way, const HeightfieldGeometry& field) {
     if (a.x >= 0.0f && a.z >= 0.0f && a.x <= width && a.z <= depth && a.y < height_at(field, a.x, a.z).height)
         return 1.0f;
     float least = 1.0f;
-    for (uint32_t k = cells.first[1]; k < cells.last[1]; ++k)
-        for (uint32_t i = cells.first[0]; i < cells.last[0]; ++i)
+    for (uint32_t k = cells.first[1]; k < cells.last[1]; ++k) {
+        uint32_t first = cells.first[0], last = cells.last[0];
+        columns_under(way, field, k, first, last);
+        for (uint32_t i = first; i < last; ++i)
             for (const bool second : {false, true}) {
                 const Triangle t = field_triangle(field, i, k, second);
                 if (std::max({t.corners[0].y, t.corners[1].y, t.corners[2].y}) < lowest || !near_triangle(way, t))
                     continue;
                 least = std::min(least, sweep_triangle(way, t));
             }
+    }
     return least;
 }
 

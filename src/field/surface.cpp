@@ -1,6 +1,7 @@
 #include "field/surface.h"
 
 #include "kernel/float_mode.h"
+#include "kernel/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +15,6 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
-bool within(double value, double low, double high) {
-    return value >= low && value <= high;
-}
-template <size_t N> bool all_within(const float (&values)[N], double most) {
-    return std::all_of(values, values + N, [&](float v) { return within(static_cast<double>(v), -most, most); });
-}
 double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -43,6 +38,11 @@ bool in_plane(const lr_wave& wave, const double up[3], double out[3]) {
     return dot(out, out) > 1e-6 && normalise(out);
 }
 
+// rad/s, of deep water: omega^2 = g k.
+double frequency_of(const lr_wave& wave, const double gravity[3]) {
+    return std::sqrt(turn * std::sqrt(dot(gravity, gravity)) / static_cast<double>(wave.length));
+}
+
 } // namespace
 
 lr_status check_surface(const lr_surface_desc& d, const char*& why) {
@@ -55,17 +55,17 @@ lr_status check_surface(const lr_surface_desc& d, const char*& why) {
     why = "a surface's value is out of its range";
     double up[3];
     widen(d.normal, up);
-    if (d.wave_count > LR_MAX_WAVES || !normalise(up) || !all_within(d.position, 1e9) ||
-        !all_within(d.current, 1000.0) || !within(static_cast<double>(d.density), 0.99e-3, 1e6) ||
-        !within(static_cast<double>(d.viscosity), 0.99e-12, 1e3) || !within(static_cast<double>(d.reach), 0.0, 1e6))
+    if (d.wave_count > LR_MAX_WAVES || !normalise(up) || !within(d.position, most_place) ||
+        !within(d.current, most_wind) || !in_range(d.density, 0.99e-3, 1e6) || !in_range(d.viscosity, 0.99e-12, 1e3) ||
+        !in_range(d.reach, 0.0, 1e6))
         return LR_ERROR_INVALID_ARGUMENT;
     why = "a wave's value is out of its range";
     for (uint32_t i = 0; i < d.wave_count; ++i) {
         const lr_wave& w = d.waves[i];
         const auto length = static_cast<double>(w.length), amplitude = static_cast<double>(w.amplitude);
         double along[3];
-        if (!within(length, 0.99e-3, 1e6) || !within(amplitude, 0.0, length / 7.0) ||
-            !within(static_cast<double>(w.phase), -1e6, 1e6) || !in_plane(w, up, along))
+        if (!in_range(length, 0.99e-3, 1e6) || !in_range(amplitude, 0.0, length / 7.0) ||
+            !in_range(w.phase, -1e6, 1e6) || !in_plane(w, up, along))
             return LR_ERROR_INVALID_ARGUMENT;
     }
     return LR_OK;
@@ -73,10 +73,14 @@ lr_status check_surface(const lr_surface_desc& d, const char*& why) {
 
 bool Surface::consistent(const Record& r) {
     if (r.present > 1 || r.reserved != 0) return false;
-    for (double f : r.frequency)
-        if (!within(f, 0.0, 1e5)) return false;
     const char* why = nullptr;
-    return r.present == 0 || check_surface(r.desc, why) == LR_OK;
+    if (r.present != 0 && check_surface(r.desc, why) != LR_OK) return false;
+    const double strongest[3] = {most_gravity, most_gravity, most_gravity};
+    for (uint32_t i = 0; i < LR_MAX_WAVES; ++i) {
+        const bool wave = r.present != 0 && i < r.desc.wave_count;
+        if (!in_range(r.frequency[i], 0.0, wave ? frequency_of(r.desc.waves[i], strongest) : 0.0)) return false;
+    }
+    return true;
 }
 
 void Surface::set(const lr_surface_desc& desc, const float gravity[3]) {
@@ -86,9 +90,7 @@ void Surface::set(const lr_surface_desc& desc, const float gravity[3]) {
     record_.desc = desc;
     double g[3];
     widen(gravity, g);
-    // Deep water: omega^2 = g k.
-    for (uint32_t i = 0; i < desc.wave_count; ++i)
-        record_.frequency[i] = std::sqrt(turn * std::sqrt(dot(g, g)) / static_cast<double>(desc.waves[i].length));
+    for (uint32_t i = 0; i < desc.wave_count; ++i) record_.frequency[i] = frequency_of(desc.waves[i], g);
 }
 
 SurfaceInstant Surface::at(double time) const {

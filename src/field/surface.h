@@ -22,7 +22,7 @@ public:
     };
     static bool consistent(const Record& record);
     Record record() const { return record_; }
-    void restore(const Record& record) { record_ = record; }
+    void restore(const Record& record) { record_ = record.present != 0 ? record : Record{}; }
 
     bool present() const { return record_.present != 0; }
     const lr_surface_desc& desc() const { return record_.desc; }

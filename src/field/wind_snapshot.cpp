@@ -1,6 +1,7 @@
 #include "field/wind_snapshot.h"
 
 #include "kernel/float_mode.h"
+#include "kernel/limits.h"
 
 #include <algorithm>
 #include <bit>
@@ -25,10 +26,6 @@ struct SavedSource {
     unsigned char desc[source_bytes];
 };
 static_assert(sizeof(SavedWind) % 8 == 0 && sizeof(SavedSource) % 8 == 0);
-
-template <class T, size_t N> bool all_finite(const T (&values)[N]) {
-    return std::all_of(values, values + N, [](T v) { return std::isfinite(v); });
-}
 
 } // namespace
 
@@ -82,13 +79,13 @@ WindSnapshot::~WindSnapshot() {
     for (WindSource* source : sources_) field_->release(source);
 }
 
-lr_status WindSnapshot::read(const unsigned char* from, uint64_t size, uint64_t seed, uint64_t& used) {
+lr_status WindSnapshot::read(const unsigned char* from, uint64_t size, double time, uint64_t seed, uint64_t& used) {
     const FloatMode mode; // gusts are computed anew
     SavedWind wind;
     used = bytes(from, size);
     if (used == 0) return LR_ERROR_SNAPSHOT_FORMAT;
     std::memcpy(&wind, from, sizeof wind);
-    if (!all_finite(wind.before) || !all_finite(wind.drift)) return LR_ERROR_SNAPSHOT_FORMAT;
+    if (wrong_wind(wind.before) || !within(wind.drift, most_way)) return LR_ERROR_SNAPSHOT_FORMAT;
     for (uint32_t generation : wind.generations)
         if (generation > WindField::last_generation) return LR_ERROR_SNAPSHOT_FORMAT;
     uint32_t instants = 0;
@@ -99,7 +96,7 @@ lr_status WindSnapshot::read(const unsigned char* from, uint64_t size, uint64_t 
         std::memcpy(static_cast<void*>(&desc), saved.desc, source_bytes);
         const char* why = nullptr;
         if (saved.slot >= WindField::capacity || sources_[saved.slot] || kept_[saved.slot] ||
-            !std::isfinite(saved.since) || check_wind_source(desc, why) != LR_OK)
+            !in_range(saved.since, 0.0, time) || check_wind_source(desc, why) != LR_OK)
             return LR_ERROR_SNAPSHOT_FORMAT;
         if (is_there(desc, saved.slot, saved.since, saved.samples, seed)) {
             kept_[saved.slot] = true;

@@ -20,8 +20,8 @@ public:
     WindSnapshot(const WindSnapshot&) = delete;
     WindSnapshot& operator=(const WindSnapshot&) = delete;
 
-    // used: receives how many of the `size` bytes are the wind's. seed: of the saved world.
-    lr_status read(const unsigned char* from, uint64_t size, uint64_t seed, uint64_t& used);
+    // used: receives how many of the `size` bytes are the wind's. time, seed: of the saved world.
+    lr_status read(const unsigned char* from, uint64_t size, double time, uint64_t seed, uint64_t& used);
     // After read() alone. The uniform wind's own velocity is not part of this.
     void commit();
 

@@ -1,6 +1,7 @@
 #include "field/wind_source.h"
 
 #include "field/harmonic.h"
+#include "kernel/limits.h"
 #include "shape/portable_math.h"
 
 #include <algorithm>
@@ -56,12 +57,6 @@ bool slot_of(const lr_wind_source_desc& d, double out[3]) {
     return std::abs(along) < 0.999 && normalise(across, out);
 }
 
-bool within(float v, double low, double high) {
-    return static_cast<double>(v) >= low && static_cast<double>(v) <= high;
-}
-bool all_within(const float (&v)[3], double low, double high) {
-    return within(v[0], low, high) && within(v[1], low, high) && within(v[2], low, high);
-}
 double duration(const lr_wind_source_desc& d) {
     if (d.period > 0.0f) return static_cast<double>(d.period);
     if (d.kind == LR_WIND_SOURCE_GUSTS) return 10.0;
@@ -79,31 +74,32 @@ bool blowing(int32_t kind) {
 const char* wrong_in(const lr_wind_source_desc& d) {
     if (d.kind < LR_WIND_SOURCE_GUSTS || d.kind > LR_WIND_SOURCE_GROUND) return "unknown kind of wind source";
     if (d.reserved != 0) return "reserved is not 0";
-    constexpr double far = 1e9, long_way = 1e6, fast = 1000.0;
+    constexpr double long_way = 1e6;                            // m
     constexpr double least_length = static_cast<double>(1e-4f); // what a caller can give, which is less than 1e-4
-    if (!all_within(d.position, -far, far)) return "position is over 1e9 m";
-    if (!all_within(d.velocity, -fast, fast)) return "velocity is over 1000 m/s";
-    if (!within(d.speed, 0.0, fast)) return "speed is negative or over 1000 m/s";
-    if (!within(d.size, least_length, long_way)) return "size is not 1e-4 to 1e6 m";
-    if (!within(d.period, 0.0, 1e6)) return "period is negative or over 1e6 s";
-    if (!within(d.spread, 0.0, 1.0)) return "spread is not 0 to 1";
+    if (!within(d.position, most_place)) return "position is over 1e9 m";
+    if (!within(d.velocity, most_wind)) return "velocity is over 1000 m/s";
+    if (!in_range(d.speed, 0.0, most_wind)) return "speed is negative or over 1000 m/s";
+    if (!in_range(d.size, least_length, long_way)) return "size is not 1e-4 to 1e6 m";
+    if (!in_range(d.period, 0.0, 1e6)) return "period is negative or over 1e6 s";
+    if (!in_range(d.spread, 0.0, 1.0)) return "spread is not 0 to 1";
     double unit[3];
     const bool directed = d.kind != LR_WIND_SOURCE_TURBULENCE && d.kind != LR_WIND_SOURCE_GRID;
     if (directed && !normalise(d.direction, unit)) return "direction has no length";
     if (d.kind == LR_WIND_SOURCE_LINE_BLOWER && !slot_of(d, unit)) return "side is not across the direction";
     if (vortical(d.kind)) {
-        if (!within(d.circulation, -1e6, 1e6)) return "circulation is over 1e6 m^2/s";
+        if (!in_range(d.circulation, -1e6, 1e6)) return "circulation is over 1e6 m^2/s";
         if (std::abs(d.circulation) > 6000.0f * d.size) return "the vortex is faster than 1000 m/s";
-        if (!within(d.radius, 0.0, long_way)) return "radius is negative or over 1e6 m";
+        if (!in_range(d.radius, 0.0, long_way)) return "radius is negative or over 1e6 m";
     }
-    if (!within(d.half_length, 0.0, long_way)) return "half_length is negative or over 1e6 m";
-    if (blowing(d.kind) && !within(d.range, static_cast<double>(d.size), long_way))
+    if (!in_range(d.half_length, 0.0, long_way)) return "half_length is negative or over 1e6 m";
+    if (blowing(d.kind) && !in_range(d.range, static_cast<double>(d.size), long_way))
         return "range is below size or over 1e6 m";
     if (d.kind == LR_WIND_SOURCE_TURBULENCE && (d.octaves < 1 || d.octaves > 4)) return "octaves are not 1 to 4";
-    if (d.kind == LR_WIND_SOURCE_GROUND && !within(d.reference_height, static_cast<double>(d.size), long_way))
+    if (d.kind == LR_WIND_SOURCE_GROUND && !in_range(d.reference_height, static_cast<double>(d.size), long_way))
         return "reference_height is below size or over 1e6 m";
     if (d.kind == LR_WIND_SOURCE_GRID) {
-        if (!all_within(d.spacing, least_length, long_way)) return "spacing is not 1e-4 to 1e6 m";
+        if (!std::all_of(d.spacing, d.spacing + 3, [](float v) { return in_range(v, least_length, long_way); }))
+            return "spacing is not 1e-4 to 1e6 m";
         if (d.outside < LR_WIND_OUTSIDE_ZERO || d.outside > LR_WIND_OUTSIDE_REPEAT) return "outside is unknown";
         uint64_t total = 1;
         for (uint64_t n : {d.counts[0], d.counts[1], d.counts[2], d.frames}) {

@@ -172,6 +172,10 @@ bool is_usable(const AerodynamicData& a) {
     return is_rotation(a.axes, 1e-6); // a caller may have single precision
 }
 
+const char* wrong_in(const AerodynamicData& a) {
+    return is_usable(a) ? nullptr : "a value is out of its range, or the axes are no rotation";
+}
+
 bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const Gains& gains, bool diagonal, double rho,
                        double viscosity, BodyConstants& body) {
     if (!within(loads.center, -2.0 * a.length_d, 2.0 * a.length_d)) return false; // as check_asset

@@ -8,6 +8,9 @@ namespace lr {
 // Finite, not beyond what bodies of this library can have, axes orthonormal and right-handed, no negative drag.
 bool is_usable(const AerodynamicData& loads);
 
+// Null when a batch can have them, else what is wrong. diagonal: as BodyConstants::diagonal.
+const char* wrong_in(const AerodynamicData& loads);
+
 // Fills out.aerodynamics; `out` comes from make_body_constants with the same arguments. False when the mass matrix
 // cannot be inverted.
 bool make_aerodynamics(const AssetData& asset, const AerodynamicData& loads, const Gains& gains, bool diagonal,

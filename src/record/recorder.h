@@ -5,6 +5,7 @@
 #include "world/allocator.h"
 
 #include <atomic>
+#include <utility>
 
 struct lr_asset;
 struct lr_world;
@@ -39,6 +40,17 @@ public:
         return hash.value();
     }
 
+    // A call whose arguments are written by `record` once it has accepted them.
+    template <class Record> void wait_for(const Record& record) {
+        waiting_ = &record;
+        record_ = [](const void* self) { return (*static_cast<const Record*>(self))(); };
+    }
+    void wait_for_nothing() { record_ = nullptr; }
+    // False when out of memory.
+    bool accepted() {
+        const auto record = std::exchange(record_, nullptr);
+        return !record || record(waiting_);
+    }
     void enter() { inside_ = true; } // a call, which has been written
     void result(Op op, lr_status status, uint64_t output, const lr_world& world);
     // After lr_world_set_wind_callback and its like: answers go through here.
@@ -67,6 +79,8 @@ private:
     uint64_t frames_ = 0;
     Kind kind_{};
     bool failed_ = false, inside_ = false;
+    const void* waiting_ = nullptr;
+    bool (*record_)(const void* waiting) = nullptr;
     uint32_t steps_ = 0; // since a hash
     static constexpr size_t most_seen = 4096;
     Buffer<uint64_t> seen_; // a place for each hash that it may be in, the last one that came there

@@ -2,6 +2,7 @@
 
 #include "kernel/aerodynamics.h"
 #include "kernel/faults.h"
+#include "kernel/limits.h"
 #include "world/lifecycle.h"
 #include "world/step_chunks.h"
 
@@ -223,6 +224,7 @@ Bounds Batch::resting_box(uint32_t index) const {
 uint32_t Batch::wake(uint32_t index) {
     resting_->leave(unpack(ids_[index]).slot);
     resting_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_rest][index]);
+    oldest_ = std::max(oldest_, static_cast<double>(arrays_.field[field_age][index]));
     resting_->forget_rest(index);
     for (size_t f = field_gust_x; f < fields(); ++f) arrays_.field[f][index] = 0.0f; // see LiftOff
     if (events_) events_->note_woke(unpack(ids_[index]).slot);
@@ -356,7 +358,21 @@ BodyState Batch::read(uint32_t index) const {
     return s;
 }
 
+void Batch::grow_older(double seconds) {
+    oldest_ += seconds;
+    if (oldest_ <= static_cast<double>(most_age)) return;
+    oldest_ = 0.0;
+    for (uint32_t i = 0; i < awake_; ++i) {
+        float& age = arrays_.field[field_age][i];
+        oldest_ = std::max(oldest_, static_cast<double>(age));
+        if (age <= most_age) continue;
+        age = most_age;
+        if (!is_held(arrays_.field[field_age_rest][i])) arrays_.field[field_age_rest][i] = 0.0f;
+    }
+}
+
 void Batch::write(uint32_t index, const BodyState& state) {
+    oldest_ = std::max(oldest_, static_cast<double>(state.value[field_age]));
     for (size_t f = 0; f < fields(); ++f) arrays_.field[f][index] = state.value[f];
 }
 
@@ -456,6 +472,23 @@ bool Batch::fill_table(const TableView& t) {
                   static_cast<float>(t.count - 1), settings_.loop};
     set_speed_turbulence({chi(t.stationary), epsilon(t.stationary), t.u0, t.l, t.c0}, settings_.gains, step.body);
     return true;
+}
+
+TurbulenceSample Batch::strongest_turbulence(const TurbulenceSample& stationary, double& least_rate,
+                                             double& most_rate) const {
+    const auto rounded = [](double v) { return static_cast<double>(static_cast<float>(v)); };
+    if (stationary.u0 > 0.0) {
+        least_rate = rounded(1.0 / most_interval);
+        most_rate = rounded(1.0 / least_interval);
+        return {most_chi, most_epsilon, stationary.u0, stationary.l, stationary.c0};
+    }
+    const AssetData& a = asset_->data;
+    const TurbulenceData& t = a.turbulence;
+    least_rate = most_rate = rounded(1.0 / (t.dt * a.length_l / a.u0));
+    const double chi = *std::max_element(t.chi.begin(), t.chi.end()),
+                 epsilon = *std::max_element(t.epsilon.begin(), t.epsilon.end());
+    return {rounded(chi * (a.u0 / a.length_l)), rounded(epsilon * (a.u0 * a.u0 * a.u0 / a.length_l)), a.u0, a.length_l,
+            t.c0};
 }
 
 bool Batch::set_asset_table() {

@@ -63,10 +63,16 @@ public:
     void unmark(uint32_t index);
     BodyState read(uint32_t index) const;
     void write(uint32_t index, const BodyState& state);
+    // After a step: none is older than most_age (kernel/limits.h).
+    void grow_older(double seconds);
 
     // Both leave the old table in place when they fail.
     bool set_table(const TableView& table);
     bool set_asset_table();
+    // What is not less than any sample of a table with this stationary one, u0 of which is 0 without a table but the asset's; and
+    // between which rates (1/s) its samples follow each other.
+    TurbulenceSample strongest_turbulence(const TurbulenceSample& stationary, double& least_rate,
+                                          double& most_rate) const;
     // Quasi-steady loads other than the asset's own; false, and nothing has changed, when they cannot be used.
     bool set_aerodynamics(const AerodynamicData& loads, const Gains& gains);
     bool can_use(const AerodynamicData& loads, const Gains& gains) const;
@@ -201,6 +207,7 @@ private:
     bool water_made_ = false, water_usable_ = false; // for these:
     float water_density_ = 0.0f, water_viscosity_ = 0.0f;
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
+    double oldest_ = 0.0;           // s, that no body that moves is older than
     Lifecycle* lifecycle_ = nullptr;
     Resting* resting_ = nullptr;
     ContactEvents* events_ = nullptr;

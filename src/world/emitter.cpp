@@ -1,5 +1,6 @@
 #include "world/emitter.h"
 
+#include "kernel/limits.h"
 #include "world/counter_random.h"
 
 #include <algorithm>
@@ -10,10 +11,6 @@ namespace {
 
 double wide(float x) {
     return static_cast<double>(x);
-}
-
-bool within(float value, double low, double high) {
-    return wide(value) >= low && wide(value) <= high;
 }
 
 template <size_t N> double squared(const float (&v)[N]) {
@@ -102,22 +99,22 @@ WideVector place(CounterRandom& random, int32_t shape, const float (&size)[3]) {
 const char* wrong_in(const lr_emitter_desc& d) {
     if (d.shape < LR_EMIT_POINT || d.shape > LR_EMIT_SPHERE_SURFACE) return "unknown shape";
     if (d.pose != LR_POSE_RANDOM && d.pose != LR_POSE_FIXED) return "unknown pose";
-    for (float x : d.position)
-        if (!within(x, -1e9, 1e9)) return "position is over 1e9 m";
+    if (!within(d.position, most_place)) return "position is over 1e9 m";
     for (float x : d.size)
-        if (!within(x, 0.0, 1e9)) return "size is negative or over 1e9 m";
+        if (!in_range(x, 0.0, most_place)) return "size is negative or over 1e9 m";
     if (!normalisable(d.orientation) || !normalisable(d.body_orientation)) return "an orientation cannot be normalised";
     if (!normalisable(d.direction)) return "direction cannot be normalised";
-    if (!within(d.spread, 0.0, 3.1416)) return "spread is not 0 to pi";
-    if (!within(d.speed_min, 0.0, 1e6) || !within(d.speed_max, wide(d.speed_min), 1e6))
+    if (!in_range(d.spread, 0.0, 3.1416)) return "spread is not 0 to pi";
+    if (!in_range(d.speed_min, 0.0, most_speed) || !in_range(d.speed_max, wide(d.speed_min), most_speed))
         return "speeds are not 0 to 1e6 m/s in order";
-    if (!within(d.spin_min, 0.0, 1e6) || !within(d.spin_max, wide(d.spin_min), 1e6))
+    if (!in_range(d.spin_min, 0.0, most_speed) || !in_range(d.spin_max, wide(d.spin_min), most_speed))
         return "spins are not 0 to 1e6 rad/s in order";
-    if (!within(d.scale_min, static_cast<double>(1e-3f), 1e3) || !within(d.scale_max, wide(d.scale_min), 1e3))
+    if (!in_range(d.scale_min, wide(least_scale), wide(most_scale)) ||
+        !in_range(d.scale_max, wide(d.scale_min), wide(most_scale)))
         return "scales are not 0.001 to 1000 in order";
-    if (!within(d.rate, 0.0, 1e9)) return "rate is not 0 to 1e9 a second";
-    if (d.burst_count != 0 ? !within(d.burst_interval, static_cast<double>(1e-4f), 1e9)
-                           : !within(d.burst_interval, 0.0, 1e9))
+    if (!in_range(d.rate, 0.0, 1e9)) return "rate is not 0 to 1e9 a second";
+    if (d.burst_count != 0 ? !in_range(d.burst_interval, static_cast<double>(1e-4f), 1e9)
+                           : !in_range(d.burst_interval, 0.0, 1e9))
         return "burst_interval is not 1e-4 to 1e9 s";
     if (d.burst_count > max_capacity) return "burst_count is over 2^26";
     if (d.reserved != 0) return "reserved is not 0";

@@ -1,6 +1,7 @@
 #include "world/external_forces.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace lr {
@@ -16,7 +17,10 @@ bool ExternalForces::reserve(Allocator& allocator, size_t lanes) {
 void ExternalForces::add(uint32_t index, size_t frame, size_t kind, const double value[3]) {
     if (value[0] == 0.0 && value[1] == 0.0 && value[2] == 0.0) return;
     float* at = bodies_.data() + force_component(frame, kind) * stride_ + index;
-    for (size_t i = 0; i < 3; ++i, at += stride_) *at = static_cast<float>(static_cast<double>(*at) + value[i]);
+    for (size_t i = 0; i < 3; ++i, at += stride_) {
+        constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
+        *at = static_cast<float>(std::clamp(static_cast<double>(*at) + value[i], -most, most));
+    }
     used_ |= 1u << force_component(frame, kind) / 3;
 }
 

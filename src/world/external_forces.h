@@ -1,10 +1,16 @@
 // Forces from outside on a batch: on each body by itself over the next step, and on all of them until changed.
 #pragma once
 
+#include "kernel/limits.h"
 #include "kernel/step.h"
 #include "world/allocator.h"
 
 namespace lr {
+
+// Null when fine, else what is wrong.
+inline const char* wrong_batch_force(const float (&force)[force_components]) {
+    return within(force, most_force) ? nullptr : "a component is over 1e9";
+}
 
 class ExternalForces {
 public:

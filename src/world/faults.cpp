@@ -1,11 +1,13 @@
 #include "world/faults.h"
 
 #include "kernel/faults.h"
+#include "kernel/limits.h"
 #include "world/lifecycle.h"
 #include "world/world.h"
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <utility>
@@ -70,10 +72,15 @@ bool states_consistent(const unsigned char* rows, uint64_t stride, uint32_t fiel
         const float turn = square(field_qx) + square(field_qy) + square(field_qz) + square(field_qw);
         bad |= turn >= shortest_turn && turn <= longest_turn ? 0u : 1u;
     }
-    for (uint32_t i = 0; i < count; ++i) bad |= word(field_scale, i) - 1 >= infinite - 1 ? 1u : 0u; // above 0
     for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t age = word(field_age, i);
-        bad |= age >= infinite && age != minus ? 1u : 0u;
+        const float scale = std::bit_cast<float>(word(field_scale, i)), age = std::bit_cast<float>(word(field_age, i)),
+                    rest = std::bit_cast<float>(word(field_age_rest, i));
+        const auto bit = [](bool b) { return b ? 1u : 0u; };
+        // Less than the age's last digit; of a body that has left physics a mark.
+        const uint32_t remainder =
+            bit(std::abs(rest) <= 0x1p-23f * age) | bit(rest == held_mark) | bit(rest == fault_mark);
+        bad |= 1u ^ (bit(scale >= least_scale) & bit(scale <= most_scale) & bit(age >= 0.0f) & bit(age <= most_age) &
+                     remainder);
     }
     return bad == 0;
 }

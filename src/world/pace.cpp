@@ -1,5 +1,7 @@
 #include "world/pace.h"
 
+#include "kernel/limits.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,16 +50,15 @@ Pace::Record Pace::initial() {
 }
 
 bool Pace::consistent(const Record& r, double time, uint64_t substep_count) {
-    if (wrong_in(r.rate) || r.passed_over > 1 || r.reserved != 0) return false;
-    for (double v : {r.begin, r.behind, r.lost, r.drift[0], r.drift[1], r.drift[2]})
-        if (!std::isfinite(v)) return false;
-    for (float v : r.wind)
-        if (!(std::abs(v) <= 1000.0f)) return false;
-    if (r.lost < 0.0 || r.behind < 0.0 || r.begin > time || r.first_substep > substep_count) return false;
+    if (wrong_in(r.rate) || r.passed_over > 1 || r.reserved != 0 || wrong_wind(r.wind) || !within(r.drift, most_way) ||
+        !in_range(r.lost, 0.0, most_time) || !in_range(r.behind, 0.0, most_time))
+        return false;
     if (r.steps == 0) return r.substeps == 0 && r.behind == 0.0 && r.passed_over == 0;
     // Sums of the same steps, but for rounding.
     const bool meets = std::abs(r.begin + r.behind - time) <= 1e-9 * std::abs(time) + 1e-9;
-    return meets && r.behind > 0.0 && r.substeps >= r.steps && r.substeps <= substep_count;
+    // The count of substeps may have gone once around.
+    return meets && in_range(r.begin, 0.0, time) && r.behind > 0.0 && r.substeps >= r.steps &&
+           r.first_substep + r.substeps == substep_count;
 }
 
 bool Pace::plain() const {
@@ -79,7 +80,7 @@ void Pace::wait(double dt, uint32_t substeps, double time, uint64_t substep_coun
         std::copy(wind.before, wind.before + 3, record_.wind);
         std::copy(wind.drift, wind.drift + 3, record_.drift);
     }
-    ++record_.steps;
+    record_.steps += record_.steps != UINT32_MAX ? 1 : 0;
     record_.substeps += substeps;
     record_.behind = record_.steps == 1 ? dt : record_.behind + dt;
 }
@@ -121,7 +122,7 @@ void Pace::grant(uint32_t substeps, bool passed_over, double h) {
     const double most = substeps * std::max(longest_, h);
     if (record_.behind > most * (1.0 + slack)) {
         lost_now_ = record_.behind - most;
-        record_.lost += lost_now_;
+        record_.lost = std::min(record_.lost + lost_now_, most_time);
         record_.begin += lost_now_;
         record_.behind = most;
     }

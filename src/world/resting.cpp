@@ -1,6 +1,7 @@
 #include "world/resting.h"
 
 #include "field/touch_notes.h"
+#include "kernel/limits.h"
 #include "world/step_chunks.h"
 
 #include <algorithm>
@@ -15,10 +16,7 @@ namespace {
 // From this age on what rounding adds is kept, as the kernel does for bodies that move.
 constexpr float plain_age = 2.0f; // s
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double longest = 1e12; // s: of clocks and ages, far beyond what steps come to
-constexpr double slack = 1.0;    // s: an age of 0 may be less by rounding
-
-constexpr float most_wind = 1e4f; // m/s
+constexpr double slack = 200.0; // s: what rounding may have added to an age, or taken from it
 
 } // namespace
 
@@ -99,7 +97,7 @@ void Resting::enter(uint32_t index, uint32_t slot, const float (&position)[3], f
 }
 
 void Resting::age_of(uint32_t index, float& age, float& age_rest) const {
-    const double exact = std::max(clock_ - birth_[index], 0.0);
+    const double exact = std::clamp(clock_ - birth_[index], 0.0, static_cast<double>(most_age));
     age = static_cast<float>(exact);
     age_rest = age >= plain_age ? static_cast<float>(static_cast<double>(age) - exact) : 0.0f;
 }
@@ -213,12 +211,11 @@ bool Resting::take_note(uint32_t index) {
 
 bool Resting::consistent(const Record& r, uint32_t count) {
     return r.awake < count && r.steps < rule_steps && r.unjudged <= 1 && r.tried <= rule_steps && r.reserved == 0 &&
-           r.clock >= 0.0 && r.clock <= longest && std::abs(r.wind[0]) <= most_wind &&
-           std::abs(r.wind[1]) <= most_wind && std::abs(r.wind[2]) <= most_wind;
+           in_range(r.clock, 0.0, most_time) && !wrong_wind(r.wind);
 }
 
 bool Resting::consistent(const Record& r, double birth) {
-    return r.clock - birth >= -slack && r.clock - birth <= longest;
+    return in_range(birth, -(static_cast<double>(most_age) + slack), r.clock + slack);
 }
 
 void Resting::restore_turns(const Record& r) {

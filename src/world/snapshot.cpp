@@ -3,6 +3,7 @@
 #include "contact/collider_snapshot.h"
 #include "field/wind_snapshot.h"
 #include "kernel/aerodynamics.h"
+#include "kernel/limits.h"
 #include "world/snapshot_format.h"
 #include "world/snapshot_parts.h"
 #include "world/world.h"
@@ -26,6 +27,12 @@ uint32_t word_at(const unsigned char* from, uint64_t index) {
     uint32_t word;
     std::memcpy(&word, from + 4 * index, 4);
     return word;
+}
+
+SnapshotHeader header_of(const void* memory) {
+    SnapshotHeader header;
+    std::memcpy(&header, memory, sizeof header);
+    return header;
 }
 
 } // namespace
@@ -71,7 +78,8 @@ public:
     static Buffer<float>& table(Batch& b) { return b.table_; }
 
     // The slots, ids and queue of a snapshot must describe one and the same set of bodies.
-    static bool consistent(const SnapshotBatch& h, uint32_t batch_index, const unsigned char* body) {
+    static bool consistent(const SnapshotBatch& h, const Batch& batch, uint32_t batch_index,
+                           const unsigned char* body) {
         const unsigned char* const ids = body + 4 * (uint64_t{h.fields} + 1) * even(h.count);
         const unsigned char* const dense = ids + 8 * uint64_t{h.count};
         const unsigned char* const generations = dense + 4 * even(h.capacity);
@@ -101,13 +109,26 @@ public:
             if ((slot == h.free_last) != (i + 1 == h.capacity)) return false;
             slot = word_at(dense, slot) & ~Batch::free_bit;
         }
-        // As bits: finite, and not less than 0 (or above it); -0 is none.
-        constexpr uint32_t infinite = 0x7f800000u, minus = 0x80000000u;
+        return bad == 0 && usable_table(h, batch, table) && states_consistent(body, even(h.count), h.fields, h.count);
+    }
+
+    // No stronger than what can be asked for, by the asset or by whoever sets a table. Same operations, same order: no rounding between.
+    static bool usable_table(const SnapshotBatch& h, const Batch& batch, const unsigned char* table) {
+        double least = 0.0, most = 0.0;
+        const TurbulenceSample strongest = batch.strongest_turbulence(h.stationary, least, most);
+        BodyConstants speed{};
+        speed.length = batch.step.body.length;
+        set_speed_turbulence(strongest, h.gains, speed);
+        const auto alpha = static_cast<float>(langevin_alpha(strongest.chi, strongest.c0, h.gains)),
+                   beta = static_cast<float>(langevin_beta_squared(strongest.epsilon, strongest.c0, h.gains));
+        uint32_t bad = 0;
         for (uint64_t i = 0; i < 2 * even(h.table_count); ++i) { // alpha or beta^2, or the padding after them
-            const uint32_t v = word_at(table, i);
-            bad |= v >= infinite && v != minus ? 1u : 0u;
+            const float v = std::bit_cast<float>(word_at(table, i));
+            bad |= v >= 0.0f && v <= (i < even(h.table_count) ? alpha : beta) ? 0u : 1u;
         }
-        return bad == 0 && states_consistent(body, even(h.count), h.fields, h.count);
+        return bad == 0 && in_range(h.inverse_dt, least, most) &&
+               in_range(h.speed_alpha, 0.0, static_cast<double>(speed.speed_alpha)) &&
+               in_range(h.speed_beta, 0.0, static_cast<double>(speed.speed_beta));
     }
 
     static void restore(lr_world::BatchSlot& slot, const SnapshotBatch& h, const unsigned char* body,
@@ -121,6 +142,7 @@ public:
         b.clear_lanes(h.count, before);
         for (uint32_t i = h.count; i < before; ++i) b.ids_[i] = 0;
         b.count_ = h.count;
+        b.oldest_ = static_cast<double>(most_age);
         b.first_generation_ = h.first_generation;
         b.last_generation_ = h.last_generation;
         b.free_first_ = h.free_first;
@@ -158,24 +180,21 @@ public:
             if (other != 0) b.resting_->forget_box(slot);
         }
     }
+    // Bit for bit: what differs in nothing but a zero's sign is only made anew.
+    template <class T> static bool same(const T& x, const T& y) {
+        return std::memcmp(&x, &y, sizeof x) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
+    }
     static bool same_loads(const SnapshotBatch& h, const Batch& b) {
-        // Bit for bit: what differs in nothing but a zero's sign is only made anew.
-        const auto same = [](const auto& x, const auto& y) {
-            return std::memcmp(&x, &y, sizeof x) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
-        };
         return same(h.gains, b.settings_.gains) && same(h.stationary, b.stationary_) &&
                same(h.aerodynamics, b.aerodynamics_);
     }
     static bool usable_loads(const SnapshotBatch& h, const Batch& b) {
         if (same_loads(h, b)) return true;
-        const Gains& g = h.gains;
-        for (double v : {g.damping, g.noise, g.drag, g.lift, g.spin_drag, g.turbulence})
-            if (!(v >= 0.0 && v <= 100.0)) return false;
-        const TurbulenceSample& s = h.stationary;
-        for (double v : {s.chi, s.epsilon, s.u0, s.l, s.c0})
-            if (!(v >= 0.0 && v <= 1e12)) return false;
-        if (s.u0 > 0.0 && !(s.l > 0.0)) return false;
-        return is_usable(h.aerodynamics) && b.can_use(h.aerodynamics, g);
+        // Without a table of its own there is no stationary sample.
+        if (h.stationary.u0 != 0.0 ? wrong_in(h.stationary) != nullptr : !same(h.stationary, TurbulenceSample{}))
+            return false;
+        const bool own = same(h.aerodynamics, b.asset().data.aerodynamics);
+        return !wrong_in(h.gains) && (own || !wrong_in(h.aerodynamics)) && b.can_use(h.aerodynamics, h.gains);
     }
     static uint64_t bytes(const SnapshotBatch& h) {
         return sizeof h + (h.capacity != 0 ? columns_bytes(h) + parts_bytes(h.parts, h.count) : 0);
@@ -241,20 +260,23 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     return LR_OK;
 }
 
-lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
+bool snapshot_is_whole(const void* memory, uint64_t size) {
+    if (size < sizeof(SnapshotHeader)) return false;
+    const auto header = header_of(memory);
+    return header.magic == snapshot_magic && header.version == snapshot_version && header.size <= size &&
+           header.size >= sizeof header && header.size % 8 == 0 &&
+           seal_of(static_cast<const unsigned char*>(memory), header.size) == header.seal;
+}
+
+uint64_t snapshot_bytes(const void* memory) {
+    return header_of(memory).size;
+}
+
+lr_status snapshot_restore(lr_world& w, const void* memory) {
     const auto* const begin = static_cast<const unsigned char*>(memory);
-    SnapshotHeader header{};
-    if (size < sizeof header) return LR_ERROR_SNAPSHOT_FORMAT;
-    std::memcpy(&header, begin, sizeof header);
-    if (header.magic != snapshot_magic || header.version != snapshot_version || header.size > size ||
-        header.size < sizeof header || header.size % 8 != 0)
-        return LR_ERROR_SNAPSHOT_FORMAT;
-    if (seal_of(begin, header.size) != header.seal) return LR_ERROR_SNAPSHOT_FORMAT;
-    for (float v : header.gravity)
-        if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
-    for (float v : header.wind)
-        if (!std::isfinite(v)) return LR_ERROR_SNAPSHOT_FORMAT;
-    if (!std::isfinite(header.time) || header.next_key == 0 || !Pacing::consistent(header.pacing))
+    const SnapshotHeader header = header_of(memory);
+    if (wrong_gravity(header.gravity) || wrong_wind(header.wind) || !in_range(header.time, 0.0, most_time) ||
+        header.next_key == 0 || !Pacing::consistent(header.pacing))
         return LR_ERROR_SNAPSHOT_FORMAT;
     if (header.batch_slots != w.batch_slots) return LR_ERROR_SNAPSHOT_MISMATCH;
 
@@ -276,7 +298,8 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
     bool same_pairs = false;
     const uint64_t pair_bytes = sizeof(BatchPairs::Pair) * uint64_t{header.pair_count};
     const auto check = [&]() -> lr_status {
-        const lr_status windy = wind.read(begin + sizeof header, header.size - sizeof header, header.seed, wind_bytes);
+        const lr_status windy =
+            wind.read(begin + sizeof header, header.size - sizeof header, header.time, header.seed, wind_bytes);
         if (windy != LR_OK) return windy;
         uint64_t at = sizeof header + wind_bytes;
         if (header.size - at < sizeof surface) return LR_ERROR_SNAPSHOT_FORMAT;
@@ -307,15 +330,13 @@ lr_status snapshot_restore(lr_world& w, const void* memory, uint64_t size) {
             if (h.capacity != batch->capacity() || h.content_hash != batch->asset().content_hash)
                 return LR_ERROR_SNAPSHOT_MISMATCH;
             if (h.fields != batch->fields()) return LR_ERROR_SNAPSHOT_MISMATCH;
-            if (h.count > h.capacity || h.table_count == 0 || h.table_count > 65536 || !(h.inverse_dt > 0.0f) ||
-                !std::isfinite(h.inverse_dt) || !std::isfinite(h.speed_alpha) || !std::isfinite(h.speed_beta) ||
-                h.speed_alpha < 0.0f || h.speed_beta < 0.0f || (h.parts & ~all_parts) != 0 ||
+            if (h.count > h.capacity || h.table_count == 0 || h.table_count > 65536 || (h.parts & ~all_parts) != 0 ||
                 !SnapshotAccess::usable_loads(h, *batch) ||
                 !Pace::consistent(h.pace, header.time, header.substep_count))
                 return LR_ERROR_SNAPSHOT_FORMAT;
             const uint64_t bytes = columns_bytes(h);
             const uint64_t parts = parts_bytes(h.parts, h.count);
-            if (header.size - at < bytes + parts || !SnapshotAccess::consistent(h, i, begin + at) ||
+            if (header.size - at < bytes + parts || !SnapshotAccess::consistent(h, *batch, i, begin + at) ||
                 !parts_consistent(h.parts, h.count, pairs.meets(i), begin + at + bytes))
                 return LR_ERROR_SNAPSHOT_FORMAT;
             at += bytes + parts;

@@ -145,8 +145,10 @@ void save_parts(Batch& batch, uint32_t parts, unsigned char* to) {
 
 bool parts_consistent(uint32_t parts, uint32_t count, bool meets_bodies, const unsigned char* from) {
     if (parts & part_batch_force) {
-        if (!finite(from, force_components)) return false;
-        from += 4 * force_components;
+        float force[force_components];
+        std::memcpy(force, from, sizeof force);
+        if (wrong_batch_force(force)) return false;
+        from += sizeof force;
     }
     if (parts & part_body_forces) {
         const uint64_t words = force_components * even(count);

@@ -459,6 +459,7 @@ void lr_world::finish_batches(double dt) {
         const double seconds = still ? dt : batch->pace.behind();
         const uint32_t steps = still ? 1 : batch->pace.record().steps;
         batch->external.stepped();
+        batch->grow_older(seconds);
         batch->pace.stepped(batch->awake());
         const bool turn = batch->awake() < batch->count() && batch->resting()->pass(seconds, steps);
         if (lifecycle && turn) lifecycle->judge_rest(target->ended, *batch);

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
+
 using namespace lr;
 
 namespace {
@@ -175,4 +177,45 @@ TEST_CASE("peaks of a heightfield are not jumped") {
         const Pose above{{0.01f, 0.32f, from.position.z}, from.rotation}, over{{0.19f, 0.32f, 0.1f}, from.rotation};
         CHECK(free_fraction(shape, 1.0f, above, over, hill.geometry, hill.part) == 1.0f);
     }
+}
+
+TEST_CASE("a long way over a heightfield looks at the cells about it alone, and jumps no peak") {
+    test::Random random(8);
+    test::Solid field;
+    constexpr uint32_t side = 1500;
+    std::vector<float> heights(size_t{side} * side, 0.0f);
+    for (uint32_t i = 0; i < side * side / 2000; ++i) heights[random.below(side * side)] = 3.0f; // needles
+    REQUIRE(field.make_field(side, side, 0.01f, heights));
+    const BodyShape shape = test::leaf(0.05f, 1e-3f);
+    const auto place = [&] { return random.real(-1.0, 0.01 * side + 1.0); };
+    const auto free = [&](const Pose& a, const Pose& b) {
+        return free_fraction(shape, 1.0f, a, b, field.geometry, field.part);
+    };
+    uint32_t met = 0, missed = 0;
+    using Clock = std::chrono::steady_clock;
+    Clock::duration at_once{}, in_pieces{};
+    for (uint32_t i = 0; i < 200; ++i) {
+        const float height = random.real(0.2, 3.5);
+        const Pose from{{place(), height, place()}, test::any_rotation(random)};
+        Pose to{{place(), random.real(0.2, 3.5), place()}, test::any_rotation(random)};
+        if (i % 10 == 0) to.position.x = from.position.x;
+        if (i % 10 == 1) to.position.z = from.position.z;
+        const Clock::time_point since = Clock::now();
+        const float fraction = free(from, to);
+        const Clock::time_point then = Clock::now();
+        at_once += then - since;
+        met += fraction < 1.0f;
+        // Piece by piece, each of which goes over few cells, nothing is met before.
+        constexpr uint32_t pieces = 100;
+        for (uint32_t k = 0; k < pieces; ++k) {
+            const float begin = static_cast<float>(k) / pieces, end = static_cast<float>(k + 1) / pieces;
+            if (end > fraction) break;
+            missed += free(between(from, to, begin), between(from, to, end)) < 1.0f;
+        }
+        in_pieces += Clock::now() - then;
+    }
+    CHECK(met > 20);
+    CHECK(met < 180);
+    CHECK(missed == 0);
+    CHECK(at_once.count() < 25 * in_pieces.count());
 }

@@ -451,7 +451,7 @@ class BodyState(Record):
     linear_velocity: m/s, of the centre of mass, world frame
     angular_velocity: rad/s, world frame
     scale: 0.001 to 1000
-    age: s, >= 0
+    age: s, 0 to 1e9
     resting: `Rest`; read only
     """
     __slots__ = ('key', 'position', 'orientation', 'linear_velocity', 'angular_velocity', 'scale', 'age', 'resting')

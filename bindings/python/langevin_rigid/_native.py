@@ -1144,7 +1144,7 @@ FIELD_DOCS = {
         'linear_velocity': 'm/s, of the centre of mass; initially 0',
         'angular_velocity': 'rad/s, world frame; initially 0',
         'scale': 'uniform, 0.001 to 1000; mass goes with its cube; initially 1',
-        'age': 's, >= 0; initially 0',
+        'age': 's, 0 to 1e9; initially 0. Bodies grow no older than that',
     },
     'lr_body_state': {
         'key': 'read only: ignored by lr_body_set_state',
@@ -1153,7 +1153,7 @@ FIELD_DOCS = {
         'linear_velocity': 'm/s, of the centre of mass, world frame',
         'angular_velocity': 'rad/s, world frame',
         'scale': '0.001 to 1000',
-        'age': 's, >= 0',
+        'age': 's, 0 to 1e9',
         'resting': '`Rest`; read only',
     },
     'lr_body_force': {
@@ -1281,7 +1281,7 @@ FIELD_DOCS = {
     },
     'lr_batch_rules': {
         'action': '`EndAction`; initially `EndAction.DESTROY`',
-        'max_age': 's; initially 0: no limit',
+        'max_age': 's, up to 1e9; initially 0: no limit',
         'volume_count': 'used part of `volumes`; initially 0',
         'volumes': 'by the centre of mass',
     },

@@ -95,7 +95,7 @@ namespace LangevinRigid
         public uint StructSize;
         /// <summary><see cref="EndAction"/>; initially <see cref="EndAction.Destroy"/></summary>
         public EndAction Action;
-        /// <summary>s; initially 0: no limit</summary>
+        /// <summary>s, up to 1e9; initially 0: no limit</summary>
         public float MaxAge;
         /// <summary>used part of <c>Volumes</c>; initially 0</summary>
         public uint VolumeCount;

@@ -36,7 +36,7 @@ namespace LangevinRigid
         public Float3 AngularVelocity;
         /// <summary>uniform, 0.001 to 1000; mass goes with its cube; initially 1</summary>
         public float Scale;
-        /// <summary>s, &gt;= 0; initially 0</summary>
+        /// <summary>s, 0 to 1e9; initially 0. Bodies grow no older than that</summary>
         public float Age;
         /// <summary>0.</summary>
         public uint Reserved;
@@ -69,7 +69,7 @@ namespace LangevinRigid
         public Float3 AngularVelocity;
         /// <summary>0.001 to 1000</summary>
         public float Scale;
-        /// <summary>s, &gt;= 0</summary>
+        /// <summary>s, 0 to 1e9</summary>
         public float Age;
         /// <summary>0.</summary>
         public uint Reserved;

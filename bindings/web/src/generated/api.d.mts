@@ -752,7 +752,7 @@ export interface BodyDesc {
   angularVelocity: number[];
   /** uniform, 0.001 to 1000; mass goes with its cube; initially 1 */
   scale: number;
-  /** s, >= 0; initially 0 */
+  /** s, 0 to 1e9; initially 0. Bodies grow no older than that */
   age: number;
 }
 
@@ -769,7 +769,7 @@ export interface BodyState {
   angularVelocity: number[];
   /** 0.001 to 1000 */
   scale: number;
-  /** s, >= 0 */
+  /** s, 0 to 1e9 */
   age: number;
   /** LR_REST_*; read only */
   resting: number;
@@ -1023,7 +1023,7 @@ export interface KillVolume {
 export interface BatchRules {
   /** LR_END_*; initially LR_END_DESTROY */
   action: number;
-  /** s; initially 0: no limit */
+  /** s, up to 1e9; initially 0: no limit */
   maxAge: number;
   /** used part of `volumes`; initially 0 */
   volumeCount: number;

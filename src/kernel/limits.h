@@ -1,0 +1,58 @@
+// How large things may be. Setters and snapshots are held to the same limits, by these and by the checks of each struct. What grows in steps
+// is kept below them: a world's own snapshot is always taken back.
+#pragma once
+
+#include "kernel/constants.h"
+#include "kernel/faults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+namespace lr {
+
+inline constexpr double most_place =
+    1e9; // m, each coordinate that a caller gives; farthest_place is where bodies and colliders end
+inline constexpr double most_speed = 1e6;                       // m/s and rad/s: far beyond physics, far below overflow
+inline constexpr double most_size = 1e6;                        // m, of colliders
+inline constexpr double most_gravity = 1e4, most_wind = 1000.0; // m/s^2, m/s, each component
+inline constexpr double most_force = 1e9; // N, N m, m/s^2, 1/s^2: of what acts on every body of a batch
+inline constexpr float most_age = 1e9f;   // s: nothing grows older
+inline constexpr float least_scale = 1e-3f, most_scale = 1e3f; // of bodies
+inline constexpr double most_gain = 100.0;
+// s, and m of the wind's way: so much that what steps add is rounded away.
+inline constexpr double most_time = 1e22, most_way = 1e25;
+// Of turbulence tables that a caller gives: 1/s, m^2/s^3, s.
+inline constexpr double most_chi = 1e9, most_epsilon = 1e12, least_interval = 1e-9, most_interval = 1e9;
+
+// False for NaN, as all that follows.
+template <class T> bool in_range(T value, double low, double high) {
+    return static_cast<double>(value) >= low && static_cast<double>(value) <= high;
+}
+template <class T, size_t N> bool within(const T (&values)[N], double most) {
+    return std::all_of(std::begin(values), std::end(values), [&](T v) { return in_range(v, -most, most); });
+}
+
+// Null when fine, else what is wrong.
+inline const char* wrong_gravity(const float (&gravity)[3]) {
+    return within(gravity, most_gravity) ? nullptr : "gravity is over 1e4 m/s^2";
+}
+inline const char* wrong_wind(const float (&wind)[3]) {
+    return within(wind, most_wind) ? nullptr : "velocity is over 1000 m/s";
+}
+inline const char* wrong_in(const Gains& g) {
+    for (double v : {g.damping, g.noise, g.drag, g.lift, g.spin_drag, g.turbulence})
+        if (!in_range(v, 0.0, most_gain)) return "a gain is not 0 to 100";
+    return nullptr;
+}
+inline const char* wrong_in(const TurbulenceSample& s) {
+    if (!in_range(s.u0, 1e-9, 1e6)) return "u0 is not positive";
+    if (!in_range(s.l, 1e-9, 1e6)) return "l is not positive";
+    if (!in_range(s.c0, 1e-9, 100.0)) return "c0 is not positive, or over 100";
+    return in_range(s.chi, 0.0, most_chi) && in_range(s.epsilon, 0.0, most_epsilon)
+               ? nullptr
+               : "a sample is negative or far too large";
+}
+
+} // namespace lr
