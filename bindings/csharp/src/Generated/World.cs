@@ -23,7 +23,8 @@ namespace LangevinRigid
     /// </summary>
     public enum WindSourceKind : int
     {
-        /// <summary>Fluctuations of the uniform wind in time.</summary>
+        /// <summary>Fluctuations of the uniform wind in time, with mean 0. They begin at 0 when the source is added,
+        /// the quick ones first, and are whole after 4 periods; an update goes on with them.</summary>
         Gusts = 1,
         /// <summary>A straight vortex with a core that turns as a solid.</summary>
         Rankine = 2,
@@ -132,7 +133,8 @@ namespace LangevinRigid
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
         /// <summary>threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With
-        /// <c>Jobs</c>: the most indices in one enqueue, as many as its threads but the caller's</summary>
+        /// <c>Jobs</c>: the most indices in one enqueue, as many as its threads but the caller's; 0: one less than this
+        /// machine has threads, from 1 to 64, and a warning that it is a guess</summary>
         public uint WorkerCount;
         /// <summary>of all noise; initially 0</summary>
         public ulong Seed;
@@ -175,7 +177,7 @@ namespace LangevinRigid
         public uint StructSize;
         /// <summary>what <see cref="SimdTarget.Auto"/> became</summary>
         public SimdTarget SimdTarget;
-        /// <summary>as in the desc</summary>
+        /// <summary>as in the desc; with jobs what 0 became</summary>
         public uint WorkerCount;
         /// <summary>Batch count.</summary>
         public uint BatchCount;
@@ -261,8 +263,9 @@ namespace LangevinRigid
         /// <summary>0 to 1: widening of a jet per length, 0.11 as measured; gusts: root mean square angle in radians
         /// from <c>Direction</c>; initially 0.1</summary>
         public float Spread;
-        /// <summary>s: integral time of gusts, 0 for 10; life of the largest eddies, 0 for size/speed; time from one
-        /// frame to the next, 0 for 1; up to 1e6; initially 0</summary>
+        /// <summary>s: integral time of gusts, 0 for 4, as 2 m over the ground in 3 m/s (IEC 61400-1: 5.67 times the
+        /// height over the speed); life of the largest eddies, 0 for size/speed; time from one frame to the next, 0 for
+        /// 1; up to 1e6; initially 0</summary>
         public float Period;
         /// <summary>m: where the ground's factor is 1; &gt;= size; initially 10</summary>
         public float ReferenceHeight;
