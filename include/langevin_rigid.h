@@ -413,7 +413,8 @@ LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
 /* Wind sources: up to LR_MAX_WIND_SOURCES at a time, whose velocities add to the uniform wind. Formulas: docs/wind.md.
  * Time is that of the world (lr_world_info.time). A source's position is where it is when it is added or updated; from
- * then on it moves with its own `velocity`. Fields that each kind has:
+ * then on it moves with its own `velocity`. Gusts have a mean of 0. They begin at 0 when they are added, the quick ones
+ * first, and have their full speed after 4 periods; an update goes on with them. Fields that each kind has:
  *   GUSTS         speed direction spread period seed
  *   RANKINE       position direction velocity circulation size radius half_length
  *   LAMB_OSEEN    the same
@@ -422,9 +423,7 @@ LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
  *   TURBULENCE    speed size period octaves seed velocity
  *   GRID          position velocity spacing counts frames period outside samples
  *   GROUND        position direction velocity size reference_height */
-#define LR_WIND_SOURCE_GUSTS 1        /* fluctuations of the uniform wind in time, with mean 0. They begin at 0 when the
-                                         source is added, the quick ones first, and are whole after 4 periods; an
-                                         update goes on with them */
+#define LR_WIND_SOURCE_GUSTS 1        /* fluctuations of the uniform wind in time */
 #define LR_WIND_SOURCE_RANKINE 2      /* a straight vortex with a core that turns as a solid */
 #define LR_WIND_SOURCE_LAMB_OSEEN 3   /* a straight vortex with a smooth core */
 #define LR_WIND_SOURCE_POINT_BLOWER 4 /* a round jet */

@@ -131,7 +131,7 @@ class WindKind(IntEnum):
 
 class WindSourceKind(IntEnum):
     """Kinds of wind sources."""
-    GUSTS = 1  # fluctuations of the uniform wind in time, with mean 0. They begin at 0 when the source is added, the quick ones first, and are whole after 4 periods; an update goes on with them
+    GUSTS = 1  # fluctuations of the uniform wind in time
     RANKINE = 2  # a straight vortex with a core that turns as a solid
     LAMB_OSEEN = 3  # a straight vortex with a smooth core
     POINT_BLOWER = 4  # a round jet

@@ -8,8 +8,9 @@ namespace LangevinRigid
     /// <summary>
     /// <para>Wind sources: up to <see cref="Limits.MaxWindSources"/> at a time, whose velocities add to the uniform
     /// wind. Formulas: docs/wind.md. Time is that of the world (<see cref="WorldInfo.Time"/>). A source's position is
-    /// where it is when it is added or updated; from then on it moves with its own <c>velocity</c>. Fields that each
-    /// kind has:</para>
+    /// where it is when it is added or updated; from then on it moves with its own <c>velocity</c>. Gusts have a mean
+    /// of 0. They begin at 0 when they are added, the quick ones first, and have their full speed after 4 periods; an
+    /// update goes on with them. Fields that each kind has:</para>
     /// <code>
     ///   GUSTS         speed direction spread period seed
     ///   RANKINE       position direction velocity circulation size radius half_length
@@ -23,8 +24,7 @@ namespace LangevinRigid
     /// </summary>
     public enum WindSourceKind : int
     {
-        /// <summary>Fluctuations of the uniform wind in time, with mean 0. They begin at 0 when the source is added,
-        /// the quick ones first, and are whole after 4 periods; an update goes on with them.</summary>
+        /// <summary>Fluctuations of the uniform wind in time.</summary>
         Gusts = 1,
         /// <summary>A straight vortex with a core that turns as a solid.</summary>
         Rankine = 2,

@@ -88,7 +88,7 @@ export declare const LR: {
   readonly WIND_NONE: 0;
   /** the same velocity everywhere */
   readonly WIND_UNIFORM: 1;
-  /** fluctuations of the uniform wind in time, with mean 0. They begin at 0 when the source is added, the quick ones first, and are whole after 4 periods; an update goes on with them */
+  /** fluctuations of the uniform wind in time */
   readonly WIND_SOURCE_GUSTS: 1;
   /** a straight vortex with a core that turns as a solid */
   readonly WIND_SOURCE_RANKINE: 2;
