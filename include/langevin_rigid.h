@@ -338,7 +338,8 @@ LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamic
 typedef struct lr_world_desc {
     uint32_t struct_size;
     uint32_t worker_count;  /* threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With
-                               `jobs`: the most indices in one enqueue, as many as its threads but the caller's */
+                               `jobs`: the most indices in one enqueue, as many as its threads but the caller's; 0:
+                               one less than this machine has threads, from 1 to 64, and a warning that it is a guess */
     uint64_t seed;          /* of all noise; initially 0 */
     float gravity[3];       /* m/s^2; initially 0, -9.81, 0 */
     float fluid_density;    /* kg/m^3, >= 0; initially 0: each batch in the fluid its asset was baked in */
@@ -365,7 +366,7 @@ LR_API void lr_world_destroy(lr_world* world);
 typedef struct lr_world_info {
     uint32_t struct_size;
     int32_t simd_target;   /* what LR_SIMD_AUTO became */
-    uint32_t worker_count; /* as in the desc */
+    uint32_t worker_count; /* as in the desc; with jobs what 0 became */
     uint32_t batch_count;
     uint64_t body_count;
     uint64_t substep_count; /* substeps since creation; the time index of the noise */
@@ -411,7 +412,8 @@ LR_API lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc);
 
 /* Wind sources: up to LR_MAX_WIND_SOURCES at a time, whose velocities add to the uniform wind. Formulas: docs/reference/wind_and_water.md.
  * Time is that of the world (lr_world_info.time). A source's position is where it is when it is added or updated; from
- * then on it moves with its own `velocity`. Fields that each kind has:
+ * then on it moves with its own `velocity`. Gusts have a mean of 0. They begin at 0 when they are added, the quick ones
+ * first, and have their full speed after 4 periods; an update goes on with them. Fields that each kind has:
  *   GUSTS         speed direction spread period seed
  *   RANKINE       position direction velocity circulation size radius half_length
  *   LAMB_OSEEN    the same
@@ -458,8 +460,9 @@ typedef struct lr_wind_source_desc {
     float range;        /* m, >= size: a blower fades out from half of it on, to nothing at it; initially 10 */
     float spread;       /* 0 to 1: widening of a jet per length, 0.11 as measured; gusts: root mean square angle in
                            radians from `direction`; initially 0.1 */
-    float period;       /* s: integral time of gusts, 0 for 10; life of the largest eddies, 0 for size/speed; time from
-                           one frame to the next, 0 for 1; up to 1e6; initially 0 */
+    float period;       /* s: integral time of gusts, 0 for 4, as 2 m over the ground in 3 m/s (IEC 61400-1: 5.67 times
+                           the height over the speed); life of the largest eddies, 0 for size/speed; time from one frame
+                           to the next, 0 for 1; up to 1e6; initially 0 */
     float reference_height; /* m: where the ground's factor is 1; >= size; initially 10 */
     uint32_t octaves;       /* of turbulence, each half as large as the one before, 1 to 4; initially 2 */
     uint32_t seed;          /* of gusts and turbulence, together with the world's; initially 0 */
@@ -474,7 +477,7 @@ typedef struct lr_wind_source_desc {
 LR_API lr_status lr_wind_source_desc_init(lr_wind_source_desc* desc, uint32_t struct_size);
 
 /* Adds a source. Bodies keep their velocities: a field that appears is not one that accelerates. out: receives the
- * handle, 0 after an error.
+ * handle, 0 after an error; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->samples of a grid), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_add_wind(lr_world* world, const lr_wind_source_desc* desc, lr_wind_source* out);

@@ -86,7 +86,10 @@ if has pip && has setuptools && has wheel; then
     run "pip install, offline" "$python" -m pip install --quiet --no-index --no-build-isolation --no-deps --target "$work/site" "$work/source"
     run "hello.py, installed" env PYTHONPATH="$work/site" bash -c "cd / && $python $here/samples/hello.py | grep -q 'state $LR_TEST_HELLO_HASH'"
     run "wheel with the library and the baker inside" "$here/wheel.sh" "$prefix" "$work/wheels"
-    run "the wheel, unpacked" "$python" -m pip install --quiet --no-index --no-deps --target "$work/carried" "$work"/wheels/*.whl
+    # As for Blender: a wheel is an archive.
+    run "the wheel, unpacked" unzip -q "$work"/wheels/langevin_rigid-*-py3-none-linux_"$(uname -m)".whl -d "$work/carried"
+    run "the wheel finds what it carries" bash -c "cd '$work/carried/langevin_rigid' && ! ldd lib/*.so* bin/lr_bake |
+        grep -E 'lib(hwy|ccd|assimp).* => ' | grep -vF ' => $work/carried/'"
     run "hello.py and a bake with nothing but the wheel" env -u LANGEVIN_RIGID_LIBRARY PYTHONPATH="$work/carried" bash -c "cd / &&
         $python $here/samples/hello.py | grep -q 'state $LR_TEST_HELLO_HASH' &&
         $python -c 'import langevin_rigid as lr; assert \"carried\" in lr.library_path() and \"carried\" in lr.baker_path()

@@ -13,32 +13,31 @@ trap 'rm -rf "$work"' EXIT
 cp -r "$here/langevin_rigid" "$here/pyproject.toml" "$here/README.md" "$work"
 find "$work" -name __pycache__ -prune -exec rm -rf {} +
 mkdir -p "$work/langevin_rigid/lib" "$work/langevin_rigid/bin"
-# The file under the name that the loader wants, and what of its dependencies the package carries beside it.
+# The file under the name that the loader wants, and what it needs that not every machine has.
 major=$("$python" -c "import re, sys; print(re.search(r'VERSION = \((\d+)', open(sys.argv[1]).read())[1])" "$work/langevin_rigid/_native.py")
-cp -L "$prefix/lib/liblangevin_rigid.so.$major" "$work/langevin_rigid/lib/"
-for name in libhwy libccd; do
-    for file in "$prefix/lib/$name".so.[0-9]; do
-        [ -e "$file" ] && cp -L "$file" "$work/langevin_rigid/lib/"
-    done
-done
-cp -L "$prefix/bin/lr_bake" "$work/langevin_rigid/bin/"
+carry=$here/../../packaging/carry.py
+/usr/bin/python3 "$carry" "$prefix/lib/liblangevin_rigid.so.$major" "$work/langevin_rigid/lib" "liblangevin_rigid.so.$major"
+/usr/bin/python3 "$carry" "$prefix/bin/lr_bake" "$work/langevin_rigid/bin" lr_bake
 cat >"$work/setup.py" <<'PY'
-from setuptools import setup
+from setuptools import Distribution, setup
 from wheel.bdist_wheel import bdist_wheel
+
+
+class Native(Distribution):
+    """Its files belong into platlib, which a wheel has at its root: to be unpacked where Python finds them."""
+
+    def has_ext_modules(self):
+        return True
 
 
 class Carrying(bdist_wheel):
     """For any Python 3, but for one kind of machine."""
 
-    def finalize_options(self):
-        super().finalize_options()
-        self.root_is_pure = False
-
     def get_tag(self):
         return "py3", "none", super().get_tag()[2]
 
 
-setup(cmdclass={"bdist_wheel": Carrying})
+setup(cmdclass={"bdist_wheel": Carrying}, distclass=Native)
 PY
 "$python" -m pip wheel --quiet --no-index --no-build-isolation --no-deps --wheel-dir "$out" "$work"
 ls "$out"/langevin_rigid-*.whl

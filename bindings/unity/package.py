@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Makes the Unity package: com.langevin.rigid with the C# binding, native libraries and the baker in place, checked.
 
-    package.py --native PREFIX [--native PREFIX...] --out DIR [--tgz]
+    package.py [--native PREFIX...] --out DIR [--tgz]
 
 PREFIX   an installed package of the library (include/, lib/ or bin/, bin/lr_bake), one for each platform: which one it is for is read
-         from the library itself. An archive liblangevin_rigid.a of WebAssembly objects (Emscripten) is for WebGL.
+         from the library itself. An archive liblangevin_rigid.a of WebAssembly objects (Emscripten) is for WebGL. Without any: what was
+         built here last, by ./demo.sh or with the release preset.
 --out    receives com.langevin.rigid; what was there before is replaced.
 --tgz    also writes com.langevin.rigid-VERSION.tgz, for "Install package from tarball".
 """
@@ -24,20 +25,17 @@ import tarfile
 import metas
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parents[1] / "packaging"))
+from carry import PackageError, built_prefix, copy_elf, licence_of  # noqa: E402
+
 SOURCE = HERE / "com.langevin.rigid"
 BINDING = HERE.parent / "csharp" / "src"
 ASSETS = HERE.parents[1] / "assets"
 HEADER = HERE.parents[1] / "include" / "langevin_rigid.h"
 NAME = "com.langevin.rigid"
 
-# What every desktop has, or what a C++ program needs anyway: not put beside the library.
-SYSTEM = re.compile(r"^(libc|libm|libpthread|libdl|librt|libstdc\+\+|libgcc_s|ld-linux.*)\.so(\.\d+)*$")
 ELF_MACHINES = {62: "Linux/x86_64", 183: "Linux/arm64"}
 TOOLS = {"Linux/x86_64": "linux-x64", "Linux/arm64": "linux-arm64", "Windows/x86_64": "windows-x64"}
-
-
-class PackageError(Exception):
-    pass
 
 
 def elf_platform(path):
@@ -79,75 +77,6 @@ def library_of(prefix):
     raise PackageError(f"{prefix}: none of {', '.join(name for name, _ in candidates)}")
 
 
-def needed(path):
-    out = subprocess.run(["readelf", "-d", path], check=True, capture_output=True, text=True).stdout
-    return re.findall(r"\(NEEDED\).*\[(.+)\]", out)
-
-
-def find_needed(name, beside, reader):
-    """Where a library lies that another one needs: in its folder, else where the system's loader finds it."""
-    if (beside / name).exists():
-        return beside / name
-    found = subprocess.run(["ldd", reader], capture_output=True, text=True).stdout
-    match = re.search(rf"^\s*{re.escape(name)} => (/\S+)", found, re.M)
-    return pathlib.Path(match.group(1)) if match else None
-
-
-def copy_elf(source, folder, name, as_plugin, licences):
-    """Copies an ELF file and the libraries it needs that not every system has; all of them look for each other in their folder.
-
-    as_plugin: libfoo.so.1 becomes libfoo.so, for Unity takes only files whose names end with .so for plug-ins, and leaves others out of
-    builds.
-    """
-    folder.mkdir(parents=True, exist_ok=True)
-    names = {}  # name that is asked for: name that it has here
-    copied = [name]
-    shutil.copyfile(source.resolve(), folder / name)
-    waiting = [source.resolve()]
-    while waiting:
-        reader = waiting.pop()
-        for need in needed(reader):
-            if SYSTEM.match(need) or need in names:
-                continue
-            at = find_needed(need, source.parent, reader)
-            if at is None:
-                raise PackageError(f"{source}: needs {need}, which is neither beside it nor on this system")
-            names[need] = re.sub(r"\.so\..*$", ".so", need) if as_plugin else need
-            shutil.copyfile(at.resolve(), folder / names[need])
-            copied.append(names[need])
-            licences.append(at)
-            waiting.append(at.resolve())
-    for file in copied:
-        os.chmod(folder / file, 0o755)
-    if names:
-        if shutil.which("patchelf") is None:
-            raise PackageError("patchelf is missing (apt-get install patchelf): libraries beside each other would not be found")
-        # One change a run: older versions of patchelf mix up the arguments of several.
-        changes = [["--set-rpath", "$ORIGIN"]] + [["--replace-needed", old, new] for old, new in names.items() if old != new]
-        for file in copied:
-            for change in changes:
-                subprocess.run(["patchelf", *change, folder / file], check=True)
-        for old, new in names.items():
-            if old != new:
-                subprocess.run(["patchelf", "--set-soname", new, folder / new], check=True)
-    return copied
-
-
-def licence_of(library, prefix):
-    """(name, text) of the licence of a library that was copied: from the prefix's own documents, else from the system's package."""
-    name = re.match(r"(lib.*?)(\.so.*|\.dll)$", library.name).group(1)
-    for document in sorted((prefix / "share" / "doc").rglob("*")) if (prefix / "share" / "doc").exists() else []:
-        if document.is_file() and name.removeprefix("lib") in document.as_posix().lower() and re.search("licen|copyright", document.name, re.I):
-            return name, document.read_text(errors="replace")
-    owner = subprocess.run(["dpkg-query", "-S", library.resolve()], capture_output=True, text=True).stdout if shutil.which("dpkg-query") else ""
-    if not owner:  # /lib is a link to /usr/lib, and only one of both is in the package's list
-        owner = subprocess.run(["dpkg-query", "-S", f"*/{library.resolve().name}"], capture_output=True, text=True).stdout
-    document = pathlib.Path("/usr/share/doc") / owner.split(":")[0] / "copyright"
-    if not owner or not document.exists():
-        raise PackageError(f"{library}: no licence found, neither in {prefix}/share/doc nor of a package of this system")
-    return name, document.read_text(errors="replace")
-
-
 def write_notices(licences, package):
     lines = ["Third party notices", "===================", "", "The native libraries and the baker in this package contain, or come with:", ""]
     lines += [f"- {name}" for name in sorted(licences)]
@@ -163,8 +92,7 @@ def put_native(prefix, package, licences):
         raise PackageError(f"{prefix}: a library for {platform} is there already")
     names = {"WebGL": "liblangevin_rigid.a", "Windows/x86_64": "langevin_rigid.dll"}
     if platform.startswith("Linux"):
-        found = []
-        copied = copy_elf(library, folder, "liblangevin_rigid.so", True, found)
+        copied, found = copy_elf(library, folder, "liblangevin_rigid.so", as_plugin=True)
         licences.update(licence_of(path, prefix) for path in found)
     else:
         folder.mkdir(parents=True)
@@ -193,8 +121,7 @@ def put_tool(prefix, platform, package, licences):
         return
     folder = package / "Tools~" / TOOLS[platform]
     if platform.startswith("Linux"):
-        found = []
-        copy_elf(tool, folder, "lr_bake", False, found)
+        _, found = copy_elf(tool, folder, "lr_bake")
         licences.update(licence_of(path, prefix) for path in found)
     else:
         folder.mkdir(parents=True)
@@ -334,12 +261,12 @@ def write_tgz(package, out):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--native", action="append", required=True, type=pathlib.Path, metavar="PREFIX")
+    parser.add_argument("--native", action="append", type=pathlib.Path, metavar="PREFIX")
     parser.add_argument("--out", required=True, type=pathlib.Path)
     parser.add_argument("--tgz", action="store_true")
     arguments = parser.parse_args()
     try:
-        package = build(arguments.native, arguments.out)
+        package = build(arguments.native or [built_prefix(HERE.parents[1])], arguments.out)
         print(f"package: {package} is good")
         if arguments.tgz:
             print(f"package: {write_tgz(package, arguments.out)}")

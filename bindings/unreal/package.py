@@ -5,15 +5,18 @@
     package.py --native Linux=/opt/langevin_rigid --native Win64=C:/langevin_rigid --out MyProject/Plugins
 
 PREFIX is where the library was installed (include/, lib/, bin/). PLATFORM= may be left out: it is then read from the
-library itself. --also adds a file beside the library that it needs at run time (libhwy.so.1, a C++ runtime).
+library itself. Without --native: what was built here last, by ./demo.sh or with the release preset. Libraries that it needs
+go along; --also says where one is that is neither beside it nor on this system (a C++ runtime of another platform).
 """
 import argparse
 import shutil
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parents[1] / "packaging")]
 import native_file  # noqa: E402
+from carry import PackageError, built_prefix, copy_elf, licence_of  # noqa: E402
 
 PLATFORMS = {("pe", "x86_64"): "Win64", ("elf", "x86_64"): "Linux", ("elf", "aarch64"): "LinuxArm64"}
 THIRD_PARTY = Path("Source/ThirdParty/LangevinRigidLibrary")
@@ -37,6 +40,18 @@ def put(source: Path, target: Path) -> None:
     target.parent.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(source, target)  # follows links: plugin folders travel through zip files and version control
     print(f"  {target}")
+
+
+def put_dlls(library: Path, described: native_file.NativeFile, folder: Path, places: list) -> None:
+    for needed in described.needed:
+        beside = [p for p in [library.parent / needed, *(d / needed if d.is_dir() else d for d in places)]
+                  if p.name.lower() == needed.lower() and p.is_file()
+                  and native_file.describe(p).machine == described.machine]
+        if beside:
+            put(beside[0], folder / beside[0].name)
+        elif not native_file.is_system(needed):
+            fail(f"{library} needs {needed}, which is not beside it: machines without it could not load the plugin. Give it by --also "
+                 "FILE, or build the library with -DLR_SELF_CONTAINED=ON (packaging/build_library.sh), which carries it inside")
 
 
 def package_native(plugin: Path, native: str, also: list) -> str:
@@ -64,46 +79,45 @@ def package_native(plugin: Path, native: str, also: list) -> str:
     folder = plugin / THIRD_PARTY / "lib" / platform
     if platform == "Win64":
         put(library, folder / library.name)
+        put_dlls(library, described, folder, [prefix / "bin", *also])
         target = folder / "langevin_rigid.lib"
         target.write_bytes(native_file.import_library(library.name, native_file.pe_exports(library)))
         print(f"  {target}")
     else:
         # The linker takes the plain name, the loader asks for the name inside.
-        put(library, folder / "liblangevin_rigid.so")
-        if described.soname and described.soname != "liblangevin_rigid.so":
-            put(library, folder / described.soname)
-    missing = []
-    for needed in described.needed:
-        beside = [p for p in [library.parent / needed, prefix / "bin" / needed, *(Path(a) for a in also)]
-                  if p.name.lower() == needed.lower() and p.is_file()
-                  and native_file.describe(p).machine == described.machine]
-        if beside:
-            put(beside[0], folder / beside[0].name)
-        elif not native_file.is_system(needed):
-            missing.append(needed)
-    for name in missing:
-        print(f"package.py: warning: {library.name} needs {name}, which is not in {prefix}: machines without it cannot "
-              f"load the plugin. Give it by --also FILE, or link it statically.", file=sys.stderr)
+        name = described.soname or "liblangevin_rigid.so"
+        copied, origins = copy_elf(library, folder, name, also=also)
+        for file in copied:
+            print(f"  {folder / file}")
+        if name != "liblangevin_rigid.so":
+            put(folder / name, folder / "liblangevin_rigid.so")
+        for origin in origins:
+            title, text = licence_of(origin, prefix)
+            (plugin / "Licenses").mkdir(exist_ok=True)
+            (plugin / "Licenses" / f"{title}.txt").write_text(text)
     return platform
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--native", action="append", required=True, metavar="[PLATFORM=]PREFIX")
-    parser.add_argument("--also", action="append", default=[], metavar="FILE")
+    parser.add_argument("--native", action="append", metavar="[PLATFORM=]PREFIX")
+    parser.add_argument("--also", action="append", default=[], type=Path, metavar="FILE")
     parser.add_argument("--out", required=True, type=Path, metavar="DIR", help="where LangevinRigid/ is written")
     arguments = parser.parse_args()
-    here = Path(__file__).resolve().parent
     plugin = arguments.out / "LangevinRigid"
     if plugin.exists() and not (plugin / "LangevinRigid.uplugin").is_file():
         fail(f"{plugin} exists and is not this plugin")
     shutil.rmtree(plugin, ignore_errors=True)
-    shutil.copytree(here / "LangevinRigid", plugin,
+    shutil.copytree(HERE / "LangevinRigid", plugin,
                     ignore=shutil.ignore_patterns("lib", "include", "Binaries", "Intermediate", "__pycache__"))
-    licence = here.parent.parent / "LICENSE"
+    licence = HERE.parents[1] / "LICENSE"
     if licence.is_file():
         shutil.copyfile(licence, plugin / "LICENSE")
-    done = [package_native(plugin, native, arguments.also) for native in arguments.native]
+    try:
+        natives = arguments.native or [str(built_prefix(HERE.parents[1]))]
+        done = [package_native(plugin, native, arguments.also) for native in natives]
+    except PackageError as error:
+        fail(str(error))
     if len(set(done)) != len(done):
         fail("two of --native are for the same platform")
     print(f"{plugin}: {', '.join(done)}")

@@ -47,11 +47,13 @@ lr_status lr_inner_world_add_wind(lr_world* world, const lr_wind_source_desc* de
     const lr::FloatMode mode;
     constexpr const char* name = "lr_world_add_wind";
     if (out) *out = 0;
-    if (!world || !out) return LR_ERROR_NULL_ARGUMENT;
+    if (!world) return LR_ERROR_NULL_ARGUMENT;
     lr_wind_source_desc d;
     lr_status status = check(world, name, desc, false, d);
     if (status != LR_OK) return status;
-    status = accepted(world) ? world->wind.add(d, world->time, world->seed, *out) : LR_ERROR_OUT_OF_MEMORY;
+    lr_wind_source unasked = 0;
+    status =
+        accepted(world) ? world->wind.add(d, world->time, world->seed, out ? *out : unasked) : LR_ERROR_OUT_OF_MEMORY;
     return status == LR_OK ? status : refuse(world, name, status);
 }
 

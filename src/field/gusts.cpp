@@ -3,6 +3,7 @@
 #include "field/harmonic.h"
 #include "shape/portable_math.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lr {
@@ -11,6 +12,8 @@ namespace {
 // Frequencies times the integral time. Below the first lie 2 % of the energy of the spectrum, above the last 3 %: the
 // sum is scaled to the variance that was asked for.
 constexpr double lowest = 0.005, highest = 20.0;
+// Integral times after which all harmonics have their amplitude. Slow ones would else take up to 1 / lowest.
+constexpr double youth = 4.0;
 
 // von Karman's longitudinal spectrum, times 1/(4 rms^2 period), of f times the period.
 double spectrum(double f) {
@@ -19,20 +22,19 @@ double spectrum(double f) {
 
 } // namespace
 
-Gusts::Gusts(const GustSettings& s) {
+Gusts::Gusts(const GustSettings& s, CounterRandom random) {
     const double ratio = shape::portable_pow(highest / lowest, 1.0 / static_cast<double>(modes));
     double angle[modes], energy[modes], total = 0.0, angles = 0.0;
     double edge = lowest;
-    uint64_t draw = 0;
-    const auto random = [&] { return random_unit(s.seed, draw++); };
     for (size_t i = 0; i < modes; ++i, edge *= ratio) {
-        const double f = edge * (1.0 + random() * (ratio - 1.0));
+        const double f = edge * random.between(1.0, ratio);
         energy[i] = spectrum(f) * edge * (ratio - 1.0);
         mode_[i].frequency = f / s.period;
-        mode_[i].phase = random();
+        mode_[i].growth = std::max(f, 1.0 / youth) / s.period;
+        mode_[i].phase = random.uniform();
         double sine, cosine;
-        sin_cos_turns(random(), sine, cosine);
-        angle[i] = std::sqrt(-2.0 * shape::portable_log(random())) * cosine; // Box and Muller
+        sin_cos_turns(random.uniform(), sine, cosine);
+        angle[i] = std::sqrt(-2.0 * shape::portable_log(random.uniform())) * cosine; // Box and Muller
         total += energy[i];
         angles += energy[i] * angle[i] * angle[i];
     }
@@ -52,17 +54,19 @@ Gusts::Gusts(const GustSettings& s) {
         double along, across, first, second;
         // So scaled, the energy's mean square angle is exactly that of the spread.
         sin_cos_turns(s.spread * angle[i] / std::sqrt(angles / total) * turn, across, along);
-        sin_cos_turns(random(), first, second);
+        sin_cos_turns(random.uniform(), first, second);
         for (size_t k = 0; k < 3; ++k)
             mode_[i].amplitude[k] = amplitude * (along * d[k] + across * (first * side[k] + second * up[k]));
     }
 }
 
-void Gusts::add(double time, double velocity[3]) const {
+void Gusts::add(double age, double velocity[3]) const {
+    if (!(age > 0.0)) return; // also a batch that catches up on time before the source was there
     for (const Mode& m : mode_) {
+        const double part = std::min(m.growth * age, 1.0), grown = part * part * (3.0 - 2.0 * part);
         double sine, cosine;
-        sin_cos_turns(m.frequency * time + m.phase, sine, cosine);
-        for (size_t k = 0; k < 3; ++k) velocity[k] += m.amplitude[k] * cosine;
+        sin_cos_turns(m.frequency * age + m.phase, sine, cosine);
+        for (size_t k = 0; k < 3; ++k) velocity[k] += grown * cosine * m.amplitude[k];
     }
 }
 

@@ -1,9 +1,11 @@
-// Gusts: a velocity that depends on time alone, as a sum of harmonics with von Karman's spectrum (docs/reference/wind_and_water.md).
+// Gusts: a velocity that depends on time alone, as a sum of harmonics with von Karman's spectrum (docs/reference/wind_and_water.md). They
+// begin at 0: each harmonic grows over its own first cycle, the slow ones within four integral times.
 #pragma once
+
+#include "world/counter_random.h"
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 namespace lr {
 
@@ -12,7 +14,6 @@ struct GustSettings {
     double direction[3]; // unit vector
     double spread;       // rad, root mean square
     double period;       // s, integral time
-    uint64_t seed;
 };
 
 class Gusts {
@@ -20,13 +21,14 @@ public:
     static constexpr size_t modes = 48;
 
     Gusts() = default;
-    explicit Gusts(const GustSettings& settings);
-    // Adds the velocity at a time. Any time: nothing is remembered between calls.
-    void add(double time, double velocity[3]) const;
+    Gusts(const GustSettings& settings, CounterRandom random);
+    // Adds the velocity at an age in s. Any age: nothing is remembered between calls. None before the beginning.
+    void add(double age, double velocity[3]) const;
 
 private:
     struct Mode {
         double frequency; // 1/s
+        double growth;    // 1/s
         double phase;     // turns
         double amplitude[3];
     };

@@ -131,8 +131,10 @@ lr_status WindField::update(lr_wind_source handle, const lr_wind_source_desc& de
         if (!same) return LR_ERROR_NULL_ARGUMENT;
         grid = old->grid;
     }
+    // Gusts go on: else a caller who sets their speed at every frame would hold them at their beginning.
+    const bool gusts = desc.kind == LR_WIND_SOURCE_GUSTS && old->desc.kind == LR_WIND_SOURCE_GUSTS;
     WindSource* source = nullptr;
-    const lr_status status = make(desc, time, seed, grid, source);
+    const lr_status status = make(desc, gusts ? old->since : time, seed, grid, source);
     if (status != LR_OK) return status;
     if (!reserve(total_instants() - old->instants() + source->instants())) {
         release(source);
@@ -175,7 +177,8 @@ void WindField::uniform_at(const UniformWind& over, double part, double time, do
         wind[k] = from + part * (to - from);
     }
     for (const Slot& slot : slots_)
-        if (slot.source && slot.source->desc.kind == LR_WIND_SOURCE_GUSTS) slot.source->gusts.add(time, wind);
+        if (slot.source && slot.source->desc.kind == LR_WIND_SOURCE_GUSTS)
+            slot.source->gusts.add(time - slot.source->since, wind);
 }
 
 // Everything but the uniform part with its gusts.

@@ -26,6 +26,8 @@ constexpr double eddy_rms = 0.3491933, eddy_length = 0.4976;
 constexpr double turbulence_peak = 4.0;
 // Largest azimuthal speed of a Lamb-Oseen vortex, times 2 pi core / circulation.
 constexpr double lamb_oseen_peak = 0.6382;
+// s. An integral length of 5.67 z (IEC 61400-1: 8.1 times 0.7 z, below 60 m) at z = 2 m, in a wind of 3 m/s: 3.8 s.
+constexpr double gust_period = 4.0;
 constexpr double slow_beats = 64.0; // kernel/turbulence_field-inl.h
 // Each octave's lattice is turned against the one before, and the first against the world, by 1.1 rad about (2, 3, 6)/7:
 // neither a level plane nor another octave meets it in a pattern.
@@ -59,7 +61,7 @@ bool slot_of(const lr_wind_source_desc& d, double out[3]) {
 
 double duration(const lr_wind_source_desc& d) {
     if (d.period > 0.0f) return static_cast<double>(d.period);
-    if (d.kind == LR_WIND_SOURCE_GUSTS) return 10.0;
+    if (d.kind == LR_WIND_SOURCE_GUSTS) return gust_period;
     if (d.kind == LR_WIND_SOURCE_TURBULENCE)
         return static_cast<double>(d.size) / std::max(static_cast<double>(d.speed), 1e-3);
     return 1.0;
@@ -143,8 +145,7 @@ Gusts gusts_of(const lr_wind_source_desc& d, uint64_t world_seed) {
     normalise(d.direction, s.direction);
     s.spread = static_cast<double>(d.spread);
     s.period = duration(d);
-    s.seed = random_bits(world_seed, d.seed);
-    return Gusts(s);
+    return {s, CounterRandom(world_seed, d.seed, 0, Draws::gusts)};
 }
 
 uint32_t WindSource::instants() const {

@@ -29,7 +29,7 @@ uint64_t hash_samples(const lr_wind_source_desc& desc, const float* samples);
 
 struct WindSource {
     lr_wind_source_desc desc; // without samples
-    double since;             // s, world time at which it was where desc.position says
+    double since;             // s, world time at which it was where desc.position says, or its gusts began
     GridSamples* grid;        // null for other kinds
     Gusts gusts;
 

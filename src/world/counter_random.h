@@ -1,5 +1,6 @@
-// Random numbers for the birth of a body from (seed, key, life): no state, so that a rolled-back world draws them again.
-// Philox4x32-7 as in kernel/philox-inl.h, in counters that the noise does not use; + - x / sqrt only.
+// Random numbers of a counter: no state, so that a rolled-back world draws them again. For the birth of a body from
+// (seed, key, life), for gusts from (seed, seed of the source). Philox4x32-7 as in kernel/philox-inl.h, in counters that the
+// noise does not use; + - x / sqrt only.
 #pragma once
 
 #include <cmath>
@@ -7,9 +8,13 @@
 
 namespace lr {
 
+// Numbers of different uses have nothing in common; the noise has 0 there.
+enum class Draws : uint32_t { births = 0x62697274u, gusts = 0x67757374u };
+
 class CounterRandom {
 public:
-    CounterRandom(uint64_t seed, uint32_t key, uint32_t life) : seed_(seed), key_(key), life_(life) {}
+    CounterRandom(uint64_t seed, uint32_t key, uint32_t life, Draws use = Draws::births)
+        : seed_(seed), key_(key), life_(life), use_(use) {}
 
     uint32_t bits() {
         if (next_ == 4) fill();
@@ -29,10 +34,8 @@ public:
     }
 
 private:
-    static constexpr uint32_t births = 0x62697274u; // the noise has 0 there
-
     void fill() {
-        uint32_t c[4] = {key_, life_, block_++, births};
+        uint32_t c[4] = {key_, life_, block_++, static_cast<uint32_t>(use_)};
         auto k0 = static_cast<uint32_t>(seed_), k1 = static_cast<uint32_t>(seed_ >> 32);
         for (int round = 0; round < 7; ++round) {
             const uint64_t a = uint64_t{c[0]} * 0xD2511F53u, b = uint64_t{c[2]} * 0xCD9E8D57u;
@@ -48,6 +51,7 @@ private:
 
     uint64_t seed_;
     uint32_t key_, life_, block_ = 0;
+    Draws use_;
     uint32_t word_[4] = {};
     int next_ = 4;
 };

@@ -12,6 +12,10 @@ bool Crew::start(uint32_t workers, const lr_job_system& jobs) {
     return jobs.enqueue || pool_.start(workers);
 }
 
+uint32_t Crew::usual_helpers() {
+    return std::clamp<uint32_t>(hardware_threads(), 2, WorkerPool::max_workers + 1) - 1;
+}
+
 void Crew::job(void* crew, uint32_t begin, uint32_t end) {
     if (begin >= end) return;
     // One index is as good as another: each takes what is left.

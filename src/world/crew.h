@@ -15,6 +15,8 @@ class Crew {
 public:
     // Callbacks null: threads of its own. False when the system gives none.
     bool start(uint32_t workers, const lr_job_system& jobs);
+    // Of a job system whose number of threads is not known: as many as the machine has, but the caller.
+    static uint32_t usual_helpers();
     void stop() { pool_.stop(); }
     uint32_t helpers() const { return helpers_; } // the most besides the caller
 

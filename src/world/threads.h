@@ -18,6 +18,9 @@ inline ThreadId nobody() {
 inline ThreadId this_thread() {
     return std::this_thread::get_id();
 }
+inline unsigned hardware_threads() { // 0 where the system does not say
+    return std::thread::hardware_concurrency();
+}
 #else
 using ThreadId = int;
 inline ThreadId nobody() {
@@ -25,6 +28,9 @@ inline ThreadId nobody() {
 }
 inline ThreadId this_thread() {
     return 0;
+}
+inline unsigned hardware_threads() {
+    return 1;
 }
 #endif
 

@@ -51,7 +51,14 @@ lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
     world->log_callback = desc.log;
     world->log_user = desc.log_user;
     world->use.check(desc.checks);
-    if (!world->crew.start(desc.worker_count, desc.jobs)) {
+    uint32_t workers = desc.worker_count;
+    if (desc.jobs.enqueue && workers == 0) {
+        workers = lr::Crew::usual_helpers();
+        world->log(LR_LOG_WARNING, "lr_world_create",
+                   "jobs without a worker_count, and how many threads they have is not known: one less than this "
+                   "machine's is taken");
+    }
+    if (!world->crew.start(workers, desc.jobs)) {
         status = LR_ERROR_THREADS;
         destroy(world);
         return nullptr;

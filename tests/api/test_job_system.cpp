@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cfenv>
 #include <chrono>
+#include <string>
 #include <thread>
 
 using namespace test;
@@ -181,7 +182,7 @@ TEST_CASE("wind prepared in slices and rules go through a job system too") {
     }
 }
 
-TEST_CASE("nobody is called for a small world, nor without workers") {
+TEST_CASE("nobody is called for a small world") {
     const auto calls = [](uint32_t bodies, uint32_t workers, uint32_t substeps) {
         JobSystem jobs(JobSystem::whole);
         lr_world_desc d = world_desc();
@@ -196,9 +197,35 @@ TEST_CASE("nobody is called for a small world, nor without workers") {
     CHECK(calls(1, 8, 1) == 0);
     CHECK(calls(1000, 8, 1) == 0);
     CHECK(calls(1000, 8, 3) == 0);
-    CHECK(calls(20000, 0, 4) == 0);
     CHECK(calls(1000, 8, 64) == 1);
     CHECK(calls(20000, 8, 4) == 1);
+}
+
+TEST_CASE("without a worker_count a job system is taken to have the machine's threads, and the log says so") {
+    const auto logged = [](void* user, int32_t level, const char* text) {
+        if (level == LR_LOG_WARNING) *static_cast<std::string*>(user) += text;
+    };
+    std::string said;
+    JobSystem jobs(JobSystem::threads);
+    lr_world_desc d = world_desc();
+    d.log = logged, d.log_user = &said;
+    const Crowd alone(d, 20000);
+    CHECK(info_of(alone.world).worker_count == 0);
+    CHECK(said.empty());
+    steps(alone.world, 1, 0.01f, 4);
+    d.jobs = jobs.callbacks();
+    const Crowd c(d, 20000);
+    const uint32_t threads = std::thread::hardware_concurrency();
+    CHECK(info_of(c.world).worker_count == std::min(std::max(threads, 2u) - 1, 64u));
+    CHECK(said.find("worker_count") != std::string::npos);
+    steps(c.world, 1, 0.01f, 4);
+    CHECK(jobs.enqueued == 1);
+    CHECK(hash_of(c.world) == hash_of(alone.world));
+    said.clear();
+    d.worker_count = 1;
+    const Crowd told(d, 1);
+    CHECK(info_of(told.world).worker_count == 1);
+    CHECK(said.empty());
 }
 
 TEST_CASE("the job system's functions run in the caller's floating-point mode, which outlives what they do to it") {

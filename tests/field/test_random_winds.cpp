@@ -20,6 +20,23 @@ std::vector<Vec> history(const World& world, int count, float dt) {
     return out;
 }
 
+// A world with one source, its speed 1 m/s.
+World seeded(uint64_t world_seed, int32_t kind, uint32_t seed) {
+    lr_world_desc wd = world_desc();
+    wd.seed = world_seed;
+    World world = make(wd);
+    lr_wind_source_desc d = source_desc(kind);
+    d.seed = seed;
+    add_source(world, d);
+    return world;
+}
+
+struct Moments {
+    double mean = 0.0, square = 0.0, least = 1e9;
+    void take(double v, double count) { mean += v / count, square += v * v / count, least = std::min(least, v); }
+    double deviation() const { return std::sqrt(square - mean * mean); }
+};
+
 struct Turbulent {
     World world = make(world_desc());
     explicit Turbulent(uint32_t octaves, uint32_t seed = 0, float size = 2.0f) {
@@ -108,13 +125,8 @@ TEST_CASE("the spectrum of gusts falls with the power -5/3 and is flat at long t
 
 TEST_CASE("gusts are a function of time: jumps, long times and other seeds") {
     const auto at = [](float time, uint64_t world_seed, uint32_t seed) {
-        lr_world_desc wd = world_desc();
-        wd.seed = world_seed;
-        const World world = make(wd);
-        lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_GUSTS);
-        d.seed = seed;
+        const World world = seeded(world_seed, LR_WIND_SOURCE_GUSTS, seed);
         for (int i = 0; i < 8; ++i) steps(world, 1, time / 8.0f, static_cast<uint32_t>(time) + 1);
-        add_source(world, d);
         return wind_at(world, {1.0, 2.0, 3.0});
     };
     const World walked = make(world_desc());
@@ -124,6 +136,99 @@ TEST_CASE("gusts are a function of time: jumps, long times and other seeds") {
     CHECK(length(at(64.0f, 0, 0) - at(64.0f, 0, 1)) > 0.01);
     CHECK(length(at(64.0f, 0, 0) - at(64.0f, 1, 0)) > 0.01);
     CHECK(length(at(8192.0f, 0, 0)) > 0.0);
+}
+
+// A wind must blow the way it was set from the first second: not on average alone, but with every seed.
+TEST_CASE("the first seconds of gusts and turbulence are centred on the wind that was set") {
+    constexpr int seeds = 1000, seconds = 10, each = 4;
+    for (int32_t kind : {LR_WIND_SOURCE_GUSTS, LR_WIND_SOURCE_TURBULENCE})
+        for (bool of_world : {false, true}) {
+            Moments first, all;
+            double before = 0.0, neighbours = 0.0;
+            for (uint32_t seed = 0; seed < seeds; ++seed) {
+                const World world = seeded(of_world ? seed : 0, kind, of_world ? 0 : seed);
+                set_wind(world, 2.0f, 0.0f, 0.0f);
+                if (kind == LR_WIND_SOURCE_GUSTS) REQUIRE(length(wind_at(world, {}) - Vec{2.0, 0.0, 0.0}) == 0.0);
+                double sum = 0.0;
+                for (int i = 0; i < seconds * each; ++i) {
+                    steps(world, 1, 0.5f / each, 1);
+                    sum += wind_at(world, {})[0] - 2.0;
+                    steps(world, 1, 0.5f / each, 1);
+                    if (i + 1 == each) first.take(sum / each, seeds);
+                }
+                const double mean = sum / (seconds * each);
+                all.take(mean, seeds);
+                neighbours += before * mean / seeds;
+                before = mean;
+            }
+            CAPTURE(kind);
+            CAPTURE(of_world);
+            CHECK(std::abs(first.mean) < 3.0 * first.deviation() / std::sqrt(seeds));
+            CHECK(std::abs(all.mean) < 3.0 * all.deviation() / std::sqrt(seeds));
+            CHECK(all.least > -1.0); // at least half the wind, where they have half its speed
+            CHECK(std::abs(neighbours) < 3.0 * all.square / std::sqrt(seeds));
+        }
+}
+
+TEST_CASE("gusts have their speed and integral time four periods after they began") {
+    constexpr int seeds = 800, each = 4, young = 4 * each, lags = 6 * each, count = young + 40 * each;
+    Moments spread;
+    double product[lags] = {};
+    for (uint32_t seed = 0; seed < seeds; ++seed) {
+        const World world = seeded(7, LR_WIND_SOURCE_GUSTS, seed);
+        const std::vector<Vec> all = history(world, count, 4.0f / each); // the period that 0 stands for
+        const Vec* const u = all.data();
+        for (int i = young; i < count; ++i) {
+            spread.take(dot(u[i], u[i]), 1.0 * seeds * (count - young));
+            for (int n = 0; n < lags && i + n < count; ++n)
+                product[n] += u[i][0] * u[i + n][0] / (1.0 * seeds * (count - young - n));
+        }
+    }
+    CHECK(std::sqrt(spread.mean) == doctest::Approx(1.0).epsilon(0.02));
+    double time = -0.5 * product[0]; // by trapezia
+    for (double p : product) time += p;
+    CHECK(4.0 / each * time / product[0] == doctest::Approx(4.0).epsilon(0.1));
+}
+
+TEST_CASE("gusts begin when they are added, and go on through updates and restored snapshots") {
+    const World world = make(world_desc());
+    set_wind(world, 3.0f, 0.0f, 1.0f);
+    steps(world, 8, 0.5f, 2);
+    lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_GUSTS);
+    d.period = 1.0f;
+    const lr_wind_source source = add_source(world, d);
+    const Vec set = {3.0, 0.0, 1.0};
+    CHECK(length(wind_at(world, {}) - set) == 0.0);
+    const World updated = make(world_desc());
+    steps(updated, 8, 0.5f, 2);
+    const lr_wind_source other = add_source(updated, d);
+    std::vector<unsigned char> saved;
+    Vec later{};
+    for (int i = 0; i < 30; ++i) {
+        steps(world, 1, 0.25f, 1);
+        if (i == 5) saved = snapshot_of(world);
+        if (i == 15) later = wind_at(world, {});
+        d.speed = i % 2 ? 1.0f : 0.5f;
+        REQUIRE(lr_world_update_wind(updated.get(), other, &d) == LR_OK);
+        steps(updated, 1, 0.25f, 1);
+        const Vec gust = wind_at(world, {}) - set, half = wind_at(updated, {});
+        CHECK(length(gust) > 0.0);
+        CHECK(length(wide(d.speed) * gust - half) < 1e-6);
+    }
+    REQUIRE(lr_world_remove_wind(world.get(), source) == LR_OK);
+    REQUIRE(lr_world_snapshot_restore(world.get(), saved.data(), saved.size()) == LR_OK);
+    steps(world, 10, 0.25f, 1);
+    CHECK(length(wind_at(world, {}) - later) == 0.0);
+    const World fresh = make(world_desc());
+    REQUIRE(lr_world_snapshot_restore(fresh.get(), saved.data(), saved.size()) == LR_OK);
+    steps(fresh, 10, 0.25f, 1);
+    CHECK(length(wind_at(fresh, {}) - later) == 0.0);
+    // Another kind in its place, and gusts again: they begin anew.
+    d.kind = LR_WIND_SOURCE_RANKINE, d.circulation = 0.0f;
+    REQUIRE(lr_world_update_wind(fresh.get(), source, &d) == LR_OK);
+    d.kind = LR_WIND_SOURCE_GUSTS;
+    REQUIRE(lr_world_update_wind(fresh.get(), source, &d) == LR_OK);
+    CHECK(length(wind_at(fresh, {}) - set) == 0.0);
 }
 
 TEST_CASE("turbulence has its root mean square in each direction, and no mean") {

@@ -125,6 +125,8 @@ void do_everything(const World& world, const Asset& flat, const Asset& plate, Re
     REQUIRE(lr_world_remove_wind(w, second) == LR_OK);
     CHECK(lr_world_remove_wind(w, second) == LR_ERROR_STALE_WIND_SOURCE);
     add_source(world, source_desc(LR_WIND_SOURCE_GUSTS));
+    const lr_wind_source_desc turbulence = source_desc(LR_WIND_SOURCE_TURBULENCE);
+    REQUIRE(lr_world_add_wind(w, &turbulence, nullptr) == LR_OK);
     REQUIRE(lr_world_set_wind_callback(
                 w,
                 [](void*, const lr_wind_query* q) {

@@ -159,6 +159,7 @@ TEST_CASE("a world of another seed has other gusts, also where their description
         World world = make(d);
         lr_wind_source source = 0;
         REQUIRE(lr_world_add_wind(world.get(), &gusts, &source) == LR_OK);
+        steps(world, 8, 0.1f, 2); // they begin at 0
         return world;
     };
     const auto wind_in = [](const World& world) {

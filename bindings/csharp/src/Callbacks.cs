@@ -44,7 +44,8 @@ namespace LangevinRigid
         public LogHandler Log { get; set; }
         /// <summary>Null: the C library's.</summary>
         public IWorldAllocator Allocator { get; set; }
-        /// <summary>Null: <see cref="WorldDesc.WorkerCount"/> threads of the world's own.</summary>
+        /// <summary>Null: <see cref="WorldDesc.WorkerCount"/> threads of the world's own. With one, a count of 0 is taken as one less
+        /// than the machine has threads, and the log warns of the guess.</summary>
         public IJobSystem Jobs { get; set; }
     }
 }

@@ -373,7 +373,7 @@ class WorldInfo(Record):
     """What lr_world_info says.
 
     simd_target: what `SimdTarget.AUTO` became
-    worker_count: as in the desc
+    worker_count: as in the desc; with jobs what 0 became
     batch_count
     body_count
     substep_count: substeps since creation; the time index of the noise

@@ -975,7 +975,7 @@ FIELD_DOCS = {
         'content_hash': 'of everything that matters for motion; equal for equal assets',
     },
     'lr_world_desc': {
-        'worker_count': "threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With `jobs`: the most indices in one enqueue, as many as its threads but the caller's",
+        'worker_count': "threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With `jobs`: the most indices in one enqueue, as many as its threads but the caller's; 0: one less than this machine has threads, from 1 to 64, and a warning that it is a guess",
         'seed': 'of all noise; initially 0',
         'gravity': 'm/s^2; initially 0, -9.81, 0',
         'fluid_density': 'kg/m^3, >= 0; initially 0: each batch in the fluid its asset was baked in',
@@ -989,7 +989,7 @@ FIELD_DOCS = {
     },
     'lr_world_info': {
         'simd_target': 'what `SimdTarget.AUTO` became',
-        'worker_count': 'as in the desc',
+        'worker_count': 'as in the desc; with jobs what 0 became',
         'batch_count': '',
         'body_count': '',
         'substep_count': 'substeps since creation; the time index of the noise',
@@ -1015,7 +1015,7 @@ FIELD_DOCS = {
         'half_length': 'm: of a vortex, which fades likewise, 0 for no limit; of a slot; initially 0',
         'range': 'm, >= size: a blower fades out from half of it on, to nothing at it; initially 10',
         'spread': '0 to 1: widening of a jet per length, 0.11 as measured; gusts: root mean square angle in radians from `direction`; initially 0.1',
-        'period': 's: integral time of gusts, 0 for 10; life of the largest eddies, 0 for size/speed; time from one frame to the next, 0 for 1; up to 1e6; initially 0',
+        'period': 's: integral time of gusts, 0 for 4, as 2 m over the ground in 3 m/s (IEC 61400-1: 5.67 times the height over the speed); life of the largest eddies, 0 for size/speed; time from one frame to the next, 0 for 1; up to 1e6; initially 0',
         'reference_height': "m: where the ground's factor is 1; >= size; initially 10",
         'octaves': 'of turbulence, each half as large as the one before, 1 to 4; initially 2',
         'seed': "of gusts and turbulence, together with the world's; initially 0",
@@ -1708,7 +1708,7 @@ PROTOTYPES = {
 
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
-        out: receives the handle, 0 after an error.
+        out: receives the handle, 0 after an error; may be null.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->samples of a grid), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
         """,

@@ -53,8 +53,8 @@ class World(AirMixin, ContactMixin, QueryMixin):
 
     log: called with a `LogLevel` and a text. Without it warnings go to the logger "langevin_rigid", and the text of an error
         into its exception.
-    executor: a ThreadPoolExecutor whose threads step beside the caller's, worker_count of them; without it the library has
-        worker_count threads of its own.
+    executor: a ThreadPoolExecutor whose threads step beside the caller's, worker_count of them, or all where that is 0; without
+        it the library has worker_count threads of its own.
 
     One thread at a time may use a world; another one, or a callback that calls its own world, gets a `BusyError`. The library
     runs without Python's interpreter lock.
@@ -71,6 +71,8 @@ class World(AirMixin, ContactMixin, QueryMixin):
         keep = {"log": desc.log}
         if executor is not None:
             desc.jobs = job_callbacks(executor, guard)
+            if desc.worker_count == 0:  # others than Python's own do not say; the library then guesses, and warns
+                desc.worker_count = min(getattr(executor, "_max_workers", 0), 64)
             keep["jobs"] = desc.jobs
         pointer = ctypes.POINTER(native.lr_world)()
         status = library().lr_world_create(ctypes.byref(desc), ctypes.byref(pointer))

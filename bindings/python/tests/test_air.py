@@ -136,6 +136,8 @@ class Wind(WorldCase):
             self.assertEqual(run(callback, worker_count=3), wanted)
             with concurrent.futures.ThreadPoolExecutor(2) as pool:
                 self.assertEqual(run(callback, worker_count=2, executor=pool), wanted)
+                with lr.World(executor=pool) as world:
+                    self.assertEqual(world.info.worker_count, 2)
             pool = concurrent.futures.ThreadPoolExecutor(1)
             pool.shutdown()
             with self.assertRaisesRegex(RuntimeError, "shutdown"):

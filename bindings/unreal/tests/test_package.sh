@@ -20,12 +20,28 @@ sed 's/LR_VERSION_MINOR 1/LR_VERSION_MINOR 2/' "$prefix/include/langevin_rigid.h
 refuse 'all must be of one version' --native "$prefix" --native "$build/changed" --out "$build/a"
 rm "$build/changed/include/langevin_rigid.h"
 refuse 'is missing' --native "$build/changed" --out "$build/a"
-# A library that it needs and that is given goes along; twice into the same folder is fine.
-needed="$(ldd "$prefix/lib/liblangevin_rigid.so" | awk '$1 ~ /^lib(ccd|hwy)/ {print $3; exit}')"
-if [[ -n $needed ]]; then
-    python3 "$package" --native "$prefix" --also "$needed" --out "$build/a" >/dev/null 2>&1
-    test -f "$build/a/LangevinRigid/Source/ThirdParty/LangevinRigidLibrary/lib/Linux/$(basename "$needed")"
-fi
-python3 "$package" --native "$prefix" --out "$build/a" >/dev/null 2>&1
+# All that the library needs goes along, and it is found there; twice into the same folder is fine.
+for _ in 1 2; do python3 "$package" --native "$prefix" --out "$build/a" >"$build/log.txt" 2>&1; done
 test -s "$build/a/LangevinRigid/Licenses/LICENSE"
-test ! -e "$build/a/LangevinRigid/Source/ThirdParty/LangevinRigidLibrary/lib/Linux/$(basename "${needed:-none}")"
+native="$build/a/LangevinRigid/Source/ThirdParty/LangevinRigidLibrary/lib/Linux"
+for library in "$native"/*.so*; do
+    if ldd "$library" | grep -vE 'linux-vdso|ld-linux|lib(c|m|gcc_s|stdc\+\+|pthread|dl|rt)\.so' | grep '=>' | grep -vF " => $native/"; then
+        echo "$library needs more than the system's and what is beside it"
+        exit 1
+    fi
+done
+# A library that is nowhere: no package without it. Given by --also it goes along.
+mkdir -p "$build/lacking/lib" "$build/lacking/include" "$build/given"
+cp -L "$prefix/lib/liblangevin_rigid.so" "$build/lacking/lib/"
+cp "$prefix/include/langevin_rigid.h" "$build/lacking/include/"
+echo 'int lr_test_nowhere;' | gcc -shared -fPIC -x c - -Wl,-soname,libnowhere.so.1 -o "$build/given/libnowhere.so.1"
+patchelf --add-needed libnowhere.so.1 "$build/lacking/lib/liblangevin_rigid.so"
+refuse 'needs libnowhere.so.1.*LR_SELF_CONTAINED' --native "$build/lacking" --out "$build/b"
+if python3 "$package" --native "$build/lacking" --also "$build/given/libnowhere.so.1" --out "$build/b" >"$build/log.txt" 2>&1; then
+    echo "a library without a known licence was taken"
+    exit 1
+fi
+mkdir -p "$build/lacking/share/doc/nowhere"
+echo 'Nowhere is free.' >"$build/lacking/share/doc/nowhere/copyright"
+python3 "$package" --native "$build/lacking" --also "$build/given/libnowhere.so.1" --out "$build/b" >"$build/log.txt" 2>&1
+test -f "$build/b/LangevinRigid/Source/ThirdParty/LangevinRigidLibrary/lib/Linux/libnowhere.so.1"

@@ -83,12 +83,15 @@ void add(Fuzzer& f) {
     e.add_if(d.kind == LR_WIND_SOURCE_GRID && !d.samples, LR_ERROR_NULL_ARGUMENT);
     e.add_if(w.state.winds.size() >= LR_MAX_WIND_SOURCES, LR_ERROR_CAPACITY);
     Given<lr_wind_source_desc> given(f.in, d, 1, e);
-    e.add_if(f.in.null(2), LR_ERROR_NULL_ARGUMENT);
     Call call(f, w, "lr_world_add_wind", e);
     lr_wind_source id = 77;
     const bool ok = call.ended(LR_CALL(lr_world_add_wind)(call.world(), given.get(), f.in.null(2) ? nullptr : &id));
     if (!f.in.null(2) && ok != (id != 0)) defect("lr_world_add_wind", "handle and status do not agree", id);
     if (!ok) return;
+    if (f.in.null(2)) {
+        w.state.loose = true; // its handle is lost
+        return;
+    }
     for (const Wind& other : w.state.winds)
         if (other.id == id && !w.state.loose) defect("lr_world_add_wind", "the handle of another", id);
     w.state.winds.push_back({id, d});

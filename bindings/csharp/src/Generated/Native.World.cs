@@ -95,7 +95,7 @@ namespace LangevinRigid
         /// accelerates.</summary>
         /// <param name="world">the world</param>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="out">receives the handle, 0 after an error.</param>
+        /// <param name="out">receives the handle, 0 after an error; may be null.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (also desc-&gt;samples of a grid),
         /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>,
         /// <see cref="Status.Capacity"/>, <see cref="Status.OutOfMemory"/>.</returns>

@@ -9,7 +9,8 @@ namespace LangevinRigid
     /// <para>Wind sources: up to <see cref="Limits.MaxWindSources"/> at a time, whose velocities add to the uniform
     /// wind. Formulas: docs/reference/wind_and_water.md. Time is that of the world (<see cref="WorldInfo.Time"/>). A
     /// source's position is where it is when it is added or updated; from then on it moves with its own
-    /// <c>velocity</c>. Fields that each kind has:</para>
+    /// <c>velocity</c>. Gusts have a mean of 0. They begin at 0 when they are added, the quick ones first, and have
+    /// their full speed after 4 periods; an update goes on with them. Fields that each kind has:</para>
     /// <code>
     ///   GUSTS         speed direction spread period seed
     ///   RANKINE       position direction velocity circulation size radius half_length
@@ -133,7 +134,8 @@ namespace LangevinRigid
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
         /// <summary>threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With
-        /// <c>Jobs</c>: the most indices in one enqueue, as many as its threads but the caller's</summary>
+        /// <c>Jobs</c>: the most indices in one enqueue, as many as its threads but the caller's; 0: one less than this
+        /// machine has threads, from 1 to 64, and a warning that it is a guess</summary>
         public uint WorkerCount;
         /// <summary>of all noise; initially 0</summary>
         public ulong Seed;
@@ -176,7 +178,7 @@ namespace LangevinRigid
         public uint StructSize;
         /// <summary>what <see cref="SimdTarget.Auto"/> became</summary>
         public SimdTarget SimdTarget;
-        /// <summary>as in the desc</summary>
+        /// <summary>as in the desc; with jobs what 0 became</summary>
         public uint WorkerCount;
         /// <summary>Batch count.</summary>
         public uint BatchCount;
@@ -262,8 +264,9 @@ namespace LangevinRigid
         /// <summary>0 to 1: widening of a jet per length, 0.11 as measured; gusts: root mean square angle in radians
         /// from <c>Direction</c>; initially 0.1</summary>
         public float Spread;
-        /// <summary>s: integral time of gusts, 0 for 10; life of the largest eddies, 0 for size/speed; time from one
-        /// frame to the next, 0 for 1; up to 1e6; initially 0</summary>
+        /// <summary>s: integral time of gusts, 0 for 4, as 2 m over the ground in 3 m/s (IEC 61400-1: 5.67 times the
+        /// height over the speed); life of the largest eddies, 0 for size/speed; time from one frame to the next, 0 for
+        /// 1; up to 1e6; initially 0</summary>
         public float Period;
         /// <summary>m: where the ground's factor is 1; &gt;= size; initially 10</summary>
         public float ReferenceHeight;

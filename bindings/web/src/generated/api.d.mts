@@ -413,7 +413,7 @@ export interface AssetInfo {
 }
 
 export interface WorldDesc {
-  /** threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With `jobs`: the most indices in one enqueue, as many as its threads but the caller's */
+  /** threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With `jobs`: the most indices in one enqueue, as many as its threads but the caller's; 0: one less than this machine has threads, from 1 to 64, and a warning that it is a guess */
   workerCount: number;
   /** of all noise; initially 0 */
   seed: bigint;
@@ -439,7 +439,7 @@ export interface WorldDesc {
 export interface WorldInfo {
   /** what LR_SIMD_AUTO became */
   simdTarget: number;
-  /** as in the desc */
+  /** as in the desc; with jobs what 0 became */
   workerCount: number;
   batchCount: number;
   bodyCount: number;
@@ -487,7 +487,7 @@ export interface WindSourceDesc {
   range: number;
   /** 0 to 1: widening of a jet per length, 0.11 as measured; gusts: root mean square angle in radians from `direction`; initially 0.1 */
   spread: number;
-  /** s: integral time of gusts, 0 for 10; life of the largest eddies, 0 for size/speed; time from one frame to the next, 0 for 1; up to 1e6; initially 0 */
+  /** s: integral time of gusts, 0 for 4, as 2 m over the ground in 3 m/s (IEC 61400-1: 5.67 times the height over the speed); life of the largest eddies, 0 for size/speed; time from one frame to the next, 0 for 1; up to 1e6; initially 0 */
   period: number;
   /** m: where the ground's factor is 1; >= size; initially 10 */
   referenceHeight: number;
