@@ -2,7 +2,6 @@
 
 #include "asset/asset.h"
 #include "format/asset_file.h"
-#include "shape/aerodynamics.h"
 #include "world/world.h"
 
 #include <cmath>
@@ -142,7 +141,6 @@ void Player::take_asset(const Record& r) {
     if (!read_asset(r.data + sizeof from, r.size - sizeof from, data, faults))
         throw Fault(FaultId::asset, "asset " + std::to_string(from.id) + ": " +
                                         (faults.empty() ? std::string("refused") : to_string(faults.front())));
-    shape::complete_aerodynamics(data);
     auto asset = std::make_unique<lr_asset>(std::move(data), from.format,
                                             std::array<double, 3>{from.extents[0], from.extents[1], from.extents[2]});
     if (asset->content_hash != from.content_hash)

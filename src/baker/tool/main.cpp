@@ -9,7 +9,6 @@
 #include "baker/tool/options.h"
 #include "baker/tool/progress.h"
 #include "format/asset_file.h"
-#include "shape/aerodynamics.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -132,7 +131,6 @@ int run_on_asset(const CommandLine& line) {
         std::printf("%s: good\n", printable(line.asset).c_str());
         return 0;
     }
-    shape::complete_aerodynamics(asset); // as the runtime does
     if (line.json) {
         std::fputs(report_json(asset).c_str(), stdout);
     } else {

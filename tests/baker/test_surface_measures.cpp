@@ -1,5 +1,5 @@
 // Measures of triangles: bodies done by hand, what must not matter (winding, subdivision), and brute force.
-#include "shape/surface_measures.h"
+#include "baker/aerodynamics/surface_measures.h"
 
 #include "support/random.h"
 

@@ -1,4 +1,4 @@
-#include "shape/surface_measures.h"
+#include "baker/aerodynamics/surface_measures.h"
 
 #include <algorithm>
 #include <cmath>

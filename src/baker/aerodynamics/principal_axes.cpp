@@ -1,4 +1,4 @@
-#include "shape/principal_axes.h"
+#include "baker/aerodynamics/principal_axes.h"
 
 #include <algorithm>
 #include <cmath>

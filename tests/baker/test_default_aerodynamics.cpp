@@ -2,8 +2,8 @@
 // finite, continuous and of the right dimension for all.
 #include "shape/aerodynamics.h"
 
+#include "baker/aerodynamics/surface_measures.h"
 #include "format/asset_file.h"
-#include "shape/surface_measures.h"
 #include "support/asset_bytes.h"
 #include "support/random.h"
 
@@ -201,50 +201,4 @@ TEST_CASE("a box of vanishing thickness tends to the plate without any") {
         for (const double x : flat.*f.values) REQUIRE(std::isfinite(x));
     for (double thin : {1e-4, 1e-6, 1e-8})
         CHECK(distance(flat, default_aerodynamics(box_geometry({0.1, 0.06, 0.1 * thin}))) < 30.0 * thin);
-}
-
-TEST_CASE("an asset without coefficients gets those of its hull, near those that it was made with") {
-    AssetData d = test::leaf_data();
-    const AerodynamicData made = d.aerodynamics;
-    complete_aerodynamics(d);
-    CHECK(distance(d.aerodynamics, made) == 0.0); // has them
-    d.has_aerodynamics = false;
-    d.aerodynamics = {};
-    complete_aerodynamics(d);
-    REQUIRE(d.has_aerodynamics);
-    CHECK(d.aerodynamics.axes == std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
-    CHECK(distance(d.aerodynamics, made) < 0.2 * made.drag[2] / (made.length * made.length));
-    Faults faults;
-    CHECK(check_asset(d, faults));
-    for (const Fault& f : faults) MESSAGE(to_string(f));
-}
-
-TEST_CASE("without a usable hull it gets those of the ellipsoid with its inertia") {
-    const AssetData leaf = test::leaf_data();
-    const auto bare = [&](const auto& change) {
-        AssetData d = leaf;
-        d.has_aerodynamics = false;
-        change(d);
-        complete_aerodynamics(d);
-        Faults faults;
-        CHECK(check_asset(d, faults));
-        return d.aerodynamics;
-    };
-    CHECK(distance(bare([](AssetData& d) { d.hull = {}; }), leaf.aerodynamics) < 1e-12);
-    CHECK(distance(bare([](AssetData& d) { d.hull.vertices.assign(d.hull.vertices.size(), 0.01f); }),
-                   leaf.aerodynamics) < 1e-12);
-    CHECK(distance(bare([](AssetData& d) {
-                       for (size_t i = 0; i < d.hull.vertices.size(); ++i)
-                           if (i % 3 != 0) d.hull.vertices[i] = 0.0f;
-                   }),
-                   leaf.aerodynamics) < 1e-12);
-    CHECK(distance(bare([](AssetData& d) {
-                       for (float& x : d.hull.vertices) x *= 1e-9f;
-                   }),
-                   leaf.aerodynamics) < 1e-12);
-    // Moments that no solid has.
-    bare([](AssetData& d) {
-        d.hull = {};
-        d.inertia[0] = 3.0 * d.inertia[8];
-    });
 }

@@ -1,5 +1,5 @@
 // Axes of inertia: known ones back, the body's own where they serve, and no jumps from noise.
-#include "shape/principal_axes.h"
+#include "baker/aerodynamics/principal_axes.h"
 
 #include "support/random.h"
 
