@@ -586,43 +586,24 @@ LR_API lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn ca
  * to be repeated, but bodies went through each other in it; the next one asks for the memory again. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
-/* A budget for the work of each step. When the batches that are due would take more, all are slowed down as if their
- * divisors had grown (lr_batch_rate), those of low priority more, and take turns; nobody waits for ever.
- * Motion stays deterministic with LR_BUDGET_BODY_SUBSTEPS: the same calls give the same bits on every machine. With
- * LR_BUDGET_TIME it depends on the clock. docs/lod.md. */
-#define LR_BUDGET_NONE 0
-#define LR_BUDGET_BODY_SUBSTEPS 1 /* a count of substeps of single bodies, whatever each of them costs */
-#define LR_BUDGET_TIME 2          /* time of lr_world_step on the wall; costs are learnt from the steps before */
-
-typedef struct lr_budget {
-    uint32_t struct_size;
-    int32_t kind;           /* LR_BUDGET_*; initially LR_BUDGET_NONE */
-    uint64_t body_substeps; /* a step, 1 to 2^48; LR_BUDGET_BODY_SUBSTEPS */
-    double seconds;         /* a step, 1e-6 to 1e3; LR_BUDGET_TIME */
-} lr_budget;
-
-LR_API lr_status lr_budget_init(lr_budget* budget, uint32_t struct_size);
-
-/* From the next step on; copied. Null ends it. A batch on whose single bodies forces act is stepped at once, even over the
- * budget. Part of snapshots.
- * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
-LR_API lr_status lr_world_set_budget(lr_world* world, const lr_budget* budget);
+/* A budget for the work of each step: a count of substeps of single bodies, whatever each of them costs, at most 2^48; 0, as at
+ * first: none. From the next step on; part of snapshots. Where the batches that are due want more, each gets the fewest substeps that
+ * keep falls as they are (lr_batch_set_rate), those that have waited longest first; nobody waits for ever. The same calls give the
+ * same bits on every machine. A batch on whose single bodies forces act is stepped at once, even over the budget. docs/lod.md.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps);
 
 /* What the last step did, and what it left out. Batches without bodies do not count. */
 typedef struct lr_step_report {
     uint32_t struct_size;
     uint32_t batches_stepped;
-    uint32_t batches_waiting;     /* not due, by their own divisors */
-    uint32_t batches_passed_over; /* due, but the budget did not reach them */
-    uint64_t body_substeps;       /* done */
-    uint64_t
-        body_substeps_wanted; /* of the batches that were due, at their own divisors: what no budget would have taken */
-    double coarseness;        /* what the budget multiplied the divisors of priority 1 with, >= 1 */
-    double behind;            /* s: how far the bodies that have waited longest are behind the world's time */
+    uint32_t batches_waiting;      /* not due, by their own divisors */
+    uint32_t batches_passed_over;  /* due, but the budget did not reach them */
+    uint64_t body_substeps;        /* done */
+    uint64_t body_substeps_wanted; /* of the batches that were due, without a budget */
+    double behind;                 /* s: how far the bodies that have waited longest are behind the world's time */
     double
-        lost; /* s: the most that a batch has lost in this step. A batch whose budget does not even reach for its longest
-                       substeps goes in slow motion: lr_batch_rate.longest_substep */
-    double seconds; /* that the step took; 0 without LR_BUDGET_TIME */
+        lost; /* s: the most that a batch lost in this step: bodies go in slow motion rather than in too long substeps */
 } lr_step_report;
 
 LR_API lr_status lr_step_report_init(lr_step_report* report, uint32_t struct_size);
@@ -707,7 +688,7 @@ LR_API lr_status lr_recording_desc_init(lr_recording_desc* desc, uint32_t struct
 /* From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
  * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB of memory,
  * some bytes for each asset, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording
- * ends, a message is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+ * ends, a message is logged, and the world goes on.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world
  * is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc);
@@ -811,37 +792,22 @@ LR_API lr_status lr_load_gains_init(lr_load_gains* gains, uint32_t struct_size);
 LR_API lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains);
 
 /* How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/lod.md.
- * A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one
- * in every so many steps, which makes up for all of them. No substep gets longer than `longest_substep` by that: a divisor
- * beyond has no more effect, and a budget that cannot afford them makes bodies slow rather than wrong. */
-typedef struct lr_batch_rate {
-    uint32_t struct_size;
-    uint32_t divisor; /* 1 to 1024; initially 1 */
-    float priority;   /* 0.01 to 100: the share in a budget that does not reach for all; initially 1 */
-    float
-        longest_substep; /* s, up to LR_MAX_SUBSTEP; initially 0: that up to which falls keep their statistics, 1/60 s, for
-                              bodies under 2.5 cm length_d / 1.5 m/s */
-} lr_batch_rate;
-
-LR_API lr_status lr_batch_rate_init(lr_batch_rate* rate, uint32_t struct_size);
-
-/* From the next step on, at any time: a batch that waits makes up for all of it when next stepped. Null puts the initial values
- * back. While it waits
+ * divisor: 1 to 1024, at first 1. A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is
+ * more than the world's substeps, one in every so many steps, which makes up for all of them. No substep gets longer by that than
+ * falls keep their statistics: 1/60 s, for bodies under 2.5 cm length_d / 1.5 m/s. A divisor beyond has no more effect.
+ * From the next step on, at any time: a batch that waits makes up for all of it when next stepped. While it waits
  *  - views and lr_body_get_state have the bodies as they were last stepped, lr_batch_pace.behind ago, and bodies that are made
  *    or set are taken to be from then; transforms are moved on by that time with the bodies' velocities;
  *  - a force on one of its bodies ends the waiting, and acts with the impulse that it would have had in one step;
  *  - its rules, emitter and events wait too.
  * Part of snapshots.
- * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
- * LR_ERROR_INVALID_ARGUMENT. */
-LR_API lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate);
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor);
 
 /* How a batch keeps up with its world. */
 typedef struct lr_batch_pace {
     uint32_t struct_size;
     uint32_t divisor;       /* as set */
-    float priority;         /* as set */
-    float longest_substep;  /* s, as set, or what 0 stands for */
     uint32_t substeps;      /* in the last step of the world; 0: it waited */
     uint32_t waited;        /* steps since it was last stepped */
     double behind;          /* s: the same as time */
@@ -890,7 +856,7 @@ LR_API lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_bat
 #define LR_TRANSFORM_4X4_ROW_MAJOR 4             /* 16 floats; column vectors, translation in elements 3, 7, 11 */
 #define LR_TRANSFORM_4X4_COLUMN_MAJOR 5          /* 16 floats; column vectors, translation in elements 12, 13, 14 */
 
-/* Writes the transforms of all bodies of a batch, in the order of its view; of one that waits (lr_batch_rate), moved on to the
+/* Writes the transforms of all bodies of a batch, in the order of its view; of one that waits (lr_batch_set_rate), moved on to the
  * world's time. The mesh to be drawn must have its origin
  * at the centre of mass (lr_asset_info.center_of_mass). dst: 4-byte aligned, `capacity` elements `stride` bytes apart.
  * stride: 0 for elements without gaps, else a multiple of 4, at least an element. written: elements written; may be
@@ -1331,7 +1297,7 @@ typedef struct lr_ray_hit {
 } lr_ray_hit;
 
 /* What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/contact.md);
- * those of batches that wait (lr_batch_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
+ * those of batches that wait (lr_batch_set_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
  * meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
  * before colliders, then the order is that of batches and keys, or of colliders' slots.
  * rays: `count` elements. hits: receives `count` elements.

@@ -11,7 +11,6 @@ ENUMS = [
     ("WindSourceKind", "int", False, r"LR_WIND_SOURCE_(.+)", ""),
     ("WindOutside", "int", False, r"LR_WIND_OUTSIDE_(.+)", "What a grid of wind is outside its samples."),
     ("WindKind", "int", False, r"LR_WIND_(.+)", "Kinds of the uniform part of the wind."),
-    ("BudgetKind", "int", False, r"LR_BUDGET_(.+)", ""),
     ("LoadModel", "int", False, r"LR_LOADS_(.+)", "How the fluid's forces on bodies are computed."),
     ("TurbulenceClock", "int", False, r"LR_CLOCK_(.+)", "What the turbulence of a body follows."),
     ("TableEnd", "int", False, r"LR_TABLE_(.+)", "What follows the last sample of a turbulence table."),

@@ -64,7 +64,7 @@ export declare class World implements Disposable {
   step(dt: number, substeps?: number): void;
   setGravity(gravity: ArrayLike<number>): void;
   setSimdTarget(target: number): void;
-  setBudget(budget: Input<api.Budget> | null): void;
+  setBudget(bodySubsteps: number): void;
   /** Equal hashes: equal motion from here on. The same on all machines, here and in native programs. */
   hash(): bigint;
   /** Bytes that native programs can restore, and the other way round. */
@@ -145,7 +145,7 @@ export declare class Batch {
   setAerodynamics(aerodynamics: Input<api.Aerodynamics> | null): void;
   readonly aerodynamics: api.Aerodynamics;
   setLoadGains(gains: Input<api.LoadGains> | null): void;
-  setRate(rate: Input<api.BatchRate> | null): void;
+  setRate(divisor: number): void;
   readonly pace: api.BatchPace;
   setForce(force: Input<api.BatchForce> | null): void;
   addForces(arrays: Input<api.ForceArrays>): void;

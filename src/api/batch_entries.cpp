@@ -105,12 +105,12 @@ lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load
         });
 }
 
-lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate) {
+lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor) {
     return change(
-        world, Op::batch_set_rate, [&] { return lr_inner_batch_set_rate(world, batch, rate); },
+        world, Op::batch_set_rate, [&] { return lr_inner_batch_set_rate(world, batch, divisor); },
         [&](Call& call) {
             call.value(batch);
-            call.structure(rate);
+            call.value(divisor);
         });
 }
 

@@ -117,10 +117,10 @@ lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
         });
 }
 
-lr_status lr_world_set_budget(lr_world* world, const lr_budget* budget) {
+lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps) {
     return change(
-        world, Op::world_set_budget, [&] { return lr_inner_world_set_budget(world, budget); },
-        [&](Call& call) { call.structure(budget); });
+        world, Op::world_set_budget, [&] { return lr_inner_world_set_budget(world, body_substeps); },
+        [&](Call& call) { call.value(body_substeps); });
 }
 
 lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report) {

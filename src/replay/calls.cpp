@@ -240,11 +240,9 @@ lr_status perform(Op op, Arguments& from, Scene& scene, uint64_t& output) {
         return lr_world_set_surface_callback(w, on ? &Answers::surface : nullptr, &scene.surface);
     }
     case Op::world_set_budget: {
-        lr_budget b;
-        const bool given = from.structure(b);
+        const auto body_substeps = from.value<uint64_t>();
         from.end();
-        if (given && b.kind == LR_BUDGET_TIME) scene.by_the_clock = true;
-        return lr_world_set_budget(w, given ? &b : nullptr);
+        return lr_world_set_budget(w, body_substeps);
     }
     case Op::world_snapshot_restore: {
         const Array memory = from.array(Arguments::any);
@@ -272,8 +270,12 @@ lr_status perform(Op op, Arguments& from, Scene& scene, uint64_t& output) {
         return set(&lr_batch_set_aerodynamics, from, scene);
     case Op::batch_set_load_gains:
         return set(&lr_batch_set_load_gains, from, scene);
-    case Op::batch_set_rate:
-        return set(&lr_batch_set_rate, from, scene);
+    case Op::batch_set_rate: {
+        const auto batch = from.value<lr_batch>();
+        const auto divisor = from.value<uint32_t>();
+        from.end();
+        return lr_batch_set_rate(w, batch, divisor);
+    }
     case Op::batch_add_forces:
         return add_forces(from, scene);
     case Op::batch_set_force:

@@ -50,9 +50,6 @@ int report(const Outcome& o) {
     if (o.library != lr_version())
         std::fprintf(stderr, "warning: recorded by version %s, played by %s: bits may differ\n",
                      version(o.library).c_str(), version(lr_version()).c_str());
-    if (o.by_the_clock)
-        std::fprintf(stderr,
-                     "warning: a budget of time makes steps depend on the clock: hashes were not compared behind it\n");
     if (o.difference) {
         std::printf("differs at call %llu, step %llu: %s\n", static_cast<unsigned long long>(o.difference->call),
                     static_cast<unsigned long long>(o.difference->step), o.difference->what.c_str());

@@ -37,7 +37,6 @@ struct Outcome {
     uint32_t library = 0;
     bool cut = false;                     // the recording ends in the middle
     std::string within;                   // the call that it ends in
-    bool by_the_clock = false;            // a budget of time: the hashes may differ
     uint64_t hash = 0;                    // of the world at the end
     std::optional<Difference> difference; // the first; nothing is played behind it
 };
@@ -50,7 +49,6 @@ struct Scene {
     lr_world* world = nullptr;
     std::vector<lr_asset*> assets;
     Answers wind{record::wind_values}, surface{record::surface_values};
-    bool by_the_clock = false;
 };
 // Decodes and makes one call. output: as in ResultRecord.
 lr_status perform(record::Op op, Arguments& arguments, Scene& scene, uint64_t& output);

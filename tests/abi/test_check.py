@@ -150,7 +150,7 @@ class Headers(unittest.TestCase):
         for old, new in (("typedef uint32_t lr_batch;", "typedef uint64_t lr_batch;"),
                          ("    float scale;               /* 0.001 to 1000 */", "    int32_t scale;"),
                          ("int32_t resting;           /* LR_REST_*; read only */", ""),
-                         ("    float priority;         /* as set */", "    float weight;"),
+                         ("    uint32_t divisor;       /* as set */", "    uint32_t factor;"),
                          ("typedef void (*lr_task_fn)(void* task, uint32_t begin, uint32_t end);",
                           "typedef void (*lr_task_fn)(void* task, uint64_t begin, uint64_t end);"),
                          ("const lr_aerodynamics* aerodynamics; /* copied;", "lr_aerodynamics* aerodynamics; /* copied;")):

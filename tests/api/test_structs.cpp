@@ -134,9 +134,7 @@ TEST_CASE("every init function takes exact and larger sizes, refuses others, and
     check_init<lr_batch_rules>(lr_batch_rules_init);
     check_init<lr_emitter_desc>(lr_emitter_desc_init);
     check_init<lr_batch_events>(lr_batch_events_init);
-    check_init<lr_batch_rate>(lr_batch_rate_init);
     check_init<lr_batch_pace>(lr_batch_pace_init);
-    check_init<lr_budget>(lr_budget_init);
     check_init<lr_step_report>(lr_step_report_init);
     check_init<lr_contact_event_list>(lr_contact_event_list_init);
     check_init<lr_ray>(lr_ray_init);
@@ -184,9 +182,6 @@ TEST_CASE("initial values are those of the header") {
     CHECK((r.action == LR_END_DESTROY && r.max_age == 0.0f && r.volume_count == 0));
     const lr_body_force f = initialised(lr_body_force_init);
     CHECK((f.mode == LR_FORCE_MODE_FORCE && f.frame == LR_FRAME_WORLD && f.flags == 0));
-    const lr_batch_rate t = initialised(lr_batch_rate_init);
-    CHECK((t.divisor == 1 && t.priority == 1.0f && t.longest_substep == 0.0f));
-    CHECK(initialised(lr_budget_init).kind == LR_BUDGET_NONE);
     const lr_collider_desc c = initialised(lr_collider_desc_init);
     CHECK((c.kind == 0 && c.orientation[3] == 1.0f && c.size[0] == 0.0f && c.friction == 0.5f));
     CHECK((c.restitution == 0.2f && c.layers == 1 && c.flags == 0 && c.spacing[1] == 1.0f && !c.vertices));
@@ -287,11 +282,8 @@ TEST_CASE("every function checks struct_size and the tail of a larger struct") {
                                [&](lr_emitter_desc* d) { return lr_batch_set_emitter(w, batch, d); });
     check_use<lr_batch_events>(initialised(lr_batch_events_init),
                                [&](lr_batch_events* e) { return lr_batch_get_events(w, batch, e); });
-    check_use<lr_batch_rate>(initialised(lr_batch_rate_init),
-                             [&](lr_batch_rate* d) { return lr_batch_set_rate(w, batch, d); });
     check_use<lr_batch_pace>(initialised(lr_batch_pace_init),
                              [&](lr_batch_pace* p) { return lr_batch_get_pace(w, batch, p); });
-    check_use<lr_budget>(initialised(lr_budget_init), [&](lr_budget* d) { return lr_world_set_budget(w, d); });
     check_use<lr_step_report>(initialised(lr_step_report_init),
                               [&](lr_step_report* r) { return lr_world_get_step_report(w, r); });
     const lr_collider_desc plane = collider_desc(LR_COLLIDER_PLANE);
@@ -378,7 +370,6 @@ TEST_CASE("snapshots hold what a later header's structs set as this header has i
         give(blower, [&](const lr_wind_source_desc* d) { return lr_world_add_wind(w, d, &source); });
         give(blower, [&](const lr_wind_source_desc* d) { return lr_world_update_wind(w, source, d); });
         give(initialised(lr_surface_desc_init), [&](const lr_surface_desc* d) { return lr_world_set_surface(w, d); });
-        give(initialised(lr_budget_init), [&](const lr_budget* d) { return lr_world_set_budget(w, d); });
         const float sample = 1.0f;
         lr_turbulence_table t = table_desc();
         t.count = 1;
@@ -395,7 +386,6 @@ TEST_CASE("snapshots hold what a later header's structs set as this header has i
              [&](const lr_batch_rules* d) { return lr_batch_set_rules(w, batch, d); });
         give(initialised(lr_emitter_desc_init),
              [&](const lr_emitter_desc* d) { return lr_batch_set_emitter(w, batch, d); });
-        give(initialised(lr_batch_rate_init), [&](const lr_batch_rate* d) { return lr_batch_set_rate(w, batch, d); });
         give(initialised(lr_batch_contact_init),
              [&](const lr_batch_contact* d) { return lr_batch_set_contact(w, batch, d); });
         lr_collider collider = 0;

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._fields import (AerodynamicsOptions, BatchForceOptions, ContactOptions, EmitterOptions, KillVolumeOptions,
-                          LoadGainsOptions, RateOptions, TurbulenceTableOptions)
+                          LoadGainsOptions, TurbulenceTableOptions)
     from .asset import Asset
     from .world import World
 
@@ -200,10 +200,9 @@ class Batch:
 
     # Level of detail.
 
-    @takes("lr_batch_rate")
-    def set_rate(self, **rate: "Unpack[RateOptions]") -> None:
-        """How often the batch is stepped; without keywords as often as the world."""
-        self._set("lr_batch_set_rate", native.lr_batch_rate, rate)
+    def set_rate(self, divisor: int) -> None:
+        """How often the batch is stepped; 1: as often as the world."""
+        self.world._change("lr_batch_set_rate", self.id, int(divisor))
 
     @property
     def pace(self) -> BatchPace:

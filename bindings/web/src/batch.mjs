@@ -132,8 +132,8 @@ export class Batch {
     this.#set('lr_load_gains', gains, 'lr_batch_set_load_gains');
   }
 
-  setRate(rate) {
-    this.#set('lr_batch_rate', rate, 'lr_batch_set_rate');
+  setRate(divisor) {
+    this.#call('lr_batch_set_rate', divisor);
   }
 
   get pace() {

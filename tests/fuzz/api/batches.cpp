@@ -131,21 +131,14 @@ void transforms(Fuzzer& f) {
 
 void rate(Fuzzer& f) {
     World& w = f.world();
-    Input& in = f.in;
-    lr_batch_rate r = initialised(LR_CALL(lr_batch_rate_init));
-    r.divisor = 1 + in.handle(1) % 8;
-    in.change(r.divisor, r.priority, r.longest_substep);
-    const lr_batch id = f.pick_batch(w, in.handle(0));
+    uint32_t divisor = 1 + f.in.handle(1) % 8;
+    f.in.change(divisor);
+    const lr_batch id = f.pick_batch(w, f.in.handle(0));
     Expected e;
-    if (!in.null(1)) {
-        e.range(r.priority, 0.01, 100.0);
-        e.range(r.longest_substep, 0.0, static_cast<double>(LR_MAX_SUBSTEP));
-        e.add_if(r.divisor < 1 || r.divisor > 1024, LR_ERROR_INVALID_ARGUMENT);
-    }
+    e.add_if(divisor < 1 || divisor > 1024, LR_ERROR_INVALID_ARGUMENT);
     e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
-    Given<lr_batch_rate> given(in, r, 1, e, true);
     Call call(f, w, "lr_batch_set_rate", e);
-    call.ended(LR_CALL(lr_batch_set_rate)(call.world(), id, given.get()));
+    call.ended(LR_CALL(lr_batch_set_rate)(call.world(), id, divisor));
 }
 
 void pairs(Fuzzer& f) {

@@ -178,21 +178,18 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_step(IntPtr world, float dt, uint substeps);
 
-        /// <summary>Fills a struct with its initial values; <c>Budget.Create()</c> does it with the right size.</summary>
-        /// <param name="budget">budget</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_budget_init(Budget* budget, uint structSize);
-
-        /// <summary>From the next step on; copied. Null ends it. A batch on whose single bodies forces act is stepped
-        /// at once, even over the budget. Part of snapshots.</summary>
+        /// <summary>A budget for the work of each step: a count of substeps of single bodies, whatever each of them
+        /// costs, at most 2^48; 0, as at first: none. From the next step on; part of snapshots. Where the batches that
+        /// are due want more, each gets the fewest substeps that keep falls as they are
+        /// (<see cref="Native.lr_batch_set_rate"/>), those that have waited longest first; nobody waits for ever. The
+        /// same calls give the same bits on every machine. A batch on whose single bodies forces act is stepped at
+        /// once, even over the budget. docs/lod.md.</summary>
         /// <param name="world">the world</param>
-        /// <param name="budget">budget</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world),
-        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
+        /// <param name="bodySubsteps">body substeps</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
         /// <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_world_set_budget(IntPtr world, Budget* budget);
+        public static extern Status lr_world_set_budget(IntPtr world, ulong bodySubsteps);
 
         /// <summary>Fills a struct with its initial values; <c>StepReport.Create()</c> does it with the right size.</summary>
         /// <param name="report">report</param>
