@@ -635,32 +635,6 @@ LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uin
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size);
 
-/* What of a snapshot is not in another one, the base, of the same world at another time: for sending, and for long rings of
- * states. They work on bytes alone, keep no memory of their own, and what lr_snapshot_delta_apply makes has the very bytes of
- * the snapshot. docs/snapshots.md says what they cost. Both snapshots must be of this library's snapshot version. Memory that
- * is written must not overlap memory that is read. */
-
-/* The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base. Any thread. */
-LR_API uint64_t lr_snapshot_delta_bound(uint64_t snapshot_size);
-
-/* base, base_size, snapshot, snapshot_size: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may
- * also be of another world: that makes no small delta. memory: receives the delta, `capacity` bytes of any alignment, of which
- * all may be written also after an error. written: bytes used, 0 after an error; may be null.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or snapshot), LR_ERROR_SNAPSHOT_FORMAT (either is
- * no snapshot, damaged, or of another version), LR_ERROR_BUFFER_TOO_SMALL. Any thread. */
-LR_API lr_status lr_snapshot_delta_encode(const void* base, uint64_t base_size, const void* snapshot,
-                                          uint64_t snapshot_size, void* memory, uint64_t capacity, uint64_t* written);
-
-/* Makes the snapshot that a delta was made of. base, base_size: the same bytes as then. delta, delta_size: what was written, more
- * may follow. memory: receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all
- * may be written also after LR_ERROR_SNAPSHOT_FORMAT. written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after
- * other errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta
- * is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any
- * thread. */
-LR_API lr_status lr_snapshot_delta_apply(const void* base, uint64_t base_size, const void* delta, uint64_t delta_size,
-                                         void* memory, uint64_t capacity, uint64_t* written);
-
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Recording: what was done to a world, to be done again elsewhere by lr_replay. docs/replay.md                       */
 
@@ -856,24 +830,19 @@ LR_API lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_bat
 #define LR_TRANSFORM_4X4_ROW_MAJOR 4             /* 16 floats; column vectors, translation in elements 3, 7, 11 */
 #define LR_TRANSFORM_4X4_COLUMN_MAJOR 5          /* 16 floats; column vectors, translation in elements 12, 13, 14 */
 
-/* Writes the transforms of all bodies of a batch, in the order of its view; of one that waits (lr_batch_set_rate), moved on to the
- * world's time. The mesh to be drawn must have its origin
- * at the centre of mass (lr_asset_info.center_of_mass). dst: 4-byte aligned, `capacity` elements `stride` bytes apart.
+/* Writes the transforms of the first `count` bodies of a batch, or of all where there are fewer, in the order of its view; of one that
+ * waits (lr_batch_set_rate), moved on to the world's time. The mesh to be drawn must have its origin at the centre of mass
+ * (lr_asset_info.center_of_mass).
+ * An instance buffer keeps what was written before: where lr_batch_view.revision is that of the last time, bodies at rest then still
+ * lie there, and it is enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md.
+ * Keep both numbers for each buffer that is written in turn.
+ * dst: 4-byte aligned, room for `count` elements `stride` bytes apart.
  * stride: 0 for elements without gaps, else a multiple of 4, at least an element. written: elements written; may be
- * null. When the batch has more than `capacity` bodies nothing is written.
- * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when there are no bodies), LR_ERROR_STALE_BATCH,
- * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
-LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                           uint64_t stride, uint32_t capacity, uint32_t* written);
-
-/* The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
- * written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
- * enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md. Keep
- * both numbers for each buffer that is written in turn.
+ * null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
  * LR_ERROR_INVALID_ARGUMENT. */
-LR_API lr_status lr_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                                 uint64_t stride, uint32_t count, uint32_t* written);
+LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
+                                           uint64_t stride, uint32_t count, uint32_t* written);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Bodies                                                                                                             */

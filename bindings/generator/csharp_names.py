@@ -51,7 +51,6 @@ PARAMETER_ENUMS = {
     ("lr_simd_target_name", "target"): "SimdTarget",
     ("lr_world_set_simd_target", "target"): "SimdTarget",
     ("lr_batch_write_transforms", "format"): "TransformFormat",
-    ("lr_batch_write_first_transforms", "format"): "TransformFormat",
     ("lr_body_set_rest", "rest"): "RestState",
     ("lr_batch_set_fault_policy", "policy"): "FaultPolicy",
     ("lr_batch_get_fault_policy", "policy"): "FaultPolicy",

@@ -187,9 +187,6 @@ export declare class LangevinRigid {
   /** From an address on the web, or of a file in node. */
   fetchAsset(url: string | URL): Promise<Asset>;
   checkAsset(bytes: ArrayBuffer | Uint8Array): Fault[];
-  /** What of a snapshot is not in an earlier one of the same world, the base. */
-  encodeDelta(base: Uint8Array, snapshot: Uint8Array): Uint8Array;
-  applyDelta(base: Uint8Array, delta: Uint8Array): Uint8Array;
   createEllipsoid(desc: Input<api.EllipsoidDesc>): Asset;
   createRigid(desc: Input<api.RigidDesc>): Asset;
   /** A struct as the library fills it, by its C name. */

@@ -34,9 +34,7 @@ lr_status lr_inner_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divi
 lr_status lr_inner_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace);
 lr_status lr_inner_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view);
 lr_status lr_inner_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                          uint64_t stride, uint32_t capacity, uint32_t* written);
-lr_status lr_inner_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                                uint64_t stride, uint32_t count, uint32_t* written);
+                                          uint64_t stride, uint32_t count, uint32_t* written);
 lr_status lr_inner_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count,
                                lr_body* out_ids);
 lr_status lr_inner_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count);

@@ -4,6 +4,8 @@
 #include "api/arguments.h"
 #include "record/recorder.h"
 
+#include <type_traits>
+
 namespace lr::api {
 
 // What is recorded of a call is said once, by a function that takes a Call. It is gone through three times: to see whether the
@@ -35,6 +37,13 @@ public:
     template <class T> void value(T v) {
         static_assert(std::is_arithmetic_v<T>);
         if (pass_ == Pass::write) recorder_->value(v);
+    }
+    // A number or a struct.
+    template <class T> void argument(T v) {
+        if constexpr (std::is_pointer_v<T>)
+            structure(v);
+        else
+            value(v);
     }
     // Bytes that the call reads whole, whatever they say. Null too.
     void array(const void* bytes, uint64_t size) {

@@ -133,9 +133,7 @@ TEST_CASE("every pointer that must be given is asked for") {
     float transforms[16];
     CHECK(lr_batch_write_transforms(nullptr, batch, 0, transforms, 0, 1, nullptr) == null);
     CHECK(lr_batch_write_transforms(w, batch, 0, nullptr, 0, 1, nullptr) == null);
-    CHECK(lr_batch_write_first_transforms(nullptr, batch, 0, transforms, 0, 1, nullptr) == null);
-    CHECK(lr_batch_write_first_transforms(w, batch, 0, nullptr, 0, 1, nullptr) == null);
-    CHECK(lr_batch_write_first_transforms(w, batch, 0, nullptr, 0, 0, nullptr) == LR_OK);
+    CHECK(lr_batch_write_transforms(w, batch, 0, nullptr, 0, 0, nullptr) == LR_OK);
 
     const lr_body_desc desc = body_desc();
     lr_body id = 0;

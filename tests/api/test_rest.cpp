@@ -363,8 +363,8 @@ TEST_CASE("an instance buffer in which only what the revision asks for is writte
         const lr_batch_view v = view_of(crowd.world, crowd.batch);
         const uint32_t count = v.revision == revision ? std::max(moved, v.awake_count) : v.count;
         uint32_t written = 0;
-        REQUIRE(lr_batch_write_first_transforms(w, crowd.batch, LR_TRANSFORM_POSITION_QUATERNION_SCALE, kept.data(), 0,
-                                                count, &written) == LR_OK);
+        REQUIRE(lr_batch_write_transforms(w, crowd.batch, LR_TRANSFORM_POSITION_QUATERNION_SCALE, kept.data(), 0, count,
+                                          &written) == LR_OK);
         CHECK(written == std::min(count, v.count));
         saved += v.count - written;
         revision = v.revision, moved = v.awake_count;

@@ -1884,53 +1884,6 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
-    'lr_snapshot_delta_bound': (
-        ctypes.c_uint64,
-        [ctypes.c_uint64],
-        ('snapshot_size',),
-        """uint64_t lr_snapshot_delta_bound(uint64_t snapshot_size)
-
-        The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base.
-        Any thread.
-        """,
-    ),
-    'lr_snapshot_delta_encode': (
-        ctypes.c_int32,
-        [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_uint64)],
-        ('base', 'base_size', 'snapshot', 'snapshot_size', 'memory', 'capacity', 'written'),
-        """lr_status lr_snapshot_delta_encode(const void* base, uint64_t base_size, const void* snapshot, uint64_t snapshot_size, void* memory, uint64_t capacity, uint64_t* written)
-
-        base: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
-        base_size: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
-        snapshot: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
-        snapshot_size: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
-        memory: receives the delta, `capacity` bytes of any alignment, of which all may be written also after an error.
-        capacity: elements that there is room for
-        written: bytes used, 0 after an error; may be null.
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or snapshot), LR_ERROR_SNAPSHOT_FORMAT (either is no snapshot, damaged, or of another version), LR_ERROR_BUFFER_TOO_SMALL.
-        Any thread.
-        """,
-    ),
-    'lr_snapshot_delta_apply': (
-        ctypes.c_int32,
-        [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_uint64)],
-        ('base', 'base_size', 'delta', 'delta_size', 'memory', 'capacity', 'written'),
-        """lr_status lr_snapshot_delta_apply(const void* base, uint64_t base_size, const void* delta, uint64_t delta_size, void* memory, uint64_t capacity, uint64_t* written)
-
-        Makes the snapshot that a delta was made of.
-
-        base: the same bytes as then.
-        base_size: the same bytes as then.
-        delta: what was written, more may follow.
-        delta_size: what was written, more may follow.
-        memory: receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all may be written also after LR_ERROR_SNAPSHOT_FORMAT.
-        capacity: elements that there is room for
-        written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after other errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any thread.
-        """,
-    ),
     'lr_recording_desc_init': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_recording_desc), ctypes.c_uint32],
@@ -2147,39 +2100,23 @@ PROTOTYPES = {
     'lr_batch_write_transforms': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint32)],
-        ('world', 'batch', 'format', 'dst', 'stride', 'capacity', 'written'),
-        """lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride, uint32_t capacity, uint32_t* written)
-
-        Writes the transforms of all bodies of a batch, in the order of its view; of one that waits (lr_batch_set_rate), moved on to the
-        world's time. The mesh to be drawn must have its origin
-        at the centre of mass (lr_asset_info.center_of_mass).
-
-        world: the world
-        batch: handle of a batch of the world
-        format: one of the constants above
-        dst: 4-byte aligned, `capacity` elements `stride` bytes apart.
-        stride: 0 for elements without gaps, else a multiple of 4, at least an element.
-        capacity: elements that there is room for
-        written: elements written; may be null. When the batch has more than `capacity` bodies nothing is written.
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when there are no bodies), LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL.
-        """,
-    ),
-    'lr_batch_write_first_transforms': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint32)],
         ('world', 'batch', 'format', 'dst', 'stride', 'count', 'written'),
-        """lr_status lr_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride, uint32_t count, uint32_t* written)
+        """lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride, uint32_t count, uint32_t* written)
 
-        The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
-        written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
-        enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md. Keep
-        both numbers for each buffer that is written in turn.
+        Writes the transforms of the first `count` bodies of a batch, or of all where there are fewer, in the order of its view; of one that
+        waits (lr_batch_set_rate), moved on to the world's time. The mesh to be drawn must have its origin at the centre of mass
+        (lr_asset_info.center_of_mass).
+        An instance buffer keeps what was written before: where lr_batch_view.revision is that of the last time, bodies at rest then still
+        lie there, and it is enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md.
+        Keep both numbers for each buffer that is written in turn.
 
         world: the world
         batch: handle of a batch of the world
         format: one of the constants above
+        dst: 4-byte aligned, room for `count` elements `stride` bytes apart.
+        stride: 0 for elements without gaps, else a multiple of 4, at least an element.
         count: elements of the arrays
+        written: elements written; may be null.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
         """,

@@ -145,39 +145,24 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_get_view(IntPtr world, BatchId batch, BatchView* view);
 
-        /// <summary>Writes the transforms of all bodies of a batch, in the order of its view; of one that waits
-        /// (<see cref="Native.lr_batch_set_rate"/>), moved on to the world's time. The mesh to be drawn must have its
-        /// origin at the centre of mass (<see cref="AssetInfo.CenterOfMass"/>).</summary>
+        /// <summary>Writes the transforms of the first <paramref name="count"/> bodies of a batch, or of all where
+        /// there are fewer, in the order of its view; of one that waits (<see cref="Native.lr_batch_set_rate"/>), moved
+        /// on to the world's time. The mesh to be drawn must have its origin at the centre of mass
+        /// (<see cref="AssetInfo.CenterOfMass"/>). An instance buffer keeps what was written before: where
+        /// <see cref="BatchView.Revision"/> is that of the last time, bodies at rest then still lie there, and it is
+        /// enough to write as many as moved then or move now, the greater awake_count of the two. Else all:
+        /// docs/rest.md. Keep both numbers for each buffer that is written in turn.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="format">one of the constants above</param>
-        /// <param name="dst">4-byte aligned, <paramref name="capacity"/> elements <paramref name="stride"/> bytes
+        /// <param name="dst">4-byte aligned, room for <paramref name="count"/> elements <paramref name="stride"/> bytes
         /// apart.</param>
         /// <param name="stride">0 for elements without gaps, else a multiple of 4, at least an element.</param>
-        /// <param name="capacity">elements that there is room for</param>
-        /// <param name="written">elements written; may be null. When the batch has more than
-        /// <paramref name="capacity"/> bodies nothing is written.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (dst may be null only when there are no
-        /// bodies), <see cref="Status.StaleBatch"/>, <see cref="Status.InvalidArgument"/>,
-        /// <see cref="Status.BufferTooSmall"/>.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_write_transforms(IntPtr world, BatchId batch, TransformFormat format, void* dst, ulong stride, uint capacity, uint* written);
-
-        /// <summary>The same of the first <paramref name="count"/> bodies, or of all where there are fewer. For an
-        /// instance buffer that keeps what was written before: where <see cref="BatchView.Revision"/> is that of the
-        /// last time, bodies at rest then still lie there, and it is enough to write as many as moved then or move now,
-        /// the greater awake_count of the two. Else all: docs/rest.md. Keep both numbers for each buffer that is
-        /// written in turn.</summary>
-        /// <param name="world">the world</param>
-        /// <param name="batch">handle of a batch of the world</param>
-        /// <param name="format">one of the constants above</param>
-        /// <param name="dst">dst</param>
-        /// <param name="stride">stride</param>
         /// <param name="count">elements of the arrays</param>
-        /// <param name="written">written</param>
+        /// <param name="written">elements written; may be null.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (dst may be null only when nothing is to
         /// be written), <see cref="Status.StaleBatch"/>, <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_write_first_transforms(IntPtr world, BatchId batch, TransformFormat format, void* dst, ulong stride, uint count, uint* written);
+        public static extern Status lr_batch_write_transforms(IntPtr world, BatchId batch, TransformFormat format, void* dst, ulong stride, uint count, uint* written);
     }
 }

@@ -247,57 +247,5 @@ namespace LangevinRigid
         /// <see cref="Status.SnapshotMismatch"/>, <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_snapshot_restore(IntPtr world, void* memory, ulong size);
-
-        /// <summary>
-        /// <para>The most bytes that <see cref="Native.lr_snapshot_delta_encode"/> writes for a snapshot of so many,
-        /// whatever the base.</para>
-        /// <para>Any thread.</para>
-        /// </summary>
-        /// <param name="snapshotSize">snapshot size</param>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern ulong lr_snapshot_delta_bound(ulong snapshotSize);
-
-        /// <summary>
-        /// <para><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.InvalidArgument"/>
-        /// (memory overlaps base or snapshot), <see cref="Status.SnapshotFormat"/> (either is no snapshot, damaged, or
-        /// of another version), <see cref="Status.BufferTooSmall"/>.</para>
-        /// <para>Any thread.</para>
-        /// </summary>
-        /// <param name="base">bytes that <see cref="Native.lr_world_snapshot_save"/> wrote, more may follow; any
-        /// alignment. The base may also be of another world: that makes no small delta.</param>
-        /// <param name="baseSize">bytes that <see cref="Native.lr_world_snapshot_save"/> wrote, more may follow; any
-        /// alignment. The base may also be of another world: that makes no small delta.</param>
-        /// <param name="snapshot">bytes that <see cref="Native.lr_world_snapshot_save"/> wrote, more may follow; any
-        /// alignment. The base may also be of another world: that makes no small delta.</param>
-        /// <param name="snapshotSize">bytes that <see cref="Native.lr_world_snapshot_save"/> wrote, more may follow;
-        /// any alignment. The base may also be of another world: that makes no small delta.</param>
-        /// <param name="memory">receives the delta, <paramref name="capacity"/> bytes of any alignment, of which all
-        /// may be written also after an error.</param>
-        /// <param name="capacity">elements that there is room for</param>
-        /// <param name="written">bytes used, 0 after an error; may be null.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.InvalidArgument"/>
-        /// (memory overlaps base or snapshot), <see cref="Status.SnapshotFormat"/> (either is no snapshot, damaged, or
-        /// of another version), <see cref="Status.BufferTooSmall"/>.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_snapshot_delta_encode(void* @base, ulong baseSize, void* snapshot, ulong snapshotSize, void* memory, ulong capacity, ulong* written);
-
-        /// <summary>Makes the snapshot that a delta was made of.</summary>
-        /// <param name="base">the same bytes as then.</param>
-        /// <param name="baseSize">the same bytes as then.</param>
-        /// <param name="delta">what was written, more may follow.</param>
-        /// <param name="deltaSize">what was written, more may follow.</param>
-        /// <param name="memory">receives the snapshot, <paramref name="capacity"/> bytes of any alignment; null with
-        /// capacity 0 asks for the size alone; all may be written also after
-        /// <see cref="Status.SnapshotFormat"/>.</param>
-        /// <param name="capacity">elements that there is room for</param>
-        /// <param name="written">bytes of the snapshot, also with <see cref="Status.BufferTooSmall"/>, 0 after other
-        /// errors; may be null. Hostile bytes give an error, or a snapshot for
-        /// <see cref="Native.lr_world_snapshot_restore"/> to judge.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.InvalidArgument"/>
-        /// (memory overlaps base or delta), <see cref="Status.SnapshotFormat"/> (base or delta is none, damaged, or of
-        /// another version), <see cref="Status.SnapshotMismatch"/> (made with another base),
-        /// <see cref="Status.BufferTooSmall"/>. Any thread.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_snapshot_delta_apply(void* @base, ulong baseSize, void* delta, ulong deltaSize, void* memory, ulong capacity, ulong* written);
     }
 }

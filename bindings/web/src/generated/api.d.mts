@@ -1248,20 +1248,6 @@ export interface RawFunctions {
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_world_snapshot_restore(world: number, memory: number, size: bigint): number;
-  /** The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base. */
-  lr_snapshot_delta_bound(snapshot_size: bigint): bigint;
-  /**
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or snapshot), LR_ERROR_SNAPSHOT_FORMAT (either is
-   * no snapshot, damaged, or of another version), LR_ERROR_BUFFER_TOO_SMALL.
-   */
-  lr_snapshot_delta_encode(base: number, base_size: bigint, snapshot: number, snapshot_size: bigint, memory: number, capacity: bigint, written: number): number;
-  /**
-   * Makes the snapshot that a delta was made of.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta
-   * is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any
-   * thread.
-   */
-  lr_snapshot_delta_apply(base: number, base_size: bigint, delta: number, delta_size: bigint, memory: number, capacity: bigint, written: number): number;
   lr_recording_desc_init(desc: number, struct_size: number): number;
   /**
    * From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
@@ -1327,22 +1313,16 @@ export interface RawFunctions {
   /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
   lr_batch_get_view(world: number, batch: number, view: number): number;
   /**
-   * Writes the transforms of all bodies of a batch, in the order of its view; of one that waits (lr_batch_set_rate), moved on to the
-   * world's time. The mesh to be drawn must have its origin
-   * at the centre of mass (lr_asset_info.center_of_mass).
-   * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when there are no bodies), LR_ERROR_STALE_BATCH,
-   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL.
-   */
-  lr_batch_write_transforms(world: number, batch: number, format: number, dst: number, stride: bigint, capacity: number, written: number): number;
-  /**
-   * The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
-   * written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
-   * enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md. Keep
-   * both numbers for each buffer that is written in turn.
+   * Writes the transforms of the first `count` bodies of a batch, or of all where there are fewer, in the order of its view; of one that
+   * waits (lr_batch_set_rate), moved on to the world's time. The mesh to be drawn must have its origin at the centre of mass
+   * (lr_asset_info.center_of_mass).
+   * An instance buffer keeps what was written before: where lr_batch_view.revision is that of the last time, bodies at rest then still
+   * lie there, and it is enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/rest.md.
+   * Keep both numbers for each buffer that is written in turn.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
    * LR_ERROR_INVALID_ARGUMENT.
    */
-  lr_batch_write_first_transforms(world: number, batch: number, format: number, dst: number, stride: bigint, count: number, written: number): number;
+  lr_batch_write_transforms(world: number, batch: number, format: number, dst: number, stride: bigint, count: number, written: number): number;
   lr_body_desc_init(desc: number, struct_size: number): number;
   /**
    * Creates `count` bodies, all or none.
