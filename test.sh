@@ -41,10 +41,10 @@ scripts/valgrind.sh
 scripts/check_reproducible.sh quick
 tests/abi/test_check.py
 tests/abi/check.py $library
-tests/security/check_hardening.sh $library build/release/src/baker/lr_bake
+tests/security/check_hardening.sh $library build/release/src/tools/bake/lr_bake
 tests/security/check_imports.sh $library tests/security/imports-linux.txt
 tests/security/test_hardening.sh
-tests/security/check_syscalls.sh build/release/src tests/abi/0.1/leaf.lrb
+tests/security/check_syscalls.sh build/release/src build/release/tests/fixtures/leaf.lrb
 tests/targets/check_refused.sh
 CHECKS
 

@@ -8,6 +8,8 @@ if(TARGET lr_bake)
     if(TARGET lr_scorecard)
         install(TARGETS lr_scorecard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     endif()
+endif()
+if(TARGET langevin_rigid_baker)
     # Apart from the runtime's targets: who uses those alone must not need assimp.
     install(TARGETS langevin_rigid_baker EXPORT langevin_rigid_baker_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(FILES include/langevin_rigid_baker.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

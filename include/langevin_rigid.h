@@ -588,43 +588,24 @@ LR_API lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn ca
  * to be repeated, but bodies went through each other in it; the next one asks for the memory again. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);
 
-/* A budget for the work of each step. When the batches that are due would take more, all are slowed down as if their
- * divisors had grown (lr_batch_rate), those of low priority more, and take turns; nobody waits for ever.
- * Motion stays deterministic with LR_BUDGET_BODY_SUBSTEPS: the same calls give the same bits on every machine. With
- * LR_BUDGET_TIME it depends on the clock. docs/reference/stepping.md. */
-#define LR_BUDGET_NONE 0
-#define LR_BUDGET_BODY_SUBSTEPS 1 /* a count of substeps of single bodies, whatever each of them costs */
-#define LR_BUDGET_TIME 2          /* time of lr_world_step on the wall; costs are learnt from the steps before */
-
-typedef struct lr_budget {
-    uint32_t struct_size;
-    int32_t kind;           /* LR_BUDGET_*; initially LR_BUDGET_NONE */
-    uint64_t body_substeps; /* a step, 1 to 2^48; LR_BUDGET_BODY_SUBSTEPS */
-    double seconds;         /* a step, 1e-6 to 1e3; LR_BUDGET_TIME */
-} lr_budget;
-
-LR_API lr_status lr_budget_init(lr_budget* budget, uint32_t struct_size);
-
-/* From the next step on; copied. Null ends it. A batch on whose single bodies forces act is stepped at once, even over the
- * budget. Part of snapshots.
- * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
-LR_API lr_status lr_world_set_budget(lr_world* world, const lr_budget* budget);
+/* A budget for the work of each step: a count of substeps of single bodies, whatever each of them costs, at most 2^48; 0, as at
+ * first: none. From the next step on; part of snapshots. Where the batches that are due want more, each gets the fewest substeps that
+ * keep falls as they are (lr_batch_set_rate), those that have waited longest first; nobody waits for ever. The same calls give the
+ * same bits on every machine. A batch on whose single bodies forces act is stepped at once, even over the budget. docs/reference/stepping.md.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps);
 
 /* What the last step did, and what it left out. Batches without bodies do not count. */
 typedef struct lr_step_report {
     uint32_t struct_size;
     uint32_t batches_stepped;
-    uint32_t batches_waiting;     /* not due, by their own divisors */
-    uint32_t batches_passed_over; /* due, but the budget did not reach them */
-    uint64_t body_substeps;       /* done */
-    uint64_t
-        body_substeps_wanted; /* of the batches that were due, at their own divisors: what no budget would have taken */
-    double coarseness;        /* what the budget multiplied the divisors of priority 1 with, >= 1 */
-    double behind;            /* s: how far the bodies that have waited longest are behind the world's time */
+    uint32_t batches_waiting;      /* not due, by their own divisors */
+    uint32_t batches_passed_over;  /* due, but the budget did not reach them */
+    uint64_t body_substeps;        /* done */
+    uint64_t body_substeps_wanted; /* of the batches that were due, without a budget */
+    double behind;                 /* s: how far the bodies that have waited longest are behind the world's time */
     double
-        lost; /* s: the most that a batch has lost in this step. A batch whose budget does not even reach for its longest
-                       substeps goes in slow motion: lr_batch_rate.longest_substep */
-    double seconds; /* that the step took; 0 without LR_BUDGET_TIME */
+        lost; /* s: the most that a batch lost in this step: bodies go in slow motion rather than in too long substeps */
 } lr_step_report;
 
 LR_API lr_status lr_step_report_init(lr_step_report* report, uint32_t struct_size);
@@ -656,32 +637,6 @@ LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uin
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size);
 
-/* What of a snapshot is not in another one, the base, of the same world at another time: for sending, and for long rings of
- * states. They work on bytes alone, keep no memory of their own, and what lr_snapshot_delta_apply makes has the very bytes of
- * the snapshot. docs/reference/snapshots.md says what they cost. Both snapshots must be of this library's snapshot version. Memory that
- * is written must not overlap memory that is read. */
-
-/* The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base. Any thread. */
-LR_API uint64_t lr_snapshot_delta_bound(uint64_t snapshot_size);
-
-/* base, base_size, snapshot, snapshot_size: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may
- * also be of another world: that makes no small delta. memory: receives the delta, `capacity` bytes of any alignment, of which
- * all may be written also after an error. written: bytes used, 0 after an error; may be null.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or snapshot), LR_ERROR_SNAPSHOT_FORMAT (either is
- * no snapshot, damaged, or of another version), LR_ERROR_BUFFER_TOO_SMALL. Any thread. */
-LR_API lr_status lr_snapshot_delta_encode(const void* base, uint64_t base_size, const void* snapshot,
-                                          uint64_t snapshot_size, void* memory, uint64_t capacity, uint64_t* written);
-
-/* Makes the snapshot that a delta was made of. base, base_size: the same bytes as then. delta, delta_size: what was written, more
- * may follow. memory: receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all
- * may be written also after LR_ERROR_SNAPSHOT_FORMAT. written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after
- * other errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta
- * is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any
- * thread. */
-LR_API lr_status lr_snapshot_delta_apply(const void* base, uint64_t base_size, const void* delta, uint64_t delta_size,
-                                         void* memory, uint64_t capacity, uint64_t* written);
-
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Recording: what was done to a world, to be done again elsewhere by lr_replay. docs/reference/snapshots.md          */
 
@@ -709,7 +664,7 @@ LR_API lr_status lr_recording_desc_init(lr_recording_desc* desc, uint32_t struct
 /* From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
  * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB of memory,
  * some bytes for each asset, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording
- * ends, a message is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+ * ends, a message is logged, and the world goes on.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world
  * is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc);
@@ -809,37 +764,22 @@ LR_API lr_status lr_load_gains_init(lr_load_gains* gains, uint32_t struct_size);
 LR_API lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains);
 
 /* How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
- * A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one
- * in every so many steps, which makes up for all of them. No substep gets longer than `longest_substep` by that: a divisor
- * beyond has no more effect, and a budget that cannot afford them makes bodies slow rather than wrong. */
-typedef struct lr_batch_rate {
-    uint32_t struct_size;
-    uint32_t divisor; /* 1 to 1024; initially 1 */
-    float priority;   /* 0.01 to 100: the share in a budget that does not reach for all; initially 1 */
-    float
-        longest_substep; /* s, up to LR_MAX_SUBSTEP; initially 0: that up to which falls keep their statistics, 1/60 s, for
-                              bodies under 2.5 cm length_d / 1.5 m/s */
-} lr_batch_rate;
-
-LR_API lr_status lr_batch_rate_init(lr_batch_rate* rate, uint32_t struct_size);
-
-/* From the next step on, at any time: a batch that waits makes up for all of it when next stepped. Null puts the initial values
- * back. While it waits
+ * divisor: 1 to 1024, at first 1. A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is
+ * more than the world's substeps, one in every so many steps, which makes up for all of them. No substep gets longer by that than
+ * falls keep their statistics: 1/60 s, for bodies under 2.5 cm length_d / 1.5 m/s. A divisor beyond has no more effect.
+ * From the next step on, at any time: a batch that waits makes up for all of it when next stepped. While it waits
  *  - views and lr_body_get_state have the bodies as they were last stepped, lr_batch_pace.behind ago, and bodies that are made
  *    or set are taken to be from then; transforms are moved on by that time with the bodies' velocities;
  *  - a force on one of its bodies ends the waiting, and acts with the impulse that it would have had in one step;
  *  - its rules, emitter and events wait too.
  * Part of snapshots.
- * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
- * LR_ERROR_INVALID_ARGUMENT. */
-LR_API lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate);
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor);
 
 /* How a batch keeps up with its world. */
 typedef struct lr_batch_pace {
     uint32_t struct_size;
     uint32_t divisor;       /* as set */
-    float priority;         /* as set */
-    float longest_substep;  /* s, as set, or what 0 stands for */
     uint32_t substeps;      /* in the last step of the world; 0: it waited */
     uint32_t waited;        /* steps since it was last stepped */
     double behind;          /* s: the same as time */
@@ -888,24 +828,19 @@ LR_API lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_bat
 #define LR_TRANSFORM_4X4_ROW_MAJOR 4             /* 16 floats; column vectors, translation in elements 3, 7, 11 */
 #define LR_TRANSFORM_4X4_COLUMN_MAJOR 5          /* 16 floats; column vectors, translation in elements 12, 13, 14 */
 
-/* Writes the transforms of all bodies of a batch, in the order of its view; of one that waits (lr_batch_rate), moved on to the
- * world's time. The mesh to be drawn must have its origin
- * at the centre of mass (lr_asset_info.center_of_mass). dst: 4-byte aligned, `capacity` elements `stride` bytes apart.
+/* Writes the transforms of the first `count` bodies of a batch, or of all where there are fewer, in the order of its view; of one that
+ * waits (lr_batch_set_rate), moved on to the world's time. The mesh to be drawn must have its origin at the centre of mass
+ * (lr_asset_info.center_of_mass).
+ * An instance buffer keeps what was written before: where lr_batch_view.revision is that of the last time, bodies at rest then still
+ * lie there, and it is enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md.
+ * Keep both numbers for each buffer that is written in turn.
+ * dst: 4-byte aligned, room for `count` elements `stride` bytes apart.
  * stride: 0 for elements without gaps, else a multiple of 4, at least an element. written: elements written; may be
- * null. When the batch has more than `capacity` bodies nothing is written.
- * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when there are no bodies), LR_ERROR_STALE_BATCH,
- * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
-LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                           uint64_t stride, uint32_t capacity, uint32_t* written);
-
-/* The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
- * written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
- * enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md. Keep
- * both numbers for each buffer that is written in turn.
+ * null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
  * LR_ERROR_INVALID_ARGUMENT. */
-LR_API lr_status lr_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                                 uint64_t stride, uint32_t count, uint32_t* written);
+LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
+                                           uint64_t stride, uint32_t count, uint32_t* written);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Bodies                                                                                                             */
@@ -1329,7 +1264,7 @@ typedef struct lr_ray_hit {
 } lr_ray_hit;
 
 /* What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/maintainers/contact.md);
- * those of batches that wait (lr_batch_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
+ * those of batches that wait (lr_batch_set_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
  * meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
  * before colliders, then the order is that of batches and keys, or of colliders' slots.
  * rays: `count` elements. hits: receives `count` elements.

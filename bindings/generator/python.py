@@ -28,7 +28,6 @@ FAMILIES = [
     ("LR_WIND_", "WindKind", False, "The uniform part of the wind."),
     ("LR_WIND_SOURCE_", "WindSourceKind", False, "Kinds of wind sources."),
     ("LR_WIND_OUTSIDE_", "WindOutside", False, "What a wind grid is outside its samples."),
-    ("LR_BUDGET_", "BudgetKind", False, "What bounds the work of a step."),
     ("LR_LOADS_", "Loads", False, "What the fluid does to the bodies of a batch."),
     ("LR_CLOCK_", "Clock", False, "What turbulence goes by."),
     ("LR_TABLE_", "TableEnd", False, "What comes after the last sample of a turbulence table."),
@@ -68,8 +67,8 @@ RECORDS = {
 # Structs that calls take as keywords: the type of those.
 OPTIONS = {
     "lr_aerodynamics": "AerodynamicsOptions", "lr_batch_contact": "ContactOptions", "lr_batch_desc": "BatchOptions",
-    "lr_batch_force": "BatchForceOptions", "lr_batch_rate": "RateOptions", "lr_batch_rules": "RulesOptions",
-    "lr_body_state": "StateOptions", "lr_budget": "BudgetOptions", "lr_collider_desc": "ColliderOptions",
+    "lr_batch_force": "BatchForceOptions", "lr_batch_rules": "RulesOptions",
+    "lr_body_state": "StateOptions", "lr_collider_desc": "ColliderOptions",
     "lr_collider_motion": "MotionOptions", "lr_collider_surface": "ColliderSurfaceOptions",
     "lr_ellipsoid_desc": "EllipsoidOptions", "lr_emitter_desc": "EmitterOptions", "lr_kill_volume": "KillVolumeOptions",
     "lr_load_gains": "LoadGainsOptions", "lr_recording_desc": "RecordingOptions", "lr_rigid_desc": "RigidOptions", "lr_surface_desc": "SurfaceOptions",

@@ -64,7 +64,7 @@ export declare class World implements Disposable {
   step(dt: number, substeps?: number): void;
   setGravity(gravity: ArrayLike<number>): void;
   setSimdTarget(target: number): void;
-  setBudget(budget: Input<api.Budget> | null): void;
+  setBudget(bodySubsteps: number): void;
   /** Equal hashes: equal motion from here on. The same on all machines, here and in native programs. */
   hash(): bigint;
   /** Bytes that native programs can restore, and the other way round. */
@@ -145,7 +145,7 @@ export declare class Batch {
   setAerodynamics(aerodynamics: Input<api.Aerodynamics> | null): void;
   readonly aerodynamics: api.Aerodynamics;
   setLoadGains(gains: Input<api.LoadGains> | null): void;
-  setRate(rate: Input<api.BatchRate> | null): void;
+  setRate(divisor: number): void;
   readonly pace: api.BatchPace;
   setForce(force: Input<api.BatchForce> | null): void;
   addForces(arrays: Input<api.ForceArrays>): void;
@@ -187,9 +187,6 @@ export declare class LangevinRigid {
   /** From an address on the web, or of a file in node. */
   fetchAsset(url: string | URL): Promise<Asset>;
   checkAsset(bytes: ArrayBuffer | Uint8Array): Fault[];
-  /** What of a snapshot is not in an earlier one of the same world, the base. */
-  encodeDelta(base: Uint8Array, snapshot: Uint8Array): Uint8Array;
-  applyDelta(base: Uint8Array, delta: Uint8Array): Uint8Array;
   createEllipsoid(desc: Input<api.EllipsoidDesc>): Asset;
   createRigid(desc: Input<api.RigidDesc>): Asset;
   /** A struct as the library fills it, by its C name. */

@@ -51,17 +51,6 @@ export class LangevinRigid {
     return Asset.check(this.#host, bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes);
   }
 
-  /** What of a snapshot is not in an earlier one of the same world, the base. */
-  encodeDelta(base, snapshot) {
-    const room = this.raw.lr_snapshot_delta_bound(BigInt(snapshot.length));
-    return this.#host.delta('lr_snapshot_delta_encode', base, snapshot, room);
-  }
-
-  /** The snapshot that a delta was made of, from the base that it was made with. */
-  applyDelta(base, delta) {
-    return this.#host.delta('lr_snapshot_delta_apply', base, delta, null);
-  }
-
   createEllipsoid(desc) {
     return Asset.ellipsoid(this.#host, desc);
   }

@@ -53,11 +53,7 @@ lr_batch create_batch(lr_world* world, const lr_asset* asset, std::uint32_t capa
     check(lr_load_gains_init(&gains, sizeof gains), "lr_load_gains_init");
     gains.turbulence = options.noise;
     check(lr_batch_set_load_gains(world, batch, &gains), "gains");
-    if (options.divisor == 1) return batch;
-    lr_batch_rate rate;
-    check(lr_batch_rate_init(&rate, sizeof rate), "lr_batch_rate_init");
-    rate.divisor = options.divisor;
-    check(lr_batch_set_rate(world, batch, &rate), "rate");
+    check(lr_batch_set_rate(world, batch, options.divisor), "rate");
     return batch;
 }
 

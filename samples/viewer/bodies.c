@@ -101,7 +101,7 @@ void bodies_update(bodies* b, const scene* s) {
         if (d->batch == batch && d->revision == view.revision && d->written == view.count)
             count = d->moved > view.awake_count ? d->moved : view.awake_count;
         if (view.count > d->capacity || !d->rows) reserve(d, view.capacity), count = view.count;
-        check(lr_batch_write_first_transforms(s->world, batch, LR_TRANSFORM_3X4_ROW_MAJOR, d->rows, 0, count, NULL),
+        check(lr_batch_write_transforms(s->world, batch, LR_TRANSFORM_3X4_ROW_MAJOR, d->rows, 0, count, NULL),
               "transforms", NULL);
         glBindBuffer(GL_TEXTURE_BUFFER, d->transforms);
         glBufferSubData(GL_TEXTURE_BUFFER, 0, (GLsizeiptr)(count * sizeof *d->rows), d->rows);

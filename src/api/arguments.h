@@ -7,7 +7,6 @@
 #include "langevin_rigid.h"
 #include "world/out_of_memory.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -21,21 +20,8 @@ using lr::in_range;
 // No struct of this API comes near it: a size above it is not a size.
 inline constexpr uint32_t max_struct_size = 65536;
 
-// Sizes that each struct had before it grew: what older callers give. When a struct grows, the size that it had in the last
-// release comes here; tests/abi holds every released size against it.
-template <class T> inline constexpr std::array<size_t, 0> earlier_sizes{};
-template <>
-inline constexpr std::array earlier_sizes<lr_world_desc>{offsetof(lr_world_desc, jobs),
-                                                         offsetof(lr_world_desc, checks)};
-template <> inline constexpr std::array earlier_sizes<lr_world_info>{offsetof(lr_world_info, collider_count)};
-template <> inline constexpr std::array earlier_sizes<lr_batch_view>{offsetof(lr_batch_view, revision)};
-template <> inline constexpr std::array earlier_sizes<lr_body_state>{offsetof(lr_body_state, resting)};
-template <> inline constexpr std::array earlier_sizes<lr_batch_events>{offsetof(lr_batch_events, faulted)};
-
-// Besides larger ones, of newer headers. Another one between would cut a field in two.
+// Of this header or of a newer one, whose structs are larger.
 template <class T> bool is_struct_size(uint32_t size) {
-    for (size_t earlier : earlier_sizes<T>)
-        if (size == earlier) return true;
     return size >= sizeof(T) && size <= max_struct_size;
 }
 
@@ -48,7 +34,7 @@ template <class T> lr_status begin_init(T* desc, uint32_t struct_size) {
     return LR_OK;
 }
 
-// A smaller struct of an older header is filled up with zeros; the tail of a larger one must be zero.
+// The tail of a larger struct must be zero: it would ask for what this library cannot do.
 template <class T> lr_status check_size(const T* given) {
     if (!given) return LR_ERROR_NULL_ARGUMENT;
     const uint32_t size = given->struct_size;
@@ -59,12 +45,11 @@ template <class T> lr_status check_size(const T* given) {
     return LR_OK;
 }
 
-// What is kept has this header's size, whatever the caller's header has: snapshots and recordings hold it.
+// A copy with this header's size, whatever the caller's header has: snapshots and recordings hold it.
 template <class T> lr_status read_struct(const T* given, T& out) {
     const lr_status status = check_size(given);
     if (status != LR_OK) return status;
-    out = T{};
-    std::memcpy(&out, given, given->struct_size < sizeof(T) ? given->struct_size : sizeof(T));
+    out = *given;
     out.struct_size = sizeof(T);
     return LR_OK;
 }
@@ -87,10 +72,10 @@ private:
     uint32_t stride_;
 };
 
-// Writes as much of a result as the caller has room for.
+// Writes a result and keeps the caller's size. check_size() has taken it.
 template <class T> void write_struct(const T& from, T* to) {
     const uint32_t size = to->struct_size;
-    std::memcpy(static_cast<void*>(to), &from, size < sizeof(T) ? size : sizeof(T));
+    *to = from;
     to->struct_size = size;
 }
 

@@ -3,7 +3,6 @@
 #include "asset/asset.h"
 #include "asset/asset_bytes.h"
 #include "format/asset_file.h"
-#include "shape/aerodynamics.h"
 #include "shape/ellipsoid.h"
 
 #include <algorithm>
@@ -37,7 +36,6 @@ lr_status load(const void* bytes, uint64_t size, lr_asset** out) {
     lr::AssetData data;
     lr::Faults faults;
     if (!lr::read_asset(bytes, static_cast<size_t>(size), data, faults)) return status_of(faults);
-    lr::shape::complete_aerodynamics(data);
     *out = new lr_asset(std::move(data), lr::asset_format_version);
     return LR_OK;
 }

@@ -40,23 +40,6 @@ const char* wrong_in(const lr_turbulence_table& t) {
     return nullptr;
 }
 
-lr_status write_transforms(const lr_world& world, const char* name, const lr::Batch& b, int32_t format, void* dst,
-                           uint64_t stride, uint32_t count, uint32_t capacity, uint32_t* written) {
-    const lr::FloatMode mode;
-    const uint32_t bytes = lr::transform_bytes(format);
-    if (bytes == 0) return refuse(&world, name, LR_ERROR_INVALID_ARGUMENT, "unknown format");
-    if (stride == 0) stride = bytes;
-    if (stride < bytes || stride % 4 != 0 || stride > (uint64_t{1} << 32) || reinterpret_cast<uintptr_t>(dst) % 4 != 0)
-        return refuse(&world, name, LR_ERROR_INVALID_ARGUMENT, "stride or alignment does not fit the format");
-    if (count > capacity) return refuse(&world, name, LR_ERROR_BUFFER_TOO_SMALL);
-    if (count == 0) return LR_OK;
-    if (!dst) return refuse(&world, name, LR_ERROR_NULL_ARGUMENT);
-    lr::write_transforms(world.target->simd, b.arrays(), count, static_cast<float>(b.pace.behind()), format, dst,
-                         stride);
-    if (written) *written = count;
-    return LR_OK;
-}
-
 } // namespace
 
 extern "C" {
@@ -177,24 +160,25 @@ lr_status lr_inner_batch_get_view(const lr_world* world, lr_batch batch, lr_batc
 }
 
 lr_status lr_inner_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                          uint64_t stride, uint32_t capacity, uint32_t* written) {
+                                          uint64_t stride, uint32_t count, uint32_t* written) {
     constexpr const char* name = "lr_batch_write_transforms";
     if (written) *written = 0;
     if (!world) return LR_ERROR_NULL_ARGUMENT;
     const lr::Batch* const b = world->find(batch);
     if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
-    return write_transforms(*world, name, *b, format, dst, stride, b->count(), capacity, written);
-}
-
-lr_status lr_inner_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                                uint64_t stride, uint32_t count, uint32_t* written) {
-    constexpr const char* name = "lr_batch_write_first_transforms";
-    if (written) *written = 0;
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    const lr::Batch* const b = world->find(batch);
-    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
+    const lr::FloatMode mode;
+    const uint32_t bytes = lr::transform_bytes(format);
+    if (bytes == 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "unknown format");
+    if (stride == 0) stride = bytes;
+    if (stride < bytes || stride % 4 != 0 || stride > (uint64_t{1} << 32) || reinterpret_cast<uintptr_t>(dst) % 4 != 0)
+        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "stride or alignment does not fit the format");
     count = std::min(count, b->count());
-    return write_transforms(*world, name, *b, format, dst, stride, count, count, written);
+    if (count == 0) return LR_OK;
+    if (!dst) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
+    lr::write_transforms(world->target->simd, b->arrays(), count, static_cast<float>(b->pace.behind()), format, dst,
+                         stride);
+    if (written) *written = count;
+    return LR_OK;
 }
 
 } // extern "C"

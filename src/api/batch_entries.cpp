@@ -57,9 +57,7 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
 }
 
 lr_status lr_batch_destroy(lr_world* world, lr_batch batch) {
-    return change(
-        world, Op::batch_destroy, [&] { return lr_inner_batch_destroy(world, batch); },
-        [&](Call& call) { call.value(batch); });
+    return plain_change(world, Op::batch_destroy, &lr_inner_batch_destroy, batch);
 }
 
 lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table) {
@@ -72,58 +70,34 @@ lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const l
 }
 
 lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
-    return change(
-        world, Op::batch_set_aerodynamics, [&] { return lr_inner_batch_set_aerodynamics(world, batch, aerodynamics); },
-        [&](Call& call) {
-            call.value(batch);
-            call.structure(aerodynamics);
-        });
+    return plain_change(world, Op::batch_set_aerodynamics, &lr_inner_batch_set_aerodynamics, batch, aerodynamics);
 }
 
 lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics) {
-    return query(world, "lr_batch_get_aerodynamics",
-                 [&] { return lr_inner_batch_get_aerodynamics(world, batch, aerodynamics); });
+    return plain_query(world, "lr_batch_get_aerodynamics", &lr_inner_batch_get_aerodynamics, batch, aerodynamics);
 }
 
 lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains) {
-    return change(
-        world, Op::batch_set_load_gains, [&] { return lr_inner_batch_set_load_gains(world, batch, gains); },
-        [&](Call& call) {
-            call.value(batch);
-            call.structure(gains);
-        });
+    return plain_change(world, Op::batch_set_load_gains, &lr_inner_batch_set_load_gains, batch, gains);
 }
 
-lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate) {
-    return change(
-        world, Op::batch_set_rate, [&] { return lr_inner_batch_set_rate(world, batch, rate); },
-        [&](Call& call) {
-            call.value(batch);
-            call.structure(rate);
-        });
+lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor) {
+    return plain_change(world, Op::batch_set_rate, &lr_inner_batch_set_rate, batch, divisor);
 }
 
 lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace) {
-    return query(world, "lr_batch_get_pace", [&] { return lr_inner_batch_get_pace(world, batch, pace); });
+    return plain_query(world, "lr_batch_get_pace", &lr_inner_batch_get_pace, batch, pace);
 }
 
 lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view) {
-    return query(world, "lr_batch_get_view", [&] { return lr_inner_batch_get_view(world, batch, view); });
+    return plain_query(world, "lr_batch_get_view", &lr_inner_batch_get_view, batch, view);
 }
 
 lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride,
-                                    uint32_t capacity, uint32_t* written) {
+                                    uint32_t count, uint32_t* written) {
     if (written) *written = 0;
-    return query(world, "lr_batch_write_transforms",
-                 [&] { return lr_inner_batch_write_transforms(world, batch, format, dst, stride, capacity, written); });
-}
-
-lr_status lr_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                          uint64_t stride, uint32_t count, uint32_t* written) {
-    if (written) *written = 0;
-    return query(world, "lr_batch_write_first_transforms", [&] {
-        return lr_inner_batch_write_first_transforms(world, batch, format, dst, stride, count, written);
-    });
+    return plain_query(world, "lr_batch_write_transforms", &lr_inner_batch_write_transforms, batch, format, dst, stride,
+                       count, written);
 }
 
 lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays) {
@@ -136,72 +110,39 @@ lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_ar
 }
 
 lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force) {
-    return change(
-        world, Op::batch_set_force, [&] { return lr_inner_batch_set_force(world, batch, force); },
-        [&](Call& call) {
-            call.value(batch);
-            call.structure(force);
-        });
+    return plain_change(world, Op::batch_set_force, &lr_inner_batch_set_force, batch, force);
 }
 
 lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_contact* contact) {
-    return change(
-        world, Op::batch_set_contact, [&] { return lr_inner_batch_set_contact(world, batch, contact); },
-        [&](Call& call) {
-            call.value(batch);
-            call.structure(contact);
-        });
+    return plain_change(world, Op::batch_set_contact, &lr_inner_batch_set_contact, batch, contact);
 }
 
 lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact) {
-    return query(world, "lr_batch_get_contact", [&] { return lr_inner_batch_get_contact(world, batch, contact); });
+    return plain_query(world, "lr_batch_get_contact", &lr_inner_batch_get_contact, batch, contact);
 }
 
 lr_status lr_batch_set_pair_contact(lr_world* world, lr_batch a, lr_batch b, int32_t enabled) {
-    return change(
-        world, Op::batch_set_pair_contact, [&] { return lr_inner_batch_set_pair_contact(world, a, b, enabled); },
-        [&](Call& call) {
-            call.value(a);
-            call.value(b);
-            call.value(enabled);
-        });
+    return plain_change(world, Op::batch_set_pair_contact, &lr_inner_batch_set_pair_contact, a, b, enabled);
 }
 
 lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled) {
-    return query(world, "lr_batch_get_pair_contact",
-                 [&] { return lr_inner_batch_get_pair_contact(world, a, b, enabled); });
+    return plain_query(world, "lr_batch_get_pair_contact", &lr_inner_batch_get_pair_contact, a, b, enabled);
 }
 
 lr_status lr_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t policy) {
-    return change(
-        world, Op::batch_set_fault_policy, [&] { return lr_inner_batch_set_fault_policy(world, batch, policy); },
-        [&](Call& call) {
-            call.value(batch);
-            call.value(policy);
-        });
+    return plain_change(world, Op::batch_set_fault_policy, &lr_inner_batch_set_fault_policy, batch, policy);
 }
 
 lr_status lr_batch_get_fault_policy(const lr_world* world, lr_batch batch, int32_t* policy) {
-    return query(world, "lr_batch_get_fault_policy",
-                 [&] { return lr_inner_batch_get_fault_policy(world, batch, policy); });
+    return plain_query(world, "lr_batch_get_fault_policy", &lr_inner_batch_get_fault_policy, batch, policy);
 }
 
 lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules) {
-    return change(
-        world, Op::batch_set_rules, [&] { return lr_inner_batch_set_rules(world, batch, rules); },
-        [&](Call& call) {
-            call.value(batch);
-            call.structure(rules);
-        });
+    return plain_change(world, Op::batch_set_rules, &lr_inner_batch_set_rules, batch, rules);
 }
 
 lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc) {
-    return change(
-        world, Op::batch_set_emitter, [&] { return lr_inner_batch_set_emitter(world, batch, desc); },
-        [&](Call& call) {
-            call.value(batch);
-            call.structure(desc);
-        });
+    return plain_change(world, Op::batch_set_emitter, &lr_inner_batch_set_emitter, batch, desc);
 }
 
 lr_status lr_batch_emit(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids) {
@@ -215,7 +156,7 @@ lr_status lr_batch_emit(lr_world* world, lr_batch batch, uint32_t count, lr_body
 }
 
 lr_status lr_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events) {
-    return query(world, "lr_batch_get_events", [&] { return lr_inner_batch_get_events(world, batch, events); });
+    return plain_query(world, "lr_batch_get_events", &lr_inner_batch_get_events, batch, events);
 }
 
 } // extern "C"

@@ -39,16 +39,11 @@ lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count
 }
 
 lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state) {
-    return query(world, "lr_body_get_state", [&] { return lr_inner_body_get_state(world, body, state); });
+    return plain_query(world, "lr_body_get_state", &lr_inner_body_get_state, body, state);
 }
 
 lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
-    return change(
-        world, Op::body_set_state, [&] { return lr_inner_body_set_state(world, body, state); },
-        [&](Call& call) {
-            call.value(body);
-            call.structure(state);
-        });
+    return plain_change(world, Op::body_set_state, &lr_inner_body_set_state, body, state);
 }
 
 lr_status lr_body_set_rest(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest) {
@@ -92,7 +87,7 @@ lr_status lr_collider_move(lr_world* world, const lr_collider_motion* motions, u
 }
 
 lr_status lr_collider_get_state(const lr_world* world, lr_collider collider, lr_collider_state* state) {
-    return query(world, "lr_collider_get_state", [&] { return lr_inner_collider_get_state(world, collider, state); });
+    return plain_query(world, "lr_collider_get_state", &lr_inner_collider_get_state, collider, state);
 }
 
 lr_status lr_collider_set_surface(lr_world* world, const lr_collider* colliders, uint32_t count,

@@ -62,4 +62,16 @@ template <class Inner, class Tell> lr_status change(lr_world* world, Op op, Inne
     return entry.status() == LR_OK ? go() : entry.status();
 }
 
+// Of calls whose arguments are plain: numbers, handles, single structs.
+template <class... P, class... A>
+lr_status plain_query(const lr_world* world, const char* function, lr_status (*inner)(const lr_world*, P...),
+                      A... arguments) {
+    return query(world, function, [&] { return inner(world, arguments...); });
+}
+template <class... P, class... A>
+lr_status plain_change(lr_world* world, Op op, lr_status (*inner)(lr_world*, P...), A... arguments) {
+    return change(
+        world, op, [&] { return inner(world, arguments...); }, [&](Call& call) { (call.argument(arguments), ...); });
+}
+
 } // namespace lr::api

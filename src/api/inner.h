@@ -18,7 +18,7 @@ lr_status lr_inner_world_sample_wind(const lr_world* world, const float* positio
 lr_status lr_inner_world_set_surface(lr_world* world, const lr_surface_desc* desc);
 lr_status lr_inner_world_set_surface_callback(lr_world* world, lr_surface_fn callback, void* user);
 lr_status lr_inner_world_step(lr_world* world, float dt, uint32_t substeps);
-lr_status lr_inner_world_set_budget(lr_world* world, const lr_budget* budget);
+lr_status lr_inner_world_set_budget(lr_world* world, uint64_t body_substeps);
 lr_status lr_inner_world_get_step_report(const lr_world* world, lr_step_report* report);
 lr_status lr_inner_world_hash(const lr_world* world, uint64_t* out);
 uint64_t lr_inner_world_snapshot_size(const lr_world* world);
@@ -30,13 +30,11 @@ lr_status lr_inner_batch_set_turbulence_table(lr_world* world, lr_batch batch, c
 lr_status lr_inner_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics);
 lr_status lr_inner_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics);
 lr_status lr_inner_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains);
-lr_status lr_inner_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate);
+lr_status lr_inner_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor);
 lr_status lr_inner_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace);
 lr_status lr_inner_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view);
 lr_status lr_inner_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                          uint64_t stride, uint32_t capacity, uint32_t* written);
-lr_status lr_inner_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                                uint64_t stride, uint32_t count, uint32_t* written);
+                                          uint64_t stride, uint32_t count, uint32_t* written);
 lr_status lr_inner_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count,
                                lr_body* out_ids);
 lr_status lr_inner_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count);

@@ -4,6 +4,8 @@
 #include "api/arguments.h"
 #include "record/recorder.h"
 
+#include <type_traits>
+
 namespace lr::api {
 
 // What is recorded of a call is said once, by a function that takes a Call. It is gone through up to four times: to see whether anything is
@@ -52,6 +54,14 @@ public:
         if (from && pass_ == Pass::ask) names_memory_ = true;
         return from && (pass_ == Pass::survey || pass_ == Pass::write);
     }
+    // A number or a struct.
+    template <class T> void argument(T v) {
+        if constexpr (std::is_pointer_v<T>)
+            structure(v);
+        else
+            value(v);
+    }
+    // Bytes that the call reads whole, whatever they say. Null too.
     void array(const void* bytes, uint64_t size) {
         if (!reads(bytes) || pass_ != Pass::write) return;
         recorder_->value(record::Where::here);

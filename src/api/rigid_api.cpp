@@ -44,7 +44,6 @@ lr_status create(const lr_rigid_desc& d, const lr::AerodynamicData* loads, lr_as
     lr::shape::set_scales(semi_axes, along, data);
     data.turbulence = lr::shape::decay_table(data, d.intensity);
     data.aerodynamics = loads ? *loads : lr::shape::default_aerodynamics(lr::shape::ellipsoid_geometry(semi_axes));
-    data.has_aerodynamics = true;
     lr::Faults faults;
     if (!lr::check_asset(data, faults)) return LR_ERROR_INVALID_ARGUMENT;
     *out = new lr_asset(std::move(data), 0, {d.extents[0], d.extents[1], d.extents[2]});

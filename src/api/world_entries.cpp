@@ -29,7 +29,7 @@ void lr_world_destroy(lr_world* world) {
 }
 
 lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
-    return query(world, "lr_world_get_info", [&] { return lr_inner_world_get_info(world, info); });
+    return plain_query(world, "lr_world_get_info", &lr_inner_world_get_info, info);
 }
 
 lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
@@ -39,15 +39,11 @@ lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
 }
 
 lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
-    return change(
-        world, Op::world_set_simd_target, [&] { return lr_inner_world_set_simd_target(world, target); },
-        [&](Call& call) { call.value(target); });
+    return plain_change(world, Op::world_set_simd_target, &lr_inner_world_set_simd_target, target);
 }
 
 lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
-    return change(
-        world, Op::world_set_wind, [&] { return lr_inner_world_set_wind(world, desc); },
-        [&](Call& call) { call.structure(desc); });
+    return plain_change(world, Op::world_set_wind, &lr_inner_world_set_wind, desc);
 }
 
 lr_status lr_world_add_wind(lr_world* world, const lr_wind_source_desc* desc, lr_wind_source* out) {
@@ -70,9 +66,7 @@ lr_status lr_world_update_wind(lr_world* world, lr_wind_source source, const lr_
 }
 
 lr_status lr_world_remove_wind(lr_world* world, lr_wind_source source) {
-    return change(
-        world, Op::world_remove_wind, [&] { return lr_inner_world_remove_wind(world, source); },
-        [&](Call& call) { call.value(source); });
+    return plain_change(world, Op::world_remove_wind, &lr_inner_world_remove_wind, source);
 }
 
 lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user) {
@@ -87,14 +81,11 @@ lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void*
 }
 
 lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities) {
-    return query(world, "lr_world_sample_wind",
-                 [&] { return lr_inner_world_sample_wind(world, positions, count, velocities); });
+    return plain_query(world, "lr_world_sample_wind", &lr_inner_world_sample_wind, positions, count, velocities);
 }
 
 lr_status lr_world_set_surface(lr_world* world, const lr_surface_desc* desc) {
-    return change(
-        world, Op::world_set_surface, [&] { return lr_inner_world_set_surface(world, desc); },
-        [&](Call& call) { call.structure(desc); });
+    return plain_change(world, Op::world_set_surface, &lr_inner_world_set_surface, desc);
 }
 
 lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn callback, void* user) {
@@ -109,26 +100,19 @@ lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn callback,
 }
 
 lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
-    return change(
-        world, Op::world_step, [&] { return lr_inner_world_step(world, dt, substeps); },
-        [&](Call& call) {
-            call.value(dt);
-            call.value(substeps);
-        });
+    return plain_change(world, Op::world_step, &lr_inner_world_step, dt, substeps);
 }
 
-lr_status lr_world_set_budget(lr_world* world, const lr_budget* budget) {
-    return change(
-        world, Op::world_set_budget, [&] { return lr_inner_world_set_budget(world, budget); },
-        [&](Call& call) { call.structure(budget); });
+lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps) {
+    return plain_change(world, Op::world_set_budget, &lr_inner_world_set_budget, body_substeps);
 }
 
 lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report) {
-    return query(world, "lr_world_get_step_report", [&] { return lr_inner_world_get_step_report(world, report); });
+    return plain_query(world, "lr_world_get_step_report", &lr_inner_world_get_step_report, report);
 }
 
 lr_status lr_world_hash(const lr_world* world, uint64_t* out) {
-    return query(world, "lr_world_hash", [&] { return lr_inner_world_hash(world, out); });
+    return plain_query(world, "lr_world_hash", &lr_inner_world_hash, out);
 }
 
 uint64_t lr_world_snapshot_size(const lr_world* world) {
@@ -142,8 +126,7 @@ uint64_t lr_world_snapshot_size(const lr_world* world) {
 
 lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written) {
     if (written) *written = 0;
-    return query(world, "lr_world_snapshot_save",
-                 [&] { return lr_inner_world_snapshot_save(world, memory, size, written); });
+    return plain_query(world, "lr_world_snapshot_save", &lr_inner_world_snapshot_save, memory, size, written);
 }
 
 lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
@@ -166,27 +149,21 @@ lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high
 }
 
 lr_status lr_world_set_contact_events(lr_world* world, uint32_t capacity, uint32_t kinds) {
-    return change(
-        world, Op::world_set_contact_events, [&] { return lr_inner_world_set_contact_events(world, capacity, kinds); },
-        [&](Call& call) {
-            call.value(capacity);
-            call.value(kinds);
-        });
+    return plain_change(world, Op::world_set_contact_events, &lr_inner_world_set_contact_events, capacity, kinds);
 }
 
 lr_status lr_world_get_contact_events(const lr_world* world, lr_contact_event_list* list) {
-    return query(world, "lr_world_get_contact_events", [&] { return lr_inner_world_get_contact_events(world, list); });
+    return plain_query(world, "lr_world_get_contact_events", &lr_inner_world_get_contact_events, list);
 }
 
 lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits) {
-    return query(world, "lr_world_ray_cast", [&] { return lr_inner_world_ray_cast(world, rays, count, hits); });
+    return plain_query(world, "lr_world_ray_cast", &lr_inner_world_ray_cast, rays, count, hits);
 }
 
 lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity,
                            uint32_t* count) {
     if (count) *count = 0;
-    return query(world, "lr_world_overlap",
-                 [&] { return lr_inner_world_overlap(world, desc, bodies, capacity, count); });
+    return plain_query(world, "lr_world_overlap", &lr_inner_world_overlap, desc, bodies, capacity, count);
 }
 
 } // extern "C"

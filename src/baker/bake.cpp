@@ -2,6 +2,7 @@
 
 #include "baker/added_mass/added_mass.h"
 #include "baker/aerodynamics/mesh_geometry.h"
+#include "baker/aerodynamics/principal_axes.h"
 #include "baker/bake_input.h"
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/ellipsoid_mesh.h"
@@ -13,7 +14,6 @@
 #include "format/asset_file.h"
 #include "shape/body_scales.h"
 #include "shape/ellipsoid.h"
-#include "shape/principal_axes.h"
 
 #include <Eigen/Geometry>
 
@@ -242,7 +242,6 @@ private:
             is_sheet() ? sheet_geometry(mesh_, thickness_, axes, centre) : mesh_geometry(mesh_, axes, centre);
         geometry.volume = solid_.volume;
         out_.aerodynamics = shape::default_aerodynamics(geometry);
-        out_.has_aerodynamics = true;
         return true;
     }
 

@@ -96,7 +96,7 @@ Json make_json(const AssetData& a) {
                        {"settled", a.turbulence.settled},
                        {"loop", loop},
                        {"max_divergence", a.turbulence.max_divergence}};
-    j["aerodynamics"] = a.has_aerodynamics ? make_json(a.aerodynamics) : Json();
+    j["aerodynamics"] = make_json(a.aerodynamics);
     j["hull"] = {{"vertices", a.hull.vertices.size() / 3}, {"triangles", a.hull.triangles.size() / 3}};
     j["provenance"] = make_json(a.provenance);
     return j;
@@ -173,10 +173,9 @@ std::string summary(const AssetData& a) {
                                                                : "steady",
              a.turbulence.chi[a.turbulence.stationary] * a.u0 / a.length_l,
              a.turbulence.epsilon[a.turbulence.stationary] * a.u0 * a.u0 * a.u0 / a.length_l);
-    if (a.has_aerodynamics)
-        line(text, "  drag            C_D S %.4g %.4g %.4g m^2 along its axes, lift %.4g %.4g %.4g m^2",
-             a.aerodynamics.drag[0], a.aerodynamics.drag[1], a.aerodynamics.drag[2], a.aerodynamics.lift[0],
-             a.aerodynamics.lift[1], a.aerodynamics.lift[2]);
+    line(text, "  drag            C_D S %.4g %.4g %.4g m^2 along its axes, lift %.4g %.4g %.4g m^2",
+         a.aerodynamics.drag[0], a.aerodynamics.drag[1], a.aerodynamics.drag[2], a.aerodynamics.lift[0],
+         a.aerodynamics.lift[1], a.aerodynamics.lift[2]);
     line(text, "  hull            %zu vertices, %zu triangles", a.hull.vertices.size() / 3,
          a.hull.triangles.size() / 3);
     return text;

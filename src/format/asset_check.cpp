@@ -217,7 +217,7 @@ bool check_asset(const AssetData& d, Faults& faults) {
     check_matrices(d, check);
     check_table(d.turbulence, check);
     check_hull(d, check);
-    if (d.has_aerodynamics) check_aerodynamics(d, check);
+    check_aerodynamics(d, check);
     return check.ok();
 }
 
@@ -241,20 +241,13 @@ uint64_t content_hash(const AssetData& d) {
     numbers(d.hull.vertices);
     hash.add_u64(d.hull.triangles.size());
     for (uint32_t i : d.hull.triangles) hash.add_u64(i);
-    if (d.has_aerodynamics) {
-        const AerodynamicData& a = d.aerodynamics;
-        numbers(a.axes);
-        for (const auto* values : {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.lift, &a.spin_lift,
-                                   &a.lift_moment, &a.spin_drag, &a.spin_drag_stream, &a.spin_drag_stokes, &a.broadside,
-                                   &a.lift_moment_stalled, &a.roll_damping})
-            numbers(*values);
-        number(a.intensity);
-        number(a.length);
-        number(a.wake_reynolds);
-        number(a.lift_stall);
-        // Only where there is one: assets from before keep their hash.
-        if (a.center != std::array<double, 3>{}) numbers(a.center);
-    }
+    const AerodynamicData& a = d.aerodynamics;
+    numbers(a.axes);
+    for (const auto* values :
+         {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.lift, &a.spin_lift, &a.lift_moment, &a.spin_drag,
+          &a.spin_drag_stream, &a.spin_drag_stokes, &a.broadside, &a.lift_moment_stalled, &a.roll_damping, &a.center})
+        numbers(*values);
+    for (double v : {a.intensity, a.length, a.wake_reynolds, a.lift_stall}) number(v);
     return hash.value();
 }
 

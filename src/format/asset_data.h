@@ -91,7 +91,6 @@ struct AssetData {
     double projected_area = 0.0;                           // m^2
     double u0 = 0.0;                                       // m/s
     TurbulenceData turbulence;
-    bool has_aerodynamics = false; // absent in older files: then made from the hull when loaded
     AerodynamicData aerodynamics;
     HullData hull;
     ProvenanceData provenance;

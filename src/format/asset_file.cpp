@@ -32,128 +32,112 @@ size_t checksum_offset(const format::Asset& asset, const uint8_t* bytes) {
     return at ? static_cast<size_t>(at - bytes) : 0;
 }
 
-// FlatBuffers' verifier looks after the bounds of vectors and structs, not after the alignment of eight-byte values.
-bool check_alignment(const void* at, size_t alignment, const char* field, Faults& faults) {
-    if (reinterpret_cast<uintptr_t>(at) % alignment == 0) return true;
-    fail(faults, FaultId::asset_corrupt, field, "The field is not aligned.");
-    return false;
-}
+// Reads fields that FlatBuffers' verifier has found in place: it looks after presence and bounds, not after the alignment of
+// eight-byte values.
+class Decoder {
+public:
+    explicit Decoder(Faults& faults) : faults_(faults) {}
+    bool ok() const { return ok_; }
 
-template <size_t N>
-bool copy_array(const flatbuffers::Vector<double>* from, std::array<double, N>& to, const char* field, Faults& faults) {
-    if (!from) {
-        fail(faults, FaultId::asset_missing_field, field, "The field is missing.");
+    template <class T, class U> void vector(const flatbuffers::Vector<T>* from, std::vector<U>& to, const char* field) {
+        to.clear();
+        if (from->size() != 0 && aligned(from->Data(), alignof(T), field)) to.assign(from->begin(), from->end());
+    }
+    template <class T, size_t N>
+    void array(const flatbuffers::Vector<T>* from, std::array<T, N>& to, const char* field) {
+        if (from->size() != N)
+            wrong(FaultId::asset_wrong_length, field,
+                  "It has " + std::to_string(from->size()) + " values, not " + std::to_string(N) + ".");
+        else if (aligned(from->Data(), alignof(T), field))
+            std::copy(from->begin(), from->end(), to.begin());
+    }
+    void vector3(const format::Vec3* from, std::array<double, 3>& to, const char* field) {
+        if (aligned(from, alignof(double), field)) to = {from->x(), from->y(), from->z()};
+    }
+    bool aligned(const void* at, size_t alignment, const char* field) {
+        if (reinterpret_cast<uintptr_t>(at) % alignment == 0) return true;
+        wrong(FaultId::asset_corrupt, field, "The field is not aligned.");
         return false;
     }
-    if (from->size() != N) {
-        fail(faults, FaultId::asset_wrong_length, field,
-             "It has " + std::to_string(from->size()) + " values, not " + std::to_string(N) + ".");
-        return false;
+
+private:
+    void wrong(FaultId id, const char* field, std::string what) {
+        fail(faults_, id, field, std::move(what));
+        ok_ = false;
     }
-    if (!check_alignment(from->Data(), alignof(double), field, faults)) return false;
-    for (uint32_t i = 0; i < N; ++i) to[i] = from->Get(i);
-    return true;
-}
+    Faults& faults_;
+    bool ok_ = true;
+};
 
-template <class T, class U>
-void copy_vector(const flatbuffers::Vector<T>* from, std::vector<U>& to, const char* field, Faults& faults) {
-    to.clear();
-    if (!from || from->size() == 0 || !check_alignment(from->Data(), alignof(T), field, faults)) return;
-    to.reserve(from->size());
-    for (uint32_t i = 0; i < from->size(); ++i) to.push_back(from->Get(i));
-}
-
-std::string text(const flatbuffers::String* s) {
-    return s ? s->str() : std::string();
-}
-
-template <class Need>
-void decode_aerodynamics(const format::Aerodynamics& from, AerodynamicData& out, Faults& faults, const Need& need) {
-    const auto vector = [&](const format::Vec3* v, const char* name, std::array<double, 3>& to) {
-        if (need(v, name)) to = {v->x(), v->y(), v->z()};
-    };
-    copy_array(from.axes(), out.axes, "aerodynamics.axes", faults);
-    vector(from.drag(), "aerodynamics.drag", out.drag);
-    vector(from.drag_blunt(), "aerodynamics.drag_blunt", out.drag_blunt);
-    vector(from.drag_layer(), "aerodynamics.drag_layer", out.drag_layer);
-    vector(from.drag_stokes(), "aerodynamics.drag_stokes", out.drag_stokes);
-    vector(from.lift(), "aerodynamics.lift", out.lift);
-    vector(from.spin_lift(), "aerodynamics.spin_lift", out.spin_lift);
-    vector(from.lift_moment(), "aerodynamics.lift_moment", out.lift_moment);
-    vector(from.spin_drag(), "aerodynamics.spin_drag", out.spin_drag);
-    vector(from.spin_drag_stream(), "aerodynamics.spin_drag_stream", out.spin_drag_stream);
-    vector(from.spin_drag_stokes(), "aerodynamics.spin_drag_stokes", out.spin_drag_stokes);
+void decode(const format::Aerodynamics& from, AerodynamicData& out, Decoder& read) {
+    read.array(from.axes(), out.axes, "aerodynamics.axes");
+    read.vector3(from.drag(), out.drag, "aerodynamics.drag");
+    read.vector3(from.drag_blunt(), out.drag_blunt, "aerodynamics.drag_blunt");
+    read.vector3(from.drag_layer(), out.drag_layer, "aerodynamics.drag_layer");
+    read.vector3(from.drag_stokes(), out.drag_stokes, "aerodynamics.drag_stokes");
+    read.vector3(from.lift(), out.lift, "aerodynamics.lift");
+    read.vector3(from.spin_lift(), out.spin_lift, "aerodynamics.spin_lift");
+    read.vector3(from.lift_moment(), out.lift_moment, "aerodynamics.lift_moment");
+    read.vector3(from.spin_drag(), out.spin_drag, "aerodynamics.spin_drag");
+    read.vector3(from.spin_drag_stream(), out.spin_drag_stream, "aerodynamics.spin_drag_stream");
+    read.vector3(from.spin_drag_stokes(), out.spin_drag_stokes, "aerodynamics.spin_drag_stokes");
+    read.vector3(from.broadside(), out.broadside, "aerodynamics.broadside");
+    read.vector3(from.lift_moment_stalled(), out.lift_moment_stalled, "aerodynamics.lift_moment_stalled");
+    read.vector3(from.roll_damping(), out.roll_damping, "aerodynamics.roll_damping");
+    read.vector3(from.center(), out.center, "aerodynamics.center");
     out.intensity = from.intensity();
     out.length = from.length();
     out.wake_reynolds = from.wake_reynolds();
-    // Absent in files from before stall was modelled: then there is none.
-    if (from.broadside()) vector(from.broadside(), "aerodynamics.broadside", out.broadside);
     out.lift_stall = from.lift_stall();
-    if (from.lift_moment_stalled())
-        vector(from.lift_moment_stalled(), "aerodynamics.lift_moment_stalled", out.lift_moment_stalled);
-    if (from.roll_damping()) vector(from.roll_damping(), "aerodynamics.roll_damping", out.roll_damping);
-    if (from.center()) vector(from.center(), "aerodynamics.center", out.center);
+}
+
+void decode(const format::Turbulence& from, TurbulenceData& out, Decoder& read) {
+    read.vector(from.chi(), out.chi, "turbulence.chi");
+    read.vector(from.epsilon(), out.epsilon, "turbulence.epsilon");
+    read.array(from.cells(), out.cells, "turbulence.cells");
+    read.array(from.domain(), out.domain, "turbulence.domain");
+    out.dt = from.dt();
+    out.stationary = from.stationary();
+    out.c0 = from.c0();
+    out.intensity = from.intensity();
+    out.loop_begin = from.loop_begin();
+    out.loop_end = from.loop_end();
+    out.wake = from.wake();
+    out.settled = from.settled();
+    out.max_divergence = from.max_divergence();
 }
 
 bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
-    const size_t before = faults.size();
-    const auto need = [&](const void* field, const char* name, size_t alignment = alignof(double)) {
-        if (!field) fail(faults, FaultId::asset_missing_field, name, "The field is missing.");
-        return field && check_alignment(field, alignment, name, faults);
-    };
-    out.name = text(a.name());
+    Decoder read(faults);
+    out.name = a.name()->str();
     out.mass = a.mass();
     out.volume = a.volume();
     out.density = a.density();
-    if (need(a.center_of_mass(), "center_of_mass"))
-        out.center_of_mass = {a.center_of_mass()->x(), a.center_of_mass()->y(), a.center_of_mass()->z()};
-    if (need(a.center_of_buoyancy(), "center_of_buoyancy"))
-        out.center_of_buoyancy = {a.center_of_buoyancy()->x(), a.center_of_buoyancy()->y(),
-                                  a.center_of_buoyancy()->z()};
-    copy_array(a.inertia(), out.inertia, "inertia", faults);
-    copy_array(a.added_mass(), out.added_mass, "added_mass", faults);
-    if (a.added_mass_error()) copy_array(a.added_mass_error(), out.added_mass_error, "added_mass_error", faults);
-    if (need(a.fluid(), "fluid")) {
+    read.vector3(a.center_of_mass(), out.center_of_mass, "center_of_mass");
+    read.vector3(a.center_of_buoyancy(), out.center_of_buoyancy, "center_of_buoyancy");
+    read.array(a.inertia(), out.inertia, "inertia");
+    read.array(a.added_mass(), out.added_mass, "added_mass");
+    read.array(a.added_mass_error(), out.added_mass_error, "added_mass_error");
+    if (read.aligned(a.fluid(), alignof(double), "fluid")) {
         out.fluid_density = a.fluid()->density();
         out.fluid_viscosity = a.fluid()->viscosity();
     }
-    if (need(a.lengths(), "lengths")) {
+    if (read.aligned(a.lengths(), alignof(double), "lengths")) {
         out.length_d = a.lengths()->d();
         out.length_b = a.lengths()->b();
         out.length_l = a.lengths()->l();
     }
     out.projected_area = a.projected_area();
     out.u0 = a.u0();
-    if (need(a.turbulence(), "turbulence", alignof(flatbuffers::soffset_t))) {
-        const format::Turbulence& t = *a.turbulence();
-        out.turbulence.dt = t.dt();
-        copy_vector(t.chi(), out.turbulence.chi, "turbulence.chi", faults);
-        copy_vector(t.epsilon(), out.turbulence.epsilon, "turbulence.epsilon", faults);
-        out.turbulence.stationary = t.stationary();
-        out.turbulence.c0 = t.c0();
-        out.turbulence.intensity = t.intensity();
-        if (t.cells() && t.cells()->size() == 3)
-            for (uint32_t i = 0; i < 3; ++i) out.turbulence.cells[i] = t.cells()->Get(i);
-        out.turbulence.loop_begin = t.loop_begin();
-        out.turbulence.loop_end = t.loop_end();
-        out.turbulence.wake = t.wake();
-        out.turbulence.settled = t.settled();
-        if (t.domain()) copy_array(t.domain(), out.turbulence.domain, "turbulence.domain", faults);
-        out.turbulence.max_divergence = t.max_divergence();
-    }
-    out.has_aerodynamics = a.aerodynamics() && need(a.aerodynamics(), "aerodynamics", alignof(flatbuffers::soffset_t));
-    if (out.has_aerodynamics) decode_aerodynamics(*a.aerodynamics(), out.aerodynamics, faults, need);
-    if (a.hull()) {
-        copy_vector(a.hull()->vertices(), out.hull.vertices, "hull.vertices", faults);
-        copy_vector(a.hull()->triangles(), out.hull.triangles, "hull.triangles", faults);
-    }
-    if (a.provenance()) {
-        const format::Provenance& p = *a.provenance();
-        out.provenance = {text(p.tool()), text(p.tool_version()), text(p.source()),
-                          p.input_hash(), text(p.options()),      p.faces(),
-                          p.vertices()};
-    }
-    return faults.size() == before;
+    decode(*a.turbulence(), out.turbulence, read);
+    decode(*a.aerodynamics(), out.aerodynamics, read);
+    read.vector(a.hull()->vertices(), out.hull.vertices, "hull.vertices");
+    read.vector(a.hull()->triangles(), out.hull.triangles, "hull.triangles");
+    const format::Provenance& p = *a.provenance();
+    out.provenance = {p.tool()->str(), p.tool_version()->str(), p.source()->str(),
+                      p.input_hash(),  p.options()->str(),      p.faces(),
+                      p.vertices()};
+    return read.ok();
 }
 
 flatbuffers::Offset<format::Aerodynamics> encode(const AerodynamicData& a, flatbuffers::FlatBufferBuilder& b) {
@@ -192,8 +176,7 @@ std::vector<uint8_t> write_asset(const AssetData& d) {
     const auto provenance =
         format::CreateProvenance(b, b.CreateString(p.tool), b.CreateString(p.tool_version), b.CreateString(p.source),
                                  p.input_hash, b.CreateString(p.options), p.faces, p.vertices);
-    const auto aerodynamics =
-        d.has_aerodynamics ? encode(d.aerodynamics, b) : flatbuffers::Offset<format::Aerodynamics>();
+    const auto aerodynamics = encode(d.aerodynamics, b);
     const format::Vec3 com(d.center_of_mass[0], d.center_of_mass[1], d.center_of_mass[2]);
     const format::Vec3 cob(d.center_of_buoyancy[0], d.center_of_buoyancy[1], d.center_of_buoyancy[2]);
     const format::Fluid fluid(d.fluid_density, d.fluid_viscosity);

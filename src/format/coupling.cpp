@@ -8,8 +8,7 @@ namespace lr {
 double largest_coupling(const AssetData& a) {
     double largest = 0.0;
     for (const double c : a.center_of_buoyancy) largest = std::max(largest, std::abs(c) / a.length_d);
-    if (a.has_aerodynamics)
-        for (const double c : a.aerodynamics.center) largest = std::max(largest, std::abs(c) / a.length_d);
+    for (const double c : a.aerodynamics.center) largest = std::max(largest, std::abs(c) / a.length_d);
     const auto relative = [](double off, double x, double y) { return std::abs(off) / std::sqrt(std::abs(x * y)); };
     // About an axis of revolution the added inertia vanishes; the body's own then says what is small.
     const auto size = [&](std::size_t n) {

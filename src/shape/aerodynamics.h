@@ -47,8 +47,4 @@ struct PlateCoefficients {
 // The default coefficients: one set of rules for all shapes.
 AerodynamicData default_aerodynamics(const AerodynamicGeometry& geometry, const PlateCoefficients& plate = {});
 
-// Gives the coefficients to an asset that has none: from its hull, or without a usable one from the ellipsoid with its
-// mass and inertia. An asset that has them stays as it is.
-void complete_aerodynamics(AssetData& asset);
-
 } // namespace lr::shape

@@ -105,7 +105,6 @@ bool ellipsoid_body(const EllipsoidSpec& spec, AssetData& out, Faults& faults) {
 
     set_scales(a, added.translation, out);
     out.aerodynamics = default_aerodynamics(ellipsoid_geometry(a));
-    out.has_aerodynamics = true;
     out.hull = ellipsoid_hull(a, spec.center_of_mass);
     out.provenance.source = "ellipsoid";
     return true;

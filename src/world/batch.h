@@ -15,8 +15,6 @@
 #include "world/pace.h"
 #include "world/resting.h"
 
-#include <atomic>
-
 namespace lr {
 
 class Lifecycle;
@@ -164,7 +162,6 @@ public:
     BodyFaults faults;
     StepInput step; // constants of the shape, filled up by World::step
     Pace pace;
-    std::atomic<uint64_t> spent{0}; // ns of all threads in this step; where a budget asks for it
 
     // Arrays of BatchArrays::field that it has: the last three are those of AERODYNAMIC loads.
     size_t fields() const { return settings_.loads == Loads::aerodynamic ? field_count : field_gust_x; }

@@ -6,7 +6,6 @@
 #include "world/world.h"
 
 #include <algorithm>
-#include <chrono>
 #include <new>
 
 namespace lr {
@@ -128,9 +127,6 @@ void CrowdStep::move_alone(uint32_t substep) {
 }
 
 void CrowdStep::run() {
-    using Steady = std::chrono::steady_clock;
-    const bool timed = world_->pacing.timed();
-    const Steady::time_point since = timed ? Steady::now() : Steady::time_point();
     for (uint32_t substep = 0; substep < time_.substeps; ++substep) {
         move_alone(substep);
         place_count_ = 0;
@@ -150,12 +146,6 @@ void CrowdStep::run() {
         Batch& batch = *member.item.batch;
         if (batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
     });
-    if (!timed) return;
-    const std::chrono::duration<double, std::nano> spent = Steady::now() - since;
-    for (uint32_t m = 0; m < member_count_; ++m) {
-        Batch& batch = *items_[m].batch;
-        batch.spent += static_cast<uint64_t>(spent.count() * batch.padded_awake() / body_count_);
-    }
 }
 
 } // namespace lr

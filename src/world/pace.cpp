@@ -8,7 +8,7 @@
 namespace lr {
 namespace {
 
-// Up to these, the statistics of falls are kept within some per cent: docs/reference/stepping.md.
+// Up to these, the statistics of falls are kept within some per cent, and longer ones save nothing: docs/reference/stepping.md.
 constexpr double longest_of_all = 1.0 / 60.0; // s
 constexpr double pace_of_length = 1.5;        // m/s
 
@@ -17,41 +17,13 @@ constexpr double slack = 0.01;
 
 } // namespace
 
-const char* wrong_in(const lr_batch_rate& r) {
-    if (r.divisor < 1 || r.divisor > 1024) return "divisor is not 1 to 1024";
-    if (!(r.priority >= 0.01f && r.priority <= 100.0f)) return "priority is not 0.01 to 100";
-    if (!(r.longest_substep >= 0.0f && r.longest_substep <= LR_MAX_SUBSTEP))
-        return "longest_substep is not 0 to LR_MAX_SUBSTEP";
-    return nullptr;
-}
-
-lr_batch_rate Pace::initial_rate() {
-    lr_batch_rate rate{};
-    rate.struct_size = sizeof rate;
-    rate.divisor = 1;
-    rate.priority = 1.0f;
-    return rate;
-}
-
-Pace::Pace(double length) : record_(initial()), length_(length) {
-    set_rate(record_.rate);
-}
-
-void Pace::set_rate(const lr_batch_rate& rate) {
-    record_.rate = rate;
-    const auto set = static_cast<double>(rate.longest_substep);
-    longest_ = set > 0.0 ? set : std::min(longest_of_all, length_ / pace_of_length);
-}
-
-Pace::Record Pace::initial() {
-    Record r{};
-    r.rate = initial_rate();
-    return r;
+Pace::Pace(double length) : record_{}, longest_(std::min(longest_of_all, length / pace_of_length)) {
+    record_.divisor = 1;
 }
 
 bool Pace::consistent(const Record& r, double time, uint64_t substep_count) {
-    if (wrong_in(r.rate) || r.passed_over > 1 || r.reserved != 0 || wrong_wind(r.wind) || !within(r.drift, most_way) ||
-        !in_range(r.lost, 0.0, most_time) || !in_range(r.behind, 0.0, most_time))
+    if (r.divisor < 1 || r.divisor > largest_of_all || r.passed_over > 1 || wrong_wind(r.wind) ||
+        !within(r.drift, most_way) || !in_range(r.lost, 0.0, most_time) || !in_range(r.behind, 0.0, most_time))
         return false;
     if (r.steps == 0) return r.substeps == 0 && r.behind == 0.0 && r.passed_over == 0;
     // Sums of the same steps, but for rounding.
@@ -61,14 +33,8 @@ bool Pace::consistent(const Record& r, double time, uint64_t substep_count) {
            r.first_substep + r.substeps == substep_count;
 }
 
-bool Pace::plain() const {
-    return !waits() && record_.rate.divisor == 1 && record_.rate.priority == 1.0f &&
-           record_.rate.longest_substep == 0.0f;
-}
-
 void Pace::restore(const Record& record) {
     record_ = record;
-    set_rate(record.rate);
     granted_ = 0;
     lost_now_ = 0.0;
 }
@@ -93,8 +59,8 @@ void Pace::rest() {
     granted_ = 0;
 }
 
-uint32_t Pace::largest_divisor(double h) const {
-    return static_cast<uint32_t>(std::clamp(longest_ / h + slack, 1.0, 1e9));
+uint32_t Pace::divisor(double h) const {
+    return static_cast<uint32_t>(std::clamp(longest_ / h + slack, 1.0, static_cast<double>(record_.divisor)));
 }
 
 // Batches of different phases take different steps.

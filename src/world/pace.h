@@ -10,21 +10,17 @@
 
 namespace lr {
 
-// Null when fine, else what is wrong. Of finite numbers only.
-const char* wrong_in(const lr_batch_rate& rate);
-
 class Pace {
 public:
-    static lr_batch_rate initial_rate();
+    static constexpr uint32_t largest_of_all = 1024;
 
     // length: of the bodies, m.
     explicit Pace(double length);
 
     // What a snapshot holds.
     struct Record {
-        lr_batch_rate rate;
+        uint32_t divisor;
         uint32_t steps;         // since it was last stepped,
-        uint32_t passed_over;   // of which the last by the budget
         uint64_t substeps;      // of the world in them
         uint64_t first_substep; // of the world, the first of them
         double begin, behind;   // s: world time where they began, and how long they were
@@ -32,20 +28,19 @@ public:
         uint64_t taken;         // body-substeps, in all
         double drift[3];        // m, way of the uniform wind where they began
         float wind[3];          // m/s, the uniform wind there
-        uint32_t reserved;
+        uint32_t passed_over;   // of the steps the last, by the budget
     };
     static bool consistent(const Record& record, double time, uint64_t substep_count);
     const Record& record() const { return record_; }
     void restore(const Record& record);
 
     // At the world's own rate, and up with it.
-    bool plain() const;
+    bool plain() const { return !waits() && record_.divisor == 1; }
     // Words that matter for what comes; none while it is plain.
     template <class Take> void hash(Take&& take) const {
         if (plain()) return;
         const Record& r = record_;
-        take(r.rate.divisor | uint64_t{std::bit_cast<uint32_t>(r.rate.priority)} << 32);
-        take(std::bit_cast<uint32_t>(r.rate.longest_substep) | uint64_t{r.passed_over} << 32);
+        take(r.divisor | uint64_t{r.passed_over} << 32);
         if (!waits()) return;
         take(r.substeps);
         take(r.first_substep);
@@ -53,20 +48,15 @@ public:
         for (float v : r.wind) take(std::bit_cast<uint32_t>(v));
     }
 
-    void set_rate(const lr_batch_rate& rate);
-    double longest_substep() const { return longest_; } // s
+    void set_divisor(uint32_t divisor) { record_.divisor = divisor; }
 
     // A step of the world begins, `dt` long: it is added to what the batch has to make up for.
     void wait(double dt, uint32_t substeps, double time, uint64_t substep_count, const UniformWind& wind);
     // Nobody is there to wait.
     void rest();
 
-    // The largest divisor that keeps to the longest substep when the world's are `h` long.
-    uint32_t largest_divisor(double h) const;
-    // The divisor, as far as it has an effect.
-    uint32_t divisor(double h) const {
-        return record_.rate.divisor == 1 ? 1 : std::min(record_.rate.divisor, largest_divisor(h));
-    }
+    // The divisor, as far as it keeps to the longest substep when the world's are `h` long.
+    uint32_t divisor(double h) const;
     // Whether a batch of this phase is stepped in the world's step of this number: in every one, unless `divisor` is more
     // than all of its substeps.
     bool due(uint32_t divisor, uint32_t substeps, uint64_t step, uint32_t phase) const;
@@ -89,14 +79,10 @@ public:
     StepTime time() const { return {record_.begin, h_, granted_}; }
     UniformWind wind(const UniformWind& now) const; // over the time that is made up for
 
-    double price = 0.0; // s a body-substep, learnt; 0: unknown
-
 private:
-    static Record initial();
     uint32_t most() const { return static_cast<uint32_t>(std::min<uint64_t>(record_.substeps, LR_MAX_SUBSTEPS)); }
 
     Record record_;
-    double length_;
     double longest_;        // s, substep
     double h_ = 0.0;        // s, of the substeps granted
     double lost_now_ = 0.0; // s

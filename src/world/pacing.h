@@ -1,27 +1,26 @@
-// Which batches a step of the world steps, and with how many substeps: by their rates, and by a budget.
+// Which batches a step of the world steps, and with how many substeps: by their divisors, and by a budget.
 #pragma once
 
 #include "langevin_rigid.h"
 #include "world/allocator.h"
 
-#include <bit>
 #include <cstdint>
 
 namespace lr {
 
 class Batch;
 
-// Null when fine, else what is wrong. Of finite numbers only.
-const char* wrong_in(const lr_budget& budget);
-
 class Pacing {
 public:
+    static constexpr uint64_t largest_budget = uint64_t{1} << 48;
+
     Pacing();
 
     // Room for so many batches. False when out of memory; nothing has then changed.
     bool reserve(Allocator& allocator, size_t batches);
 
-    void set_budget(const lr_budget& budget);
+    // Body-substeps a step; 0: as many as the batches want.
+    void set_budget(uint64_t body_substeps);
 
     struct Step {
         uint64_t number;
@@ -35,53 +34,37 @@ public:
     // Grants substeps to all that were asked.
     void decide(const Step& step);
 
-    bool limited() const { return budget_.kind != LR_BUDGET_NONE; }
+    bool limited() const { return record_.budget != 0; }
     // Words that matter for what comes.
     template <class Take> void hash(Take&& take) const {
         if (!limited()) return;
-        take(static_cast<uint64_t>(budget_.kind));
-        take(budget_.body_substeps);
-        take(std::bit_cast<uint64_t>(budget_.seconds));
-        take(std::bit_cast<uint64_t>(saved_));
+        take(record_.budget);
+        take(record_.saved);
     }
-    bool timed() const { return budget_.kind == LR_BUDGET_TIME; }
-    // What the step took on the wall, of which batches had Batch::spent: for the prices of the next.
-    void learn(double seconds);
 
     const lr_step_report& report() const { return report_; }
 
     // What a snapshot holds.
     struct Record {
-        lr_budget budget;
-        double saved;
+        uint64_t budget; // body-substeps
+        uint64_t saved;  // of earlier steps, for a batch that one step's budget does not reach for
     };
-    Record record() const { return {budget_, saved_}; }
+    const Record& record() const { return record_; }
     static bool consistent(const Record& record);
     void restore(const Record& record);
 
 private:
     struct Claim {
         Batch* batch;
-        uint32_t slot;
         uint32_t bodies;
-        uint32_t divisor; // its own,
-        uint32_t largest; // and up to which it keeps to its longest substep
-        uint32_t wanted, granted;
-        bool due, forced; // forced: by forces on its bodies
-        double price;     // of a substep of all its bodies, in units of the budget
+        uint32_t wanted, granted; // substeps
+        bool due, forced;         // forced: by forces on its bodies
         double urgency;
+        uint64_t turn; // among those of the same urgency
     };
-    // What the budget does to divisors: they grow by a factor, up to the largest each, or beyond.
-    struct Coarsening {
-        double factor;
-        bool beyond;
-    };
-    static double divisor(const Claim& claim, const Coarsening& coarse);
-    Coarsening coarsening(double amount, uint32_t substeps) const;
-    void share(double amount, const Coarsening& coarse);
+    void share(uint64_t step);
 
-    lr_budget budget_;
-    double saved_ = 0.0; // of earlier steps, for a batch that one step's budget does not reach for
+    Record record_{};
     Buffer<Claim> claims_;
     uint32_t count_ = 0;
     lr_step_report report_;

@@ -16,8 +16,8 @@
 namespace lr {
 
 inline constexpr uint64_t snapshot_magic = 0x31304e53444c524cull; // "LRLDSN01"
-// Any change of what follows, or of a record in it, takes the next. Older ones are refused.
-inline constexpr uint32_t snapshot_version = 9;
+// After a release any change of what follows, or of a record in it, takes the next. Others are refused.
+inline constexpr uint32_t snapshot_version = 1;
 
 struct SnapshotHeader {
     uint64_t magic;

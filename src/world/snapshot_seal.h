@@ -1,11 +1,11 @@
-// The checksum of snapshots and of differences between them: finds damage, not forgery.
+// The checksum of snapshots: finds damage, not forgery.
 #pragma once
 
 #include <cstdint>
 
 namespace lr {
 
-// Where both hold it, in bytes from their beginning.
+// Where they hold it, in bytes from their beginning.
 inline constexpr uint64_t seal_offset = 24;
 
 // Over `size` bytes, a multiple of 8 and at least 64, of any alignment: 64-bit little-endian words, of which the seal's own counts as

@@ -6,7 +6,6 @@
 #include "world/world.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace lr {
@@ -47,15 +46,7 @@ void StepChunks::run(void* context, uint32_t chunk) {
         const uint32_t lanes = item->batch->padded_awake();
         const uint32_t first = from <= item->begin ? 0 : cut(from - item->begin);
         const uint32_t last = to - item->begin >= lanes / lane_block ? lanes : cut(to - item->begin);
-        if (first == last) continue;
-        if (!c.timed) {
-            c.step(*item, first, last);
-            continue;
-        }
-        const auto since = std::chrono::steady_clock::now();
-        c.step(*item, first, last);
-        const auto spent = std::chrono::steady_clock::now() - since;
-        item->batch->spent += static_cast<uint64_t>(std::chrono::nanoseconds(spent).count());
+        if (first != last) c.step(*item, first, last);
     }
 }
 

@@ -60,7 +60,6 @@ public:
     const FieldSlice* slice = nullptr;    // null where there is no wind but a uniform one
     const SurfaceStep* surface = nullptr; // null without one; each batch has its own time
     bool colliders = false;               // has the world any?
-    bool timed = false;                   // Batch::spent is kept
 
     uint32_t count() const { return static_cast<uint32_t>((blocks_ + chunk_ - 1) / chunk_); }
     uint32_t helpers() const { return helpers_; } // threads besides the caller that are worth their waking

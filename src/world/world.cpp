@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <new>
@@ -294,8 +293,6 @@ void lr_world::fill_input(Batch& batch, float dt, bool& unfit) {
 }
 
 bool lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
-    using Steady = std::chrono::steady_clock;
-    const Steady::time_point since = pacing.timed() ? Steady::now() : Steady::time_point();
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
     contact_events.begin_step();
@@ -341,7 +338,6 @@ bool lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
     substep_count += substeps;
     time += static_cast<double>(dt);
     finish_batches(static_cast<double>(dt));
-    if (pacing.timed()) pacing.learn(std::chrono::duration<double>(Steady::now() - since).count());
     return met;
 }
 
@@ -389,7 +385,6 @@ void lr_world::run(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at
     lr::StepChunks chunks(*this, some, count, blocks, work, crew.helpers());
     chunks.surface = at_surface;
     chunks.colliders = colliders.any();
-    chunks.timed = pacing.timed();
     if (!field || count == 0) {
         crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
         return;

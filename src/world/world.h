@@ -46,11 +46,7 @@ struct lr_world {
         uint64_t count = 0;
         for (uint32_t i = 0; i < batch_slots; ++i)
             if (batches[i].batch && meets(i)) count += batches[i].batch->capacity();
-        lr::Buffer<Left> larger;
-        if (count <= left.size()) return true;
-        if (!larger.allocate(allocator, count)) return false;
-        left.swap(larger);
-        return true;
+        return lr::grow(allocator, left, count);
     }
     void set_gravity(const float (&to)[3]); // wakes all where it changes
 

@@ -92,7 +92,7 @@ def check(library, header, allowed, baselines):
     versions = sorted((p.parent for p in pathlib.Path(baselines).glob("*/langevin_rigid.h")),
                       key=lambda p: tuple(map(int, p.name.split("."))))
     if not versions:
-        faults.append(f"there is no baseline in {baselines}")
+        notes.append("no version is frozen yet: exports and header are compared with each other alone")
     for baseline in versions:
         old = surface.Surface(baseline / "langevin_rigid.h")
         breaks, growth = surface.compare(old, new)

@@ -3,7 +3,7 @@
  *
  * Compiling this is the test, on any target: the header has every struct of a released version, of the size that it had or grown
  * at its end, with all fields where they were.
- *   cc -std=c99 -fsyntax-only -I include '-DLR_LAYOUT="0.1/layout.txt"' tests/abi/check_layout.c
+ *   cc -std=c99 -fsyntax-only -I include '-DLR_LAYOUT="VERSION/layout.txt"' tests/abi/check_layout.c
  */
 #include "langevin_rigid.h"
 

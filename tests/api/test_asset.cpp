@@ -265,26 +265,6 @@ TEST_CASE("an asset has the coefficients of its loads: a sphere's by hand, a lea
     CHECK((made.drag[2] > 5.0 * made.drag[0] && made.lift[0] > 0.0 && made.lift[1] < 0.0));
 }
 
-TEST_CASE("a file from before coefficients were stored has them from its hull, the same in every load") {
-    lr_asset* raw = nullptr;
-    REQUIRE(lr_asset_load_file(LR_FIXTURES "/leaf.lrb", &raw) == LR_OK);
-    const Asset leaf(raw);
-    CHECK(load(fixture("older.lrb")) == LR_OK);
-    REQUIRE(lr_asset_load_file(LR_FIXTURES "/older.lrb", &raw) == LR_OK);
-    const Asset older(raw);
-    REQUIRE(lr_asset_load_file(LR_FIXTURES "/older.lrb", &raw) == LR_OK);
-    const Asset again(raw);
-    CHECK(info_of(older).content_hash == info_of(again).content_hash);
-    CHECK(info_of(older).content_hash != info_of(leaf).content_hash);
-    const lr_aerodynamics hull = aerodynamics_of(older), baked = aerodynamics_of(leaf);
-    // The hull has 42 points, all on the ellipsoid.
-    CHECK(hull.drag[2] == doctest::Approx(baked.drag[2]).epsilon(0.2));
-    CHECK(hull.lift[0] == doctest::Approx(baked.lift[0]).epsilon(0.2));
-    CHECK(hull.spin_drag[1] == doctest::Approx(baked.spin_drag[1]).epsilon(0.3));
-    CHECK(hull.drag_stokes[0] == doctest::Approx(baked.drag_stokes[0]).epsilon(0.1));
-    for (size_t i = 0; i < 9; ++i) CHECK(hull.axes[i] == baked.axes[i]);
-}
-
 TEST_CASE("a rigid body is what it was said to be, and an ellipsoid's numbers make that ellipsoid") {
     const Asset ellipsoidal = test::make(ellipsoid(0.04, 0.02, 0.01, 300.0));
     const lr_asset_info from = info_of(ellipsoidal);

@@ -172,9 +172,7 @@ TEST_CASE("whatever wakes bodies of a batch that is at rest as a whole, their ag
             const lr_batch batch = add_batch(world, bd, card, 16), other = add_batch(world, bd, card, 1);
             for (lr_batch b : {batch, other}) set_contact(world, b, resting_contact());
             set_pair(world, batch, other);
-            lr_batch_rate rate = initialised(lr_batch_rate_init);
-            rate.divisor = divisor, rate.longest_substep = 0.2f;
-            REQUIRE(lr_batch_set_rate(world.get(), batch, &rate) == LR_OK);
+            REQUIRE(lr_batch_set_rate(world.get(), batch, divisor) == LR_OK);
             std::vector<lr_body> bodies;
             for (int i = 0; i < 16; ++i) bodies.push_back(add_body(world, batch, at_rest_at({0.1 * i, 0.0003, 0.0})));
             uint32_t woken = 0;

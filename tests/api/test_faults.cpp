@@ -236,9 +236,7 @@ TEST_CASE("in wind, in water, over colliders, beside others and at other rates a
                     add_collider(worlds[w], s);
                 }
                 if (place.pairs) REQUIRE(lr_batch_set_pair_contact(worlds[w].get(), batch, batch, 1) == LR_OK);
-                lr_batch_rate r = initialised(lr_batch_rate_init);
-                r.divisor = place.divisor, r.longest_substep = 0.2f;
-                REQUIRE(lr_batch_set_rate(worlds[w].get(), batch, &r) == LR_OK);
+                REQUIRE(lr_batch_set_rate(worlds[w].get(), batch, place.divisor) == LR_OK);
                 keep_events(worlds[w], 4000);
                 steps(worlds[w], 5, step_time, 2);
             }

@@ -1,5 +1,6 @@
 // From a mesh to the measures of its surface and the coefficients of its loads.
 #include "baker/aerodynamics/mesh_geometry.h"
+#include "baker/aerodynamics/principal_axes.h"
 #include "baker/aerodynamics/silhouette.h"
 #include "baker/bake.h"
 #include "baker/json.h"
@@ -7,7 +8,6 @@
 #include "baker/report.h"
 #include "format/asset_file.h"
 #include "format/coupling.h"
-#include "shape/principal_axes.h"
 #include "sheet_shapes.h"
 #include "support/random.h"
 
@@ -346,7 +346,6 @@ TEST_CASE("aerodynamics: a bake puts them into the asset, the report and the fil
     BakeOptions as_sheet;
     as_sheet.sheet = SheetOptions{1e-4, {}};
     const AssetData asset = bake_mesh(card, as_sheet);
-    REQUIRE(asset.has_aerodynamics);
     const AerodynamicData& a = asset.aerodynamics;
     const AerodynamicData expected =
         shape::default_aerodynamics(geometry_of(shapes::rectangle(0.08, 0.04, 4, 2), 1e-4));
@@ -373,16 +372,6 @@ TEST_CASE("aerodynamics: a bake puts them into the asset, the report and the fil
     CHECK(j["intensity"] == a.intensity);
     CHECK(j["length"] == a.length);
     CHECK(j["center"] == std::array<double, 3>{});
-
-    AssetData older = asset;
-    older.has_aerodynamics = false;
-    CHECK(lr::test::Json::parse(report_json(older))["aerodynamics"].is_null());
-    // From the hull: a flat card is convex, and its hull has its thickness.
-    shape::complete_aerodynamics(older);
-    for (std::size_t k = 0; k < 3; ++k) {
-        CHECK(older.aerodynamics.drag[k] == Approx(a.drag[k]).epsilon(0.01));
-        CHECK(older.aerodynamics.spin_drag[k] == Approx(a.spin_drag[k]).epsilon(0.01));
-    }
 }
 
 TEST_CASE("aerodynamics: a ballasted body keeps its own, for they are about its centre of buoyancy") {

@@ -1,14 +1,14 @@
 // Many meshes in one call, and what is baked again.
 #include "baker/file_io.h"
 #include "baker/json.h"
-#include "baker/tool/batch.h"
-#include "baker/tool/memory_budget.h"
 #include "format/asset_file.h"
 #include "langevin_rigid_baker.hpp"
 #include "mesh_shapes.h"
 #include "png_files.h"
 #include "scene_files.h"
 #include "scratch.h"
+#include "tools/bake/batch.h"
+#include "tools/bake/memory_budget.h"
 
 #include <doctest/doctest.h>
 

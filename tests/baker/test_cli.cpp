@@ -95,26 +95,6 @@ TEST_CASE("lr_bake: from mesh to asset, report and back") {
     CHECK(scratch.read("again.lrb") == scratch.read("out.lrb"));
 }
 
-TEST_CASE("lr_bake: of a file from before they were stored, info shows the coefficients that the runtime makes") {
-    const Scratch scratch;
-    const std::string asset = scratch.path("e.lrb");
-    REQUIRE(lr_bake({"ellipsoid", "0.04", "0.02", "0.01", "-o", asset, "--quiet"}).exit_code == 0);
-    const std::string bytes = scratch.read("e.lrb");
-    AssetData data;
-    Faults faults;
-    REQUIRE(read_asset(bytes.data(), bytes.size(), data, faults));
-    data.has_aerodynamics = false;
-    const std::vector<uint8_t> older = write_asset(data);
-    scratch.write("older.lrb", std::string(older.begin(), older.end()));
-    CHECK(lr_bake({"check", scratch.path("older.lrb")}).exit_code == 0);
-    const test::Json now = test::Json::parse(lr_bake({"info", asset, "--json"}).out)["aerodynamics"],
-                     then =
-                         test::Json::parse(lr_bake({"info", scratch.path("older.lrb"), "--json"}).out)["aerodynamics"];
-    CHECK(then["axes"] == now["axes"]);
-    CHECK(then["drag"][2].number() == doctest::Approx(now["drag"][2].number()).epsilon(0.2));
-    CHECK(then != now); // the hull has 42 points
-}
-
 TEST_CASE("lr_bake: the options of the command line arrive") {
     const Scratch scratch;
     const std::string asset = scratch.path("e.lrb");

@@ -1,5 +1,4 @@
-// What snapshots cost a rollback: save, restore after a step of 16 ms, and memcpy of as many bytes, in turns; then the difference
-// between two snapshots a step apart, made and applied. Medians of the thread's own time; `hash` is lr_world_hash of the saved state.
+// What snapshots cost a rollback: save, restore after a step of 16 ms, and memcpy of as many bytes, in turns. Medians of the thread's own time; `hash` is lr_world_hash of the saved state.
 //     bench_snapshot [BODIES [TURNS [SCENE]]]
 #include "bench/rollback_scene.h"
 
@@ -56,23 +55,9 @@ bool measure(const RollbackKind& kind, uint32_t bodies, int turns) {
                restore.take([&] { return lr_world_snapshot_restore(scene.world(), base.data(), size) == LR_OK; });
     }
     good = good && scene.hash() == hash && scene.step();
-    const uint64_t later = lr_world_snapshot_size(scene.world());
-    std::vector<unsigned char> next(later), delta(lr_snapshot_delta_bound(later)), made(later);
-    good = good && lr_world_snapshot_save(scene.world(), next.data(), later, nullptr) == LR_OK;
-    Median encode, apply;
-    uint64_t bytes = 0;
-    for (int i = 0; i < turns && good; ++i)
-        good = encode.take([&] {
-            return lr_snapshot_delta_encode(base.data(), size, next.data(), later, delta.data(), delta.size(),
-                                            &bytes) == LR_OK;
-        }) && apply.take([&] {
-            return lr_snapshot_delta_apply(base.data(), size, delta.data(), bytes, made.data(), later, nullptr) ==
-                   LR_OK;
-        });
-    if (!good || made != next) return false;
-    std::printf("%-8s %8u %8u %8.1f %9.4f %9.4f %9.4f %9.4f %9.4f %8.2f%%  %016llx\n", kind.name, bodies, awake,
-                static_cast<double>(size) / bodies, save.value(), restore.value(), memcpy_time.value(), encode.value(),
-                apply.value(), 100.0 * static_cast<double>(bytes) / static_cast<double>(later),
+    if (!good) return false;
+    std::printf("%-8s %8u %8u %8.1f %9.4f %9.4f %9.4f  %016llx\n", kind.name, bodies, awake,
+                static_cast<double>(size) / bodies, save.value(), restore.value(), memcpy_time.value(),
                 static_cast<unsigned long long>(hash));
     return true;
 }

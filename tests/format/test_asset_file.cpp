@@ -43,7 +43,7 @@ bool same(const AssetData& a, const AssetData& b) {
            a.turbulence.max_divergence == b.turbulence.max_divergence && hull && p.tool == q.tool &&
            p.tool_version == q.tool_version && p.source == q.source && p.input_hash == q.input_hash &&
            p.options == q.options && p.faces == q.faces && p.vertices == q.vertices &&
-           a.has_aerodynamics == b.has_aerodynamics && same(a.aerodynamics, b.aerodynamics);
+           same(a.aerodynamics, b.aerodynamics);
 }
 
 } // namespace
@@ -96,7 +96,6 @@ TEST_CASE("the content hash sees everything that moves a body, and no names") {
         [](AssetData& a) { a.turbulence.stationary = 1; },
         [](AssetData& a) { a.turbulence.c0 = 1.0; },
         [](AssetData& a) { a.turbulence.dt *= 2.0; },
-        [](AssetData& a) { a.has_aerodynamics = false; },
         [](AssetData& a) { std::swap(a.aerodynamics.axes[0], a.aerodynamics.axes[1]); },
         [](AssetData& a) { a.aerodynamics.drag[1] *= 1.1; },
         [](AssetData& a) { a.aerodynamics.drag_blunt[1] *= 1.1; },
@@ -260,7 +259,7 @@ TEST_CASE("each impossible number has its fault, at its field") {
     }
 }
 
-TEST_CASE("a hull is optional") {
+TEST_CASE("a hull may be empty") {
     AssetData d = test::leaf_data(), back;
     d.hull = {};
     Faults faults;
@@ -268,14 +267,19 @@ TEST_CASE("a hull is optional") {
     CHECK(read_asset(bytes.data(), bytes.size(), back, faults));
 }
 
-TEST_CASE("coefficients of the loads are optional, and impossible ones that are not there do no harm") {
-    AssetData d = test::leaf_data(), back;
-    d.has_aerodynamics = false;
-    d.aerodynamics.drag[0] = -1.0;
-    Faults faults;
-    const std::vector<uint8_t> bytes = write_asset(d);
-    REQUIRE(read_asset(bytes.data(), bytes.size(), back, faults));
-    CHECK_FALSE(back.has_aerodynamics);
+TEST_CASE("every field of the root is required") {
+    const std::vector<uint8_t> good = write_asset(test::leaf_data());
+    // Tables, strings and vectors; of numbers those without which there is no file.
+    for (size_t id : {0u, 1u, 2u, 6u, 7u, 8u, 9u, 10u, 11u, 12u, 15u, 16u, 17u, 18u}) {
+        CAPTURE(id);
+        std::vector<uint8_t> bytes = good;
+        test::drop_root_field(bytes, id);
+        AssetData back;
+        Faults faults;
+        CHECK_FALSE(read_asset(bytes.data(), bytes.size(), back, faults));
+        REQUIRE(faults.size() == 1);
+        CHECK(faults[0].id == (id < 2 ? FaultId::asset_missing_field : FaultId::asset_corrupt));
+    }
 }
 
 // Sealed with a right checksum, so that every change reaches the checks behind it; AddressSanitizer watches.

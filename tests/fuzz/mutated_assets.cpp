@@ -21,7 +21,7 @@ void keep(int) {
     std::_Exit(1);
 }
 
-// Of a leaf, a sphere in water, and a needle without hull and coefficients.
+// Of a leaf, a sphere in water, and a needle without a hull.
 lr::AssetData start(uint32_t which) {
     if (which == 0) return test::leaf_data();
     lr::shape::EllipsoidSpec spec;
@@ -32,7 +32,7 @@ lr::AssetData start(uint32_t which) {
     lr::Faults faults;
     if (!lr::shape::ellipsoid_body(spec, data, faults)) std::abort();
     data.turbulence = lr::shape::decay_table(data, 1.0);
-    if (which == 2) data.hull = {}, data.has_aerodynamics = false;
+    if (which == 2) data.hull = {};
     return data;
 }
 

@@ -94,10 +94,7 @@ Storm::Storm(uint64_t seed, uint32_t workers) {
     set_rules(world_, seeds, LR_END_RESPAWN, 8.0f, outside_of(20.0f, 10.0f, 20.0f));
     must(lr_batch_emit(world_, seeds, 16, nullptr), "seeds");
 
-    lr_batch_rate rate = initialised(lr_batch_rate_init);
-    rate.divisor = 2;
-    rate.longest_substep = 0.07f;
-    must(lr_batch_set_rate(world_, seeds, &rate), "rate");
+    must(lr_batch_set_rate(world_, seeds, 2), "rate");
 
     // Wanderers are pulled up a little more than down and tumble through the wind for ever; stones lie for ever.
     const lr_batch wanderers =

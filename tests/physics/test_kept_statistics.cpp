@@ -37,9 +37,7 @@ struct Fall {
             lr_emitter_desc e = initialised(lr_emitter_desc_init);
             REQUIRE(lr_batch_set_emitter(world.get(), batches.back(), &e) == LR_OK);
             REQUIRE(lr_batch_emit(world.get(), batches.back(), bodies, nullptr) == LR_OK);
-            lr_batch_rate r = initialised(lr_batch_rate_init);
-            r.divisor = divisor;
-            REQUIRE(lr_batch_set_rate(world.get(), batches.back(), &r) == LR_OK);
+            REQUIRE(lr_batch_set_rate(world.get(), batches.back(), divisor) == LR_OK);
         }
     }
 
@@ -111,10 +109,7 @@ TEST_CASE("falls keep their statistics at any divisor and in a budget") {
     }
     SUBCASE("a budget for a fourth") {
         const Fall limited(1);
-        lr_budget budget = initialised(lr_budget_init);
-        budget.kind = LR_BUDGET_BODY_SUBSTEPS;
-        budget.body_substeps = uint64_t{bodies} * 4 * substeps / 4;
-        REQUIRE(lr_world_set_budget(limited.world.get(), &budget) == LR_OK);
+        REQUIRE(lr_world_set_budget(limited.world.get(), uint64_t{bodies} * 4 * substeps / 4) == LR_OK);
         compare(limited.run(), expected, 0.05);
         CHECK(static_cast<double>(limited.taken()) < 0.251 * static_cast<double>(all));
     }

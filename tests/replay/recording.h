@@ -1,9 +1,9 @@
 // A recording in memory, and how it is played.
 #pragma once
 
-#include "replay/fault.h"
-#include "replay/player.h"
 #include "support/scene.h"
+#include "tools/replay/fault.h"
+#include "tools/replay/player.h"
 
 namespace test {
 

@@ -143,10 +143,7 @@ void do_everything(const World& world, const Asset& flat, const Asset& plate, Re
                     for (uint32_t i = 0; i < q->count; ++i) q->height[i] += 0.01f * q->position[2][i];
                 },
                 nullptr) == LR_OK);
-    lr_budget budget = initialised(lr_budget_init);
-    budget.kind = LR_BUDGET_BODY_SUBSTEPS;
-    budget.body_substeps = 1000000;
-    REQUIRE(lr_world_set_budget(w, &budget) == LR_OK);
+    REQUIRE(lr_world_set_budget(w, 1000000) == LR_OK);
     REQUIRE(lr_world_set_contact_events(w, 100, LR_EVENTS_ALL) == LR_OK);
 
     set_constant_table(world, a, 2.0, 0.5, 6.5);
@@ -162,9 +159,7 @@ void do_everything(const World& world, const Asset& flat, const Asset& plate, Re
     lr_load_gains gains = initialised(lr_load_gains_init);
     gains.drag = 0.7f;
     twice(&lr_batch_set_load_gains, w, b, gains);
-    lr_batch_rate rate = initialised(lr_batch_rate_init);
-    rate.priority = 2.0f;
-    twice(&lr_batch_set_rate, w, b, rate);
+    REQUIRE(lr_batch_set_rate(w, b, 2) == LR_OK);
     lr_batch_force force = initialised(lr_batch_force_init);
     force.acceleration[2] = 0.5f;
     twice(&lr_batch_set_force, w, a, force);

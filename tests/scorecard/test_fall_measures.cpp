@@ -1,7 +1,7 @@
 // Averages, peaks and the measures of a fall, on tracks that are known.
-#include "scorecard/disc_fall.h"
-#include "scorecard/random.h"
-#include "scorecard/shapes.h"
+#include "tools/scorecard/disc_fall.h"
+#include "tools/scorecard/random.h"
+#include "tools/scorecard/shapes.h"
 
 #include <doctest/doctest.h>
 

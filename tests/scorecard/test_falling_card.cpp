@@ -1,6 +1,6 @@
 // The reference of the falling card: its order, its terms by hand, and the card as an asset.
-#include "scorecard/card_asset.h"
-#include "scorecard/falling_card.h"
+#include "tools/scorecard/card_asset.h"
+#include "tools/scorecard/falling_card.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Points of the phase map: where they lie, and that they are run there.
-#include "scorecard/phase_map.h"
+#include "tools/scorecard/phase_map.h"
 
 #include <doctest/doctest.h>
 

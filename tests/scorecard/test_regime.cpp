@@ -1,7 +1,7 @@
 // The classifier on motions whose regime is known beforehand.
-#include "scorecard/random.h"
-#include "scorecard/recording.h"
-#include "scorecard/regime.h"
+#include "tools/scorecard/random.h"
+#include "tools/scorecard/recording.h"
+#include "tools/scorecard/regime.h"
 
 #include <doctest/doctest.h>
 

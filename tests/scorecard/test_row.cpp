@@ -1,6 +1,6 @@
 // Verdicts, jobs and reports of the scorecard.
 #include "baker/json.h"
-#include "scorecard/report.h"
+#include "tools/scorecard/report.h"
 
 #include <doctest/doctest.h>
 

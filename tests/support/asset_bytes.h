@@ -45,6 +45,7 @@ inline size_t root_field(const std::vector<uint8_t>& bytes, size_t id) {
 // Puts the right checksum into changed bytes.
 inline void seal(std::vector<uint8_t>& bytes) {
     const size_t at = root_field(bytes, 1);
+    if (at == 0) return;
     std::memset(bytes.data() + at, 0, 8);
     lr::Fnv1a hash;
     hash.add(bytes.data(), bytes.size());
@@ -52,7 +53,7 @@ inline void seal(std::vector<uint8_t>& bytes) {
     std::memcpy(bytes.data() + at, &sum, 8);
 }
 
-// As in a file from before there was this field.
+// As in a file that was written without this field.
 inline void drop_root_field(std::vector<uint8_t>& bytes, size_t id) {
     uint32_t root = 0;
     int32_t back = 0;

@@ -224,12 +224,7 @@ void HostileWorld::add_batches(Random& random) {
                 for (size_t k = 0; k < 3; ++k) of[k] *= random.logarithmic(1e-3, 1e6);
             lr_batch_set_aerodynamics(world.get(), batch, &a);
         }
-        if (chance(random, 3)) {
-            lr_batch_rate r = initialised(lr_batch_rate_init);
-            r.divisor = 1 + random.below(6);
-            r.longest_substep = 1.0f;
-            REQUIRE(lr_batch_set_rate(world.get(), batch, &r) == LR_OK);
-        }
+        if (chance(random, 3)) REQUIRE(lr_batch_set_rate(world.get(), batch, 1 + random.below(6)) == LR_OK);
         if (chance(random, 3)) {
             lr_batch_force f = initialised(lr_batch_force_init);
             for (float* of : {f.force, f.torque, f.acceleration, f.body_torque})

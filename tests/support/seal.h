@@ -1,4 +1,4 @@
-// Snapshots, and differences between them, that a test changes: their checksum is no secret.
+// Snapshots that a test changes: their checksum is no secret.
 #pragma once
 
 #include <cstdint>

@@ -148,17 +148,8 @@ void WholeScenario::add_settings() {
             return lr_batch_set_rules(world_[0], batch_[0][b], &r);
         });
     add("lr_batch_emit", [this] { return lr_batch_emit(world_[0], batch_[0][4], 3, nullptr); });
-    add("lr_batch_set_rate", [this] {
-        lr_batch_rate r = initialised(lr_batch_rate_init);
-        r.divisor = 3;
-        return lr_batch_set_rate(world_[0], batch_[0][3], &r);
-    });
-    add("lr_world_set_budget", [this] {
-        lr_budget b = initialised(lr_budget_init);
-        b.kind = LR_BUDGET_BODY_SUBSTEPS;
-        b.body_substeps = 1000;
-        return lr_world_set_budget(world_[0], &b);
-    });
+    add("lr_batch_set_rate", [this] { return lr_batch_set_rate(world_[0], batch_[0][3], 3); });
+    add("lr_world_set_budget", [this] { return lr_world_set_budget(world_[0], 1000); });
     add("lr_batch_set_force", [this] {
         lr_batch_force f = initialised(lr_batch_force_init);
         f.acceleration[0] = 0.5f;

@@ -111,7 +111,7 @@ size_t batch_header(const std::vector<unsigned char>& bytes, const Asset& asset)
     FAIL("no batch in the snapshot");
     return 0;
 }
-constexpr size_t parts_at = 56, header_bytes = 64 + 8 * (6 + 5 + 55 + 14); // fixed words, gains, table, loads, pace
+constexpr size_t parts_at = 56, header_bytes = 64 + 8 * (6 + 5 + 55 + 12); // fixed words, gains, table, loads, pace
 
 } // namespace
 

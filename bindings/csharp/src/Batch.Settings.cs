@@ -65,16 +65,10 @@ namespace LangevinRigid
             Leave(Native.lr_batch_set_load_gains(EnterChange(), _id, null), "lr_batch_set_load_gains");
         }
 
-        /// <summary>How often the batch is stepped: level of detail.</summary>
-        public void SetRate(BatchRate rate)
+        /// <summary>How often the batch is stepped: level of detail. 1: as often as the world.</summary>
+        public void SetRate(uint divisor)
         {
-            Leave(Native.lr_batch_set_rate(EnterChange(), _id, &rate), "lr_batch_set_rate");
-        }
-
-        /// <summary>In every step again.</summary>
-        public void ResetRate()
-        {
-            Leave(Native.lr_batch_set_rate(EnterChange(), _id, null), "lr_batch_set_rate");
+            Leave(Native.lr_batch_set_rate(EnterChange(), _id, divisor), "lr_batch_set_rate");
         }
 
         /// <summary>How it keeps up with its world.</summary>

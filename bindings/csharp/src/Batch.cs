@@ -101,38 +101,21 @@ namespace LangevinRigid
             return FloatsOf(format) * 4;
         }
 
-        /// <summary>Writes the transforms of all bodies, in the order of the view; returns how many. <paramref name="stride"/>: bytes from
-        /// one to the next, 0 for no gaps.</summary>
-        public int WriteTransforms(TransformFormat format, void* to, ulong stride, int capacity)
+        /// <summary>Writes the transforms of the first <paramref name="count"/> bodies, or of all where there are fewer, in the order of
+        /// the view; returns how many. <paramref name="stride"/>: bytes from one to the next, 0 for no gaps. For buffers that keep what was
+        /// written before: docs/reference/bodies.md.</summary>
+        public int WriteTransforms(TransformFormat format, void* to, ulong stride, int count)
         {
-            uint room = Counts.Of(capacity), written = 0;
+            uint room = Counts.Of(count), written = 0;
             Leave(Native.lr_batch_write_transforms(Enter(), _id, format, to, stride, room, &written), "lr_batch_write_transforms");
             return (int)written;
         }
 
-        /// <summary>The same into an array, without gaps.</summary>
+        /// <summary>The same into an array, without gaps: as many as fit into it.</summary>
         public int WriteTransforms(TransformFormat format, float[] to)
         {
             if (to == null) throw new ArgumentNullException("to");
             fixed (float* first = to) return WriteTransforms(format, first, 0, to.Length / FloatsOf(format));
-        }
-
-        /// <summary>The same of the first <paramref name="count"/> bodies, or of all where there are fewer: for buffers that keep what was
-        /// written before, docs/reference/bodies.md.</summary>
-        public int WriteFirstTransforms(TransformFormat format, void* to, ulong stride, int count)
-        {
-            uint room = Counts.Of(count), written = 0;
-            Leave(Native.lr_batch_write_first_transforms(Enter(), _id, format, to, stride, room, &written),
-                "lr_batch_write_first_transforms");
-            return (int)written;
-        }
-
-        /// <summary>The same into an array, without gaps.</summary>
-        public int WriteFirstTransforms(TransformFormat format, float[] to, int count)
-        {
-            if (to == null) throw new ArgumentNullException("to");
-            Counts.CheckRoom(to, "to", checked(Math.Min(Math.Max(count, 0), Count) * FloatsOf(format)));
-            fixed (float* first = to) return WriteFirstTransforms(format, first, 0, count);
         }
 
         private static int FloatsOf(TransformFormat format)

@@ -136,16 +136,10 @@ namespace LangevinRigid
             Leave(Native.lr_world_set_simd_target(EnterChange(), target), "lr_world_set_simd_target");
         }
 
-        /// <summary>A budget for the work of each step, from the next one on.</summary>
-        public void SetBudget(Budget budget)
+        /// <summary>A budget for the work of each step, from the next one on; 0: none.</summary>
+        public void SetBudget(ulong bodySubsteps)
         {
-            Leave(Native.lr_world_set_budget(EnterChange(), &budget), "lr_world_set_budget");
-        }
-
-        /// <summary>Ends the budget.</summary>
-        public void ClearBudget()
-        {
-            Leave(Native.lr_world_set_budget(EnterChange(), null), "lr_world_set_budget");
+            Leave(Native.lr_world_set_budget(EnterChange(), bodySubsteps), "lr_world_set_budget");
         }
 
         /// <summary>A batch of bodies of one asset, with initial values for all else.</summary>

@@ -127,13 +127,11 @@ static unsafe class SettingsTests
             using (var elsewhere = new World())
                 Check.Throws<ArgumentException>(() => world.SetPairContact(batch, Scene.Batch(elsewhere, 1), true), "a batch of another world");
 
-            BatchRate rate = BatchRate.Create();
-            rate.Divisor = 4;
-            batch.SetRate(rate);
+            batch.SetRate(4);
             batch.CreateBody(BodyDesc.Create());
             world.Step(Scene.Frame, 1);
             Check.Equal(4u, batch.GetPace().Divisor, "divisor");
-            batch.ResetRate();
+            batch.SetRate(1);
             Check.Equal(1u, batch.GetPace().Divisor, "reset");
 
             TurbulenceTable table = TurbulenceTable.Create();
@@ -169,13 +167,10 @@ static unsafe class SettingsTests
         {
             Batch batch = Scene.Batch(world, 1000);
             batch.CreateBodies(Scene.Bodies(1000));
-            Budget budget = Budget.Create();
-            budget.Kind = BudgetKind.BodySubsteps;
-            budget.BodySubsteps = 1000;
-            world.SetBudget(budget);
+            world.SetBudget(1000);
             world.Step(Scene.Frame, 4);
             Check.True(world.StepReport.BodySubsteps <= 1000 && world.StepReport.BodySubstepsWanted == 4000, "left out");
-            world.ClearBudget();
+            world.SetBudget(0);
             world.Step(Scene.Frame, 4);
             Check.True(world.StepReport.BodySubsteps >= 4000, "all done");
         }

@@ -66,7 +66,11 @@ static unsafe class StatusTests
             Expect(Status.Capacity, () => batch.CreateBodies(Scene.Bodies(5)));
             Check.Equal(0, batch.Count, "all or none");
             batch.CreateBodies(Scene.Bodies(4));
-            Expect(Status.BufferTooSmall, () => batch.WriteTransforms(TransformFormat.Matrix4x4RowMajor, new float[3 * 16]));
+            Expect(Status.BufferTooSmall, () =>
+            {
+                byte one;
+                unsafe { world.SaveSnapshot(&one, 1); }
+            });
             SimdTarget elsewhere = Array.IndexOf(LangevinLibrary.SimdTargets(), SimdTarget.Neon) < 0 ? SimdTarget.Neon : SimdTarget.Avx2;
             Expect(Status.Unsupported, () => world.SetSimdTarget(elsewhere));
         }

@@ -85,10 +85,7 @@ static void apply_all(batch_node* self) {
     if (meets != (self->body_contact != 0))
         complain(self, "body_contact",
                  lr_batch_set_pair_contact(world, self->batch, self->batch, self->body_contact != 0));
-    lr_batch_rate rate;
-    lr_batch_rate_init(&rate, sizeof rate);
-    rate.divisor = (uint32_t)self->rate_divisor;
-    complain(self, "rate_divisor", lr_batch_set_rate(world, self->batch, &rate));
+    complain(self, "rate_divisor", lr_batch_set_rate(world, self->batch, (uint32_t)self->rate_divisor));
 }
 
 void batch_ensure(batch_node* self) {

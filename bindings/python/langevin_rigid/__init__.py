@@ -23,7 +23,6 @@ from .baker import bake, bake_card, bake_ellipsoid, bake_triangles, baker_path, 
 from .batch import Batch
 from .callbacks import SurfaceQuery, WindQuery
 from .contact import Collider, ContactEvents
-from .deltas import delta_apply, delta_encode
 from .enums import *  # noqa: F401,F403
 from .errors import *  # noqa: F401,F403
 from .errors import Error, Fault

@@ -70,13 +70,6 @@ class BatchForceOptions(TypedDict, total=False):
     body_angular_acceleration: ArrayLike
 
 
-class RateOptions(TypedDict, total=False):
-    """Keywords for lr_batch_rate."""
-    divisor: int
-    priority: float
-    longest_substep: float
-
-
 class RulesOptions(TypedDict, total=False):
     """Keywords for lr_batch_rules."""
     action: int
@@ -93,13 +86,6 @@ class StateOptions(TypedDict, total=False):
     angular_velocity: ArrayLike
     scale: float
     age: float
-
-
-class BudgetOptions(TypedDict, total=False):
-    """Keywords for lr_budget."""
-    kind: int
-    body_substeps: int
-    seconds: float
 
 
 class ColliderOptions(TypedDict, total=False):
@@ -401,40 +387,32 @@ class StepReport(Record):
     batches_waiting: not due, by their own divisors
     batches_passed_over: due, but the budget did not reach them
     body_substeps: done
-    body_substeps_wanted: of the batches that were due, at their own divisors: what no budget would have taken
-    coarseness: what the budget multiplied the divisors of priority 1 with, >= 1
+    body_substeps_wanted: of the batches that were due, without a budget
     behind: s: how far the bodies that have waited longest are behind the world's time
-    lost: s: the most that a batch has lost in this step. A batch whose budget does not even reach for its longest substeps goes in slow motion: lr_batch_rate.longest_substep
-    seconds: that the step took; 0 without `BudgetKind.TIME`
+    lost: s: the most that a batch lost in this step: bodies go in slow motion rather than in too long substeps
     """
-    __slots__ = ('batches_stepped', 'batches_waiting', 'batches_passed_over', 'body_substeps', 'body_substeps_wanted', 'coarseness', 'behind', 'lost', 'seconds')
+    __slots__ = ('batches_stepped', 'batches_waiting', 'batches_passed_over', 'body_substeps', 'body_substeps_wanted', 'behind', 'lost')
     batches_stepped: int
     batches_waiting: int
     batches_passed_over: int
     body_substeps: int
     body_substeps_wanted: int
-    coarseness: float
     behind: float
     lost: float
-    seconds: float
 
 
 class BatchPace(Record):
     """How a batch keeps up with its world.
 
     divisor: as set
-    priority: as set
-    longest_substep: s, as set, or what 0 stands for
     substeps: in the last step of the world; 0: it waited
     waited: steps since it was last stepped
     behind: s: the same as time
     lost: s, in all: what its bodies' clocks are slow by
     body_substeps: in all
     """
-    __slots__ = ('divisor', 'priority', 'longest_substep', 'substeps', 'waited', 'behind', 'lost', 'body_substeps')
+    __slots__ = ('divisor', 'substeps', 'waited', 'behind', 'lost', 'body_substeps')
     divisor: int
-    priority: float
-    longest_substep: float
     substeps: int
     waited: int
     behind: float

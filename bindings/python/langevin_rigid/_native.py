@@ -67,9 +67,6 @@ LR_WIND_OUTSIDE_REPEAT = 2
 LR_MAX_WIND_SOURCES = 64
 LR_MAX_WIND_SAMPLES = 67108864
 LR_MAX_WAVES = 8
-LR_BUDGET_NONE = 0
-LR_BUDGET_BODY_SUBSTEPS = 1
-LR_BUDGET_TIME = 2
 LR_RECORD_CALLBACKS = 1
 LR_LOADS_DEFAULT = 0
 LR_LOADS_NONE = 1
@@ -464,16 +461,6 @@ class lr_surface_desc(ctypes.Structure):
     ]
 
 
-class lr_budget(ctypes.Structure):
-    """lr_budget: 24 bytes."""
-    _fields_ = [
-        ('struct_size', ctypes.c_uint32),
-        ('kind', ctypes.c_int32),
-        ('body_substeps', ctypes.c_uint64),
-        ('seconds', ctypes.c_double),
-    ]
-
-
 class lr_step_report(ctypes.Structure):
     """What the last step did, and what it left out. Batches without bodies do not count."""
     _fields_ = [
@@ -483,10 +470,8 @@ class lr_step_report(ctypes.Structure):
         ('batches_passed_over', ctypes.c_uint32),
         ('body_substeps', ctypes.c_uint64),
         ('body_substeps_wanted', ctypes.c_uint64),
-        ('coarseness', ctypes.c_double),
         ('behind', ctypes.c_double),
         ('lost', ctypes.c_double),
-        ('seconds', ctypes.c_double),
     ]
 
 
@@ -545,27 +530,11 @@ class lr_load_gains(ctypes.Structure):
     ]
 
 
-class lr_batch_rate(ctypes.Structure):
-    """How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
-    A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one
-    in every so many steps, which makes up for all of them. No substep gets longer than `longest_substep` by that: a divisor
-    beyond has no more effect, and a budget that cannot afford them makes bodies slow rather than wrong.
-    """
-    _fields_ = [
-        ('struct_size', ctypes.c_uint32),
-        ('divisor', ctypes.c_uint32),
-        ('priority', ctypes.c_float),
-        ('longest_substep', ctypes.c_float),
-    ]
-
-
 class lr_batch_pace(ctypes.Structure):
     """How a batch keeps up with its world."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('divisor', ctypes.c_uint32),
-        ('priority', ctypes.c_float),
-        ('longest_substep', ctypes.c_float),
         ('substeps', ctypes.c_uint32),
         ('waited', ctypes.c_uint32),
         ('behind', ctypes.c_double),
@@ -1060,21 +1029,14 @@ FIELD_DOCS = {
         'velocity': 'm/s, of the lower fluid at the position',
         'rate': 'm/s^2, its acceleration. Where the surface is steep it is what lets bodies slide down',
     },
-    'lr_budget': {
-        'kind': '`BudgetKind`; initially `BudgetKind.NONE`',
-        'body_substeps': 'a step, 1 to 2^48; `BudgetKind.BODY_SUBSTEPS`',
-        'seconds': 'a step, 1e-6 to 1e3; `BudgetKind.TIME`',
-    },
     'lr_step_report': {
         'batches_stepped': '',
         'batches_waiting': 'not due, by their own divisors',
         'batches_passed_over': 'due, but the budget did not reach them',
         'body_substeps': 'done',
-        'body_substeps_wanted': 'of the batches that were due, at their own divisors: what no budget would have taken',
-        'coarseness': 'what the budget multiplied the divisors of priority 1 with, >= 1',
+        'body_substeps_wanted': 'of the batches that were due, without a budget',
         'behind': "s: how far the bodies that have waited longest are behind the world's time",
-        'lost': 's: the most that a batch has lost in this step. A batch whose budget does not even reach for its longest substeps goes in slow motion: lr_batch_rate.longest_substep',
-        'seconds': 'that the step took; 0 without `BudgetKind.TIME`',
+        'lost': 's: the most that a batch lost in this step: bodies go in slow motion rather than in too long substeps',
     },
     'lr_recording_desc': {
         'flags': 'bits `RecordingFlags`; initially `RecordingFlags.CALLBACKS`',
@@ -1108,15 +1070,8 @@ FIELD_DOCS = {
         'spin_drag': '0 to 100; initially 1',
         'turbulence': "intensity of the body's own wake, 0 to 100; initially 1",
     },
-    'lr_batch_rate': {
-        'divisor': '1 to 1024; initially 1',
-        'priority': '0.01 to 100: the share in a budget that does not reach for all; initially 1',
-        'longest_substep': 's, up to `MAX_SUBSTEP`; initially 0: that up to which falls keep their statistics, 1/60 s, for bodies under 2.5 cm length_d / 1.5 m/s',
-    },
     'lr_batch_pace': {
         'divisor': 'as set',
-        'priority': 'as set',
-        'longest_substep': 's, as set, or what 0 stands for',
         'substeps': 'in the last step of the world; 0: it waited',
         'waited': 'steps since it was last stepped',
         'behind': 's: the same as time',
@@ -1334,13 +1289,11 @@ INITS = {
     'lr_wind_desc': 'lr_wind_desc_init',
     'lr_wind_source_desc': 'lr_wind_source_desc_init',
     'lr_surface_desc': 'lr_surface_desc_init',
-    'lr_budget': 'lr_budget_init',
     'lr_step_report': 'lr_step_report_init',
     'lr_recording_desc': 'lr_recording_desc_init',
     'lr_batch_desc': 'lr_batch_desc_init',
     'lr_turbulence_table': 'lr_turbulence_table_init',
     'lr_load_gains': 'lr_load_gains_init',
-    'lr_batch_rate': 'lr_batch_rate_init',
     'lr_batch_pace': 'lr_batch_pace_init',
     'lr_batch_view': 'lr_batch_view_init',
     'lr_body_desc': 'lr_body_desc_init',
@@ -1825,27 +1778,20 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step has been taken, not to be repeated, but bodies went through each other in it; the next one asks for the memory again.
         """,
     ),
-    'lr_budget_init': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_budget), ctypes.c_uint32],
-        ('budget', 'struct_size'),
-        """lr_status lr_budget_init(lr_budget* budget, uint32_t struct_size)
-
-        struct_size: sizeof the struct as the caller sees it
-        """,
-    ),
     'lr_world_set_budget': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_budget)],
-        ('world', 'budget'),
-        """lr_status lr_world_set_budget(lr_world* world, const lr_budget* budget)
+        [ctypes.POINTER(lr_world), ctypes.c_uint64],
+        ('world', 'body_substeps'),
+        """lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps)
 
-        From the next step on; copied. Null ends it. A batch on whose single bodies forces act is stepped at once, even over the
-        budget. Part of snapshots.
+        A budget for the work of each step: a count of substeps of single bodies, whatever each of them costs, at most 2^48; 0, as at
+        first: none. From the next step on; part of snapshots. Where the batches that are due want more, each gets the fewest substeps that
+        keep falls as they are (lr_batch_set_rate), those that have waited longest first; nobody waits for ever. The same calls give the
+        same bits on every machine. A batch on whose single bodies forces act is stepped at once, even over the budget. docs/reference/stepping.md.
 
         world: the world
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT.
         """,
     ),
     'lr_step_report_init': (
@@ -1932,53 +1878,6 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
-    'lr_snapshot_delta_bound': (
-        ctypes.c_uint64,
-        [ctypes.c_uint64],
-        ('snapshot_size',),
-        """uint64_t lr_snapshot_delta_bound(uint64_t snapshot_size)
-
-        The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base.
-        Any thread.
-        """,
-    ),
-    'lr_snapshot_delta_encode': (
-        ctypes.c_int32,
-        [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_uint64)],
-        ('base', 'base_size', 'snapshot', 'snapshot_size', 'memory', 'capacity', 'written'),
-        """lr_status lr_snapshot_delta_encode(const void* base, uint64_t base_size, const void* snapshot, uint64_t snapshot_size, void* memory, uint64_t capacity, uint64_t* written)
-
-        base: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
-        base_size: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
-        snapshot: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
-        snapshot_size: bytes that lr_world_snapshot_save wrote, more may follow; any alignment. The base may also be of another world: that makes no small delta.
-        memory: receives the delta, `capacity` bytes of any alignment, of which all may be written also after an error.
-        capacity: elements that there is room for
-        written: bytes used, 0 after an error; may be null.
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or snapshot), LR_ERROR_SNAPSHOT_FORMAT (either is no snapshot, damaged, or of another version), LR_ERROR_BUFFER_TOO_SMALL.
-        Any thread.
-        """,
-    ),
-    'lr_snapshot_delta_apply': (
-        ctypes.c_int32,
-        [ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_void_p, ctypes.c_uint64, ctypes.POINTER(ctypes.c_uint64)],
-        ('base', 'base_size', 'delta', 'delta_size', 'memory', 'capacity', 'written'),
-        """lr_status lr_snapshot_delta_apply(const void* base, uint64_t base_size, const void* delta, uint64_t delta_size, void* memory, uint64_t capacity, uint64_t* written)
-
-        Makes the snapshot that a delta was made of.
-
-        base: the same bytes as then.
-        base_size: the same bytes as then.
-        delta: what was written, more may follow.
-        delta_size: what was written, more may follow.
-        memory: receives the snapshot, `capacity` bytes of any alignment; null with capacity 0 asks for the size alone; all may be written also after LR_ERROR_SNAPSHOT_FORMAT.
-        capacity: elements that there is room for
-        written: bytes of the snapshot, also with LR_ERROR_BUFFER_TOO_SMALL, 0 after other errors; may be null. Hostile bytes give an error, or a snapshot for lr_world_snapshot_restore to judge.
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any thread.
-        """,
-    ),
     'lr_recording_desc_init': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_recording_desc), ctypes.c_uint32],
@@ -1998,7 +1897,7 @@ PROTOTYPES = {
         From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
         its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB of memory,
         some bytes for each asset, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording
-        ends, a message is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+        ends, a message is logged, and the world goes on.
 
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
@@ -2134,33 +2033,19 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
         """,
     ),
-    'lr_batch_rate_init': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_batch_rate), ctypes.c_uint32],
-        ('rate', 'struct_size'),
-        """lr_status lr_batch_rate_init(lr_batch_rate* rate, uint32_t struct_size)
-
-        struct_size: sizeof the struct as the caller sees it
-        """,
-    ),
     'lr_batch_set_rate': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_batch_rate)],
-        ('world', 'batch', 'rate'),
-        """lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, const lr_batch_rate* rate)
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_uint32],
+        ('world', 'batch', 'divisor'),
+        """lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor)
 
-        From the next step on, at any time: a batch that waits makes up for all of it when next stepped. Null puts the initial values
-        back. While it waits
-         - views and lr_body_get_state have the bodies as they were last stepped, lr_batch_pace.behind ago, and bodies that are made
-           or set are taken to be from then; transforms are moved on by that time with the bodies' velocities;
-         - a force on one of its bodies ends the waiting, and acts with the impulse that it would have had in one step;
-         - its rules, emitter and events wait too.
-        Part of snapshots.
+        How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
 
         world: the world
         batch: handle of a batch of the world
+        divisor: 1 to 1024, at first 1. A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one in every so many steps, which makes up for all of them. No substep gets longer by that than falls keep their statistics: 1/60 s, for bodies under 2.5 cm length_d / 1.5 m/s. A divisor beyond has no more effect. From the next step on, at any time: a batch that waits makes up for all of it when next stepped. While it waits - views and lr_body_get_state have the bodies as they were last stepped, lr_batch_pace.behind ago, and bodies that are made or set are taken to be from then; transforms are moved on by that time with the bodies' velocities; - a force on one of its bodies ends the waiting, and acts with the impulse that it would have had in one step; - its rules, emitter and events wait too. Part of snapshots.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
         """,
     ),
     'lr_batch_pace_init': (
@@ -2210,39 +2095,23 @@ PROTOTYPES = {
     'lr_batch_write_transforms': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint32)],
-        ('world', 'batch', 'format', 'dst', 'stride', 'capacity', 'written'),
-        """lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride, uint32_t capacity, uint32_t* written)
-
-        Writes the transforms of all bodies of a batch, in the order of its view; of one that waits (lr_batch_rate), moved on to the
-        world's time. The mesh to be drawn must have its origin
-        at the centre of mass (lr_asset_info.center_of_mass).
-
-        world: the world
-        batch: handle of a batch of the world
-        format: one of the constants above
-        dst: 4-byte aligned, `capacity` elements `stride` bytes apart.
-        stride: 0 for elements without gaps, else a multiple of 4, at least an element.
-        capacity: elements that there is room for
-        written: elements written; may be null. When the batch has more than `capacity` bodies nothing is written.
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when there are no bodies), LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL.
-        """,
-    ),
-    'lr_batch_write_first_transforms': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint32)],
         ('world', 'batch', 'format', 'dst', 'stride', 'count', 'written'),
-        """lr_status lr_batch_write_first_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride, uint32_t count, uint32_t* written)
+        """lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride, uint32_t count, uint32_t* written)
 
-        The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
-        written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
-        enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md. Keep
-        both numbers for each buffer that is written in turn.
+        Writes the transforms of the first `count` bodies of a batch, or of all where there are fewer, in the order of its view; of one that
+        waits (lr_batch_set_rate), moved on to the world's time. The mesh to be drawn must have its origin at the centre of mass
+        (lr_asset_info.center_of_mass).
+        An instance buffer keeps what was written before: where lr_batch_view.revision is that of the last time, bodies at rest then still
+        lie there, and it is enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md.
+        Keep both numbers for each buffer that is written in turn.
 
         world: the world
         batch: handle of a batch of the world
         format: one of the constants above
+        dst: 4-byte aligned, room for `count` elements `stride` bytes apart.
+        stride: 0 for elements without gaps, else a multiple of 4, at least an element.
         count: elements of the arrays
+        written: elements written; may be null.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
         """,
@@ -2684,7 +2553,7 @@ PROTOTYPES = {
         """lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits)
 
         What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/maintainers/contact.md);
-        those of batches that wait (lr_batch_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
+        those of batches that wait (lr_batch_set_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
         meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
         before colliders, then the order is that of batches and keys, or of colliders' slots.
 

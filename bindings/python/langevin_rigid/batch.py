@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._fields import (AerodynamicsOptions, BatchForceOptions, ContactOptions, EmitterOptions, KillVolumeOptions,
-                          LoadGainsOptions, RateOptions, TurbulenceTableOptions)
+                          LoadGainsOptions, TurbulenceTableOptions)
     from .asset import Asset
     from .world import World
 
@@ -97,7 +97,7 @@ class Batch:
                    first: Optional[int] = None) -> np.ndarray:
         """The transforms of all bodies, in the order of the view; of `first` bodies where it is given.
 
-        out: an array of float32 to write into, with at least as many elements; each without gaps, but with any distance from one
+        out: an array of float32 to write into, as many as fit; each without gaps, but with any distance from one
         to the next: a field of a structured array will do. Returns the part of it that was written.
         The mesh to be drawn must have its origin at the centre of mass (`asset.info.center_of_mass`).
         """
@@ -107,9 +107,8 @@ class Batch:
             out = np.empty((len(self) if first is None else min(first, len(self)), *shape), np.float32)
         stride = self._stride(out, int(np.prod(shape)))
         written = ctypes.c_uint32()
-        call, capacity = ("lr_batch_write_transforms", len(out)) if first is None else \
-            ("lr_batch_write_first_transforms", min(first, len(out)))
-        self.world._ask(call, self.id, int(format), out.ctypes.data, stride, capacity, ctypes.byref(written))
+        count = len(out) if first is None else min(first, len(out))
+        self.world._ask("lr_batch_write_transforms", self.id, int(format), out.ctypes.data, stride, count, ctypes.byref(written))
         return out[:written.value]
 
     @staticmethod
@@ -200,10 +199,9 @@ class Batch:
 
     # Level of detail.
 
-    @takes("lr_batch_rate")
-    def set_rate(self, **rate: "Unpack[RateOptions]") -> None:
-        """How often the batch is stepped; without keywords as often as the world."""
-        self._set("lr_batch_set_rate", native.lr_batch_rate, rate)
+    def set_rate(self, divisor: int) -> None:
+        """How often the batch is stepped; 1: as often as the world."""
+        self.world._change("lr_batch_set_rate", self.id, int(divisor))
 
     @property
     def pace(self) -> BatchPace:

@@ -6,7 +6,6 @@ from enum import IntEnum, IntFlag
 
 __all__ = [
     'AssetFlags',
-    'BudgetKind',
     'Clock',
     'ColliderKind',
     'ContactFlags',
@@ -144,13 +143,6 @@ class WindOutside(IntEnum):
     ZERO = 0  # a grid adds nothing outside its samples
     CLAMP = 1  # it goes on as at its border
     REPEAT = 2  # it repeats itself; the first sample follows the last
-
-
-class BudgetKind(IntEnum):
-    """What bounds the work of a step."""
-    NONE = 0
-    BODY_SUBSTEPS = 1  # a count of substeps of single bodies, whatever each of them costs
-    TIME = 2  # time of lr_world_step on the wall; costs are learnt from the steps before
 
 
 class RecordingFlags(IntFlag):

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from typing_extensions import Unpack
 
-    from ._fields import BatchOptions, BudgetOptions, RecordingOptions, StateOptions, WorldOptions
+    from ._fields import BatchOptions, RecordingOptions, StateOptions, WorldOptions
     from .asset import Asset
 
 
@@ -168,11 +168,9 @@ class World(AirMixin, ContactMixin, QueryMixin):
         """Results do not change."""
         self._change("lr_world_set_simd_target", int(target))
 
-    @takes("lr_budget")
-    def set_budget(self, **budget: "Unpack[BudgetOptions]") -> None:
-        """Bounds the work of each step; without keywords nothing does."""
-        desc = ctypes.byref(make(native.lr_budget, budget, [])) if budget else None
-        self._change("lr_world_set_budget", desc)
+    def set_budget(self, body_substeps: int) -> None:
+        """Bounds the work of each step; 0: nothing does."""
+        self._change("lr_world_set_budget", int(body_substeps))
 
     @property
     def step_report(self) -> StepReport:

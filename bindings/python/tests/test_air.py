@@ -312,13 +312,13 @@ class Storms(WorldCase):
 
     def test_rates_and_budgets(self):
         self.batch.create(10)
-        self.batch.set_rate(divisor=4)
-        self.world.set_budget(kind=lr.BudgetKind.BODY_SUBSTEPS, body_substeps=1000)
+        self.batch.set_rate(4)
+        self.world.set_budget(1000)
         self.fall(4)
         self.assertEqual(self.batch.pace.divisor, 4)
         self.assertEqual(self.world.step_report.batches_passed_over, 0)
-        self.world.set_budget()
-        self.batch.set_rate()
+        self.world.set_budget(0)
+        self.batch.set_rate(1)
         self.batch.set_load_gains(drag=2)
         self.batch.set_aerodynamics(intensity=0)
         self.assertEqual(self.batch.aerodynamics.intensity, 0)

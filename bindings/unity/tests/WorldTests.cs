@@ -282,10 +282,10 @@ public sealed class WorldTests : Stage
         far.Apply();
         Frames(1);
         Assert.AreEqual(300ul, World.LastStep().BodySubsteps);
-        World.SetBudget(LangevinBudgetKind.BodySubsteps, 0.0f, 100);
+        World.SetBudget(100);
         Frames(2);
         Assert.IsTrue(World.LastStep().BodySubsteps <= 200ul);
-        World.SetBudget(LangevinBudgetKind.None, 0.0f, 0);
+        World.SetBudget(0);
         far.Divisor = 1;
         far.Apply();
         Frames(3);

@@ -132,8 +132,8 @@ export class Batch {
     this.#set('lr_load_gains', gains, 'lr_batch_set_load_gains');
   }
 
-  setRate(rate) {
-    this.#set('lr_batch_rate', rate, 'lr_batch_set_rate');
+  setRate(divisor) {
+    this.#call('lr_batch_set_rate', divisor);
   }
 
   get pace() {
@@ -230,27 +230,27 @@ export class TransformBuffer {
     return this.#array;
   }
 
-  #write(name, number) {
+  #write(number) {
     const { host } = this.#batch.world;
     return host.scratch((scratch) => {
       const written = scratch.bytes(4);
-      this.#batch.world.call(name, this.#batch.handle, this.format, this.#live, 0n, number, written);
+      this.#batch.world.call('lr_batch_write_transforms', this.#batch.handle, this.format, this.#live, 0n, number, written);
       return host.heap.view.getUint32(written, true);
     });
   }
 
-  /** Writes all bodies, and gives that part of the buffer. */
+  /** Writes all bodies that fit, and gives that part of the buffer. */
   write() {
-    this.count = this.#write('lr_batch_write_transforms', this.capacity);
+    this.count = this.#write(this.capacity);
     return this.array.subarray(0, this.floatsPerBody * this.count);
   }
 
   /** Writes those that may have moved since the last time, and gives that part, from the first body on. Others still are where they were. */
   writeMoved() {
     const view = this.#batch.view();
-    if (view.count > this.capacity) throw this.#batch.world.host.error('lr_batch_write_first_transforms', LR.ERROR_BUFFER_TOO_SMALL);
+    if (view.count > this.capacity) throw this.#batch.world.host.error('lr_batch_write_transforms', LR.ERROR_BUFFER_TOO_SMALL);
     const moved = view.revision === this.#last.revision ? Math.max(view.awakeCount, this.#last.awakeCount) : view.count;
-    const written = this.#write('lr_batch_write_first_transforms', moved);
+    const written = this.#write(moved);
     this.#last = { revision: view.revision, awakeCount: view.awakeCount };
     this.count = view.count;
     return this.array.subarray(0, this.floatsPerBody * written);

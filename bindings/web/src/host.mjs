@@ -131,25 +131,6 @@ export class Host {
     return result;
   }
 
-  /** Bytes of two blocks of bytes. room: how many there are at most; null where the function says so itself. */
-  delta(name, base, other, room) {
-    return this.scratch((scratch) => {
-      const given = [scratch.copy(Uint8Array, base), BigInt(base.length), scratch.copy(Uint8Array, other), BigInt(other.length)];
-      const written = scratch.bytes(8);
-      const check = (status) => {
-        if (status !== LR.OK) throw this.error(name, status);
-      };
-      if (room === null) {
-        const status = this.invoke(name, ...given, 0, 0n, written);
-        if (status !== LR.ERROR_BUFFER_TOO_SMALL) check(status);
-        room = this.heap.view.getBigUint64(written, true);
-      }
-      const at = scratch.bytes(Number(room));
-      check(this.invoke(name, ...given, at, room, written));
-      return this.heap.array(Uint8Array, at, Number(this.heap.view.getBigUint64(written, true))).slice();
-    });
-  }
-
   /** Gives something back to the module, if that still works: from finalizers too, which have nobody to throw at. */
   release(name, address) {
     if (!this.#broken) this.invoke(name, address);

@@ -116,8 +116,8 @@ export class World {
     this.call('lr_world_set_simd_target', target);
   }
 
-  setBudget(budget) {
-    this.set('lr_budget', budget, 'lr_world_set_budget');
+  setBudget(bodySubsteps) {
+    this.call('lr_world_set_budget', BigInt(bodySubsteps));
   }
 
   hash() {

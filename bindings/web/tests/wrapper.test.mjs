@@ -41,9 +41,8 @@ test('every C function is called by the wrapper', async () => {
   assert.deepEqual(missing, []);
 });
 
-test('deltas and recordings', () => {
+test('recordings', () => {
   const { world, batch } = scene({}, 20);
-  const first = world.saveSnapshot();
   const pieces = [];
   assert.throws(() => world.stopRecording(), refused('INVALID_ARGUMENT'));
   world.startRecording((bytes) => pieces.push(bytes), { hashInterval: 2 });
@@ -57,11 +56,6 @@ test('deltas and recordings', () => {
   assert.equal(length(), before);
   assert.throws(() => world.startRecording(() => { throw new RangeError('no room'); }), /no room/);
   world.step(1 / 60);
-  const second = world.saveSnapshot();
-  const delta = lr.encodeDelta(first, second);
-  assert.ok(delta.length < second.length);
-  assert.ok(Buffer.from(lr.applyDelta(first, delta)).equals(Buffer.from(second)));
-  assert.throws(() => lr.applyDelta(second, delta), refused('SNAPSHOT_MISMATCH'));
   world.dispose();
 });
 
@@ -281,16 +275,13 @@ test('rules, emitters, rates, budgets, gains, tables', () => {
   assert.equal(batch.faultPolicy, LR.FAULT_FREEZE);
   assert.throws(() => (batch.faultPolicy = 7), refused('INVALID_ARGUMENT'));
   assert.equal(batch.events.totalFaulted, 0);
-  batch.setRate({ divisor: 4 });
+  batch.setRate(4);
   assert.equal(batch.pace.divisor, 4);
-  batch.setRate(null);
-  world.setBudget({ kind: LR.BUDGET_BODY_SUBSTEPS, bodySubsteps: 10 });
+  batch.setRate(1);
+  world.setBudget(10);
   world.step(1 / 60);
   assert.ok(world.stepReport.bodySubstepsWanted > 10);
-  world.setBudget({ kind: LR.BUDGET_TIME, seconds: 0.01 });
-  world.step(1 / 60);
-  assert.ok(world.stepReport.seconds > 0, 'the module has a clock');
-  world.setBudget(null);
+  world.setBudget(0);
   batch.setLoadGains({ drag: 2 });
   const stronger = { ...batch.aerodynamics, intensity: 0 };
   batch.setAerodynamics(stronger);

@@ -1,8 +1,8 @@
 #include "baker/aerodynamics/mesh_geometry.h"
 
 #include "baker/aerodynamics/silhouette.h"
+#include "baker/aerodynamics/surface_measures.h"
 #include "baker/mesh/half_edges.h"
-#include "shape/surface_measures.h"
 
 #include <Eigen/Geometry>
 

@@ -94,57 +94,44 @@ void transforms(Fuzzer& f) {
     const lr_batch id = f.pick_batch(w, in.handle(0));
     const Batch* const b = w.find(id);
     const auto count = b ? static_cast<uint32_t>(b->bodies.size()) : 0u;
-    const bool first = in.variant() % 2 == 1;
     int32_t format = in.handle(1) % 6;
-    uint32_t capacity = first ? in.handle(2) % 8 : count;
+    const uint32_t capacity = in.variant() % 2 == 1 ? in.handle(2) % 8 : count;
     uint64_t stride = in.value(0) % 4 == 0 ? 0 : 64u + in.value(0) / 4u * 4u;
     if (in.flag(flag_size)) {
         if (in.value(1) % 3 == 0) format = static_cast<int32_t>(in.integer(in.value(2)));
         if (in.value(1) % 3 == 1) stride = in.value(2) % 2 ? in.value(2) : in.value(2) % 4 * 4u;
-        if (in.value(1) % 3 == 2 && !first) capacity = in.value(2) % 8;
     }
     const uint64_t bytes[] = {28, 32, 48, 48, 64, 64};
     const bool known = format >= 0 && format < 6;
     const uint64_t element = known ? bytes[format] : 64, step = stride == 0 ? element : stride;
-    const uint32_t wanted = first ? std::min(capacity, count) : count;
+    const uint32_t wanted = std::min(capacity, count);
     const bool fits = known && step >= element && step % 4 == 0;
     // Exactly the room that is promised.
-    std::vector<float> room(
-        fits ? (std::min(wanted, capacity) == 0 ? 0 : (std::min(wanted, capacity) - 1) * step + element) / 4 : 0);
+    std::vector<float> room(fits && wanted != 0 ? ((wanted - 1) * step + element) / 4 : 0);
     Expected e;
     e.add_if(!b, LR_ERROR_STALE_BATCH);
     e.add_if(!fits, LR_ERROR_INVALID_ARGUMENT);
-    e.add_if(!first && count > capacity, LR_ERROR_BUFFER_TOO_SMALL);
     e.add_if(in.null(1) && wanted != 0, LR_ERROR_NULL_ARGUMENT);
     Call call(f, w, "lr_batch_write_transforms", e);
     uint32_t written = 77;
     uint32_t* const out = in.null(2) ? nullptr : &written;
     float* const to = in.null(1) ? nullptr : room.data();
     const bool wild = w.state.wild;
-    const bool ok =
-        call.ended(first ? LR_CALL(lr_batch_write_first_transforms)(call.world(), id, format, to, stride, capacity, out)
-                         : LR_CALL(lr_batch_write_transforms)(call.world(), id, format, to, stride, capacity, out));
+    const bool ok = call.ended(LR_CALL(lr_batch_write_transforms)(call.world(), id, format, to, stride, capacity, out));
     w.state.wild = wild;
     if (out && !w.state.loose && written != (ok ? wanted : 0)) defect("lr_batch_write_transforms", "written", written);
 }
 
 void rate(Fuzzer& f) {
     World& w = f.world();
-    Input& in = f.in;
-    lr_batch_rate r = initialised(LR_CALL(lr_batch_rate_init));
-    r.divisor = 1 + in.handle(1) % 8;
-    in.change(r.divisor, r.priority, r.longest_substep);
-    const lr_batch id = f.pick_batch(w, in.handle(0));
+    uint32_t divisor = 1 + f.in.handle(1) % 8;
+    f.in.change(divisor);
+    const lr_batch id = f.pick_batch(w, f.in.handle(0));
     Expected e;
-    if (!in.null(1)) {
-        e.range(r.priority, 0.01, 100.0);
-        e.range(r.longest_substep, 0.0, static_cast<double>(LR_MAX_SUBSTEP));
-        e.add_if(r.divisor < 1 || r.divisor > 1024, LR_ERROR_INVALID_ARGUMENT);
-    }
+    e.add_if(divisor < 1 || divisor > 1024, LR_ERROR_INVALID_ARGUMENT);
     e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
-    Given<lr_batch_rate> given(in, r, 1, e, true);
     Call call(f, w, "lr_batch_set_rate", e);
-    call.ended(LR_CALL(lr_batch_set_rate)(call.world(), id, given.get()));
+    call.ended(LR_CALL(lr_batch_set_rate)(call.world(), id, divisor));
 }
 
 void pairs(Fuzzer& f) {

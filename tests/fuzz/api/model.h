@@ -45,7 +45,6 @@ struct State {
     double time = 0.0;
     bool wild = false;  // numbers beyond physics were given: results need not be plausible
     bool loose = false; // a damaged snapshot was taken: anything possible may be there
-    bool timed = false; // a budget of time: not deterministic
 };
 
 // What a recording's `write` does: refuse when `left` calls are over, 0: never.

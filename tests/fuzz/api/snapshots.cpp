@@ -171,7 +171,7 @@ void twin(Fuzzer& f) {
     if (save_bytes(other) != bytes) defect("lr_world_snapshot_save", "a twin saves other bytes");
     other.wind_callback = w.wind_callback, other.surface_callback = w.surface_callback;
     set_callbacks(other, other.at);
-    if (step_world(f, w, 1.0f / 60.0f, 2) && !w.state.timed) {
+    if (step_world(f, w, 1.0f / 60.0f, 2)) {
         if (LR_CALL(lr_world_step)(other.at, 1.0f / 60.0f, 2) != LR_OK) defect("lr_world_step", "failed");
         if (hash_of(other) != hash_of(w)) defect("lr_world_step", "a twin goes another way");
     }
@@ -188,54 +188,11 @@ void hash(Fuzzer& f) {
     call.ended(LR_CALL(lr_world_hash)(call.world(), f.in.null(2) ? nullptr : &out));
 }
 
-// From one snapshot to another and back, whole and damaged.
-void delta(Fuzzer& f) {
-    Input& in = f.in;
-    if (f.saved.empty()) return;
-    const auto& base = f.saved[in.handle(0) % f.saved.size()].bytes;
-    const auto& newer = f.saved[in.handle(1) % f.saved.size()].bytes;
-    const uint64_t bound = LR_CALL(lr_snapshot_delta_bound)(newer.size());
-    std::vector<unsigned char> packed(bound);
-    uint64_t size = 77;
-    lr_status status = LR_CALL(lr_snapshot_delta_encode)(base.data(), base.size(), newer.data(), newer.size(),
-                                                         packed.data(), bound, &size);
-    if (status != LR_OK || size > bound) defect("lr_snapshot_delta_encode", "fails within its bound", status);
-    // In blocks of their very size.
-    packed.resize(size), packed.shrink_to_fit();
-    if (in.flag(flag_size)) {
-        std::vector<unsigned char> small(size - 1 - in.handle(2) % size);
-        uint64_t none = 77;
-        status = LR_CALL(lr_snapshot_delta_encode)(base.data(), base.size(), newer.data(), newer.size(), small.data(),
-                                                   small.size(), &none);
-        if (status != (small.empty() ? LR_ERROR_NULL_ARGUMENT : LR_ERROR_BUFFER_TOO_SMALL) && !small.empty())
-            defect("lr_snapshot_delta_encode", "room that is too small", status);
-        if (none != 0) defect("lr_snapshot_delta_encode", "written", static_cast<int64_t>(none));
-    }
-    std::vector<unsigned char> back(newer.size());
-    uint64_t written = 0;
-    status = LR_CALL(lr_snapshot_delta_apply)(base.data(), base.size(), packed.data(), packed.size(), back.data(),
-                                              back.size(), &written);
-    if (status != LR_OK || written != newer.size() || back != newer)
-        defect("lr_snapshot_delta_apply", "other bytes than those of the snapshot", status);
-    if (in.variant() == 0) return;
-    for (size_t i = 0; i < 2; ++i)
-        packed[(in.value(3 * i) * 256u + in.value(3 * i + 1)) % packed.size()] ^=
-            static_cast<unsigned char>(in.value(3 * i + 2) | 1u);
-    if (in.variant() == 2) test::seal(packed);
-    if (in.variant() == 3) packed.resize(in.handle(2) % packed.size());
-    status = LR_CALL(lr_snapshot_delta_apply)(base.data(), base.size(), packed.data(), packed.size(), back.data(),
-                                              back.size(), &written);
-    if (status != LR_OK && status != LR_ERROR_SNAPSHOT_FORMAT && status != LR_ERROR_SNAPSHOT_MISMATCH &&
-        status != LR_ERROR_BUFFER_TOO_SMALL && !(status == LR_ERROR_NULL_ARGUMENT && packed.empty()))
-        defect("lr_snapshot_delta_apply", "of damaged bytes", status);
-    if (status == LR_OK && written > back.size()) defect("lr_snapshot_delta_apply", "written");
-}
-
 } // namespace
 
 std::vector<Named> snapshot_operations() {
     return {{"save", save}, {"restore", restore}, {"restore", restore}, {"restore_damaged", restore_damaged},
-            {"twin", twin}, {"hash", hash},       {"delta", delta}};
+            {"twin", twin}, {"hash", hash}};
 }
 
 } // namespace fuzz

@@ -149,7 +149,6 @@ void one_change(lr::AssetData& d, test::Random& random) {
         (random.below(2) ? d.turbulence.stationary : d.turbulence.loop_end) = static_cast<uint32_t>(random.bits());
         return;
     case 10:
-        if (random.below(2)) d.has_aerodynamics = !d.has_aerodynamics;
         if (random.below(4) == 0) d.hull = {};
         d.name.assign(random.below(300), static_cast<char>(random.bits()));
         d.provenance.options.assign(random.below(3), 'x');

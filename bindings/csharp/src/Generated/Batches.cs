@@ -161,34 +161,6 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight.
-    /// docs/reference/stepping.md. A batch of divisor n takes one substep where others take n: fewer in each step, or,
-    /// where n is more than the world's substeps, one in every so many steps, which makes up for all of them. No
-    /// substep gets longer than <c>LongestSubstep</c> by that: a divisor beyond has no more effect, and a budget that
-    /// cannot afford them makes bodies slow rather than wrong.</summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct BatchRate
-    {
-        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
-        public uint StructSize;
-        /// <summary>1 to 1024; initially 1</summary>
-        public uint Divisor;
-        /// <summary>0.01 to 100: the share in a budget that does not reach for all; initially 1</summary>
-        public float Priority;
-        /// <summary>s, up to <see cref="Limits.MaxSubstep"/>; initially 0: that up to which falls keep their
-        /// statistics, 1/60 s, for bodies under 2.5 cm length_d / 1.5 m/s</summary>
-        public float LongestSubstep;
-
-        /// <summary>One with its initial values and its size.</summary>
-        public static BatchRate Create()
-        {
-            var value = default(BatchRate);
-            LangevinLibrary.EnsureLoaded();
-            LangevinException.Check(Native.lr_batch_rate_init(&value, (uint)sizeof(BatchRate)), "lr_batch_rate_init");
-            return value;
-        }
-    }
-
     /// <summary>How a batch keeps up with its world.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BatchPace
@@ -197,10 +169,6 @@ namespace LangevinRigid
         public uint StructSize;
         /// <summary>as set</summary>
         public uint Divisor;
-        /// <summary>as set</summary>
-        public float Priority;
-        /// <summary>s, as set, or what 0 stands for</summary>
-        public float LongestSubstep;
         /// <summary>in the last step of the world; 0: it waited</summary>
         public uint Substeps;
         /// <summary>steps since it was last stepped</summary>

@@ -90,15 +90,16 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_set_load_gains(IntPtr world, BatchId batch, LoadGains* gains);
 
-        /// <summary>Fills a struct with its initial values; <c>BatchRate.Create()</c> does it with the right size.</summary>
-        /// <param name="rate">rate</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_rate_init(BatchRate* rate, uint structSize);
-
-        /// <summary>
-        /// <para>From the next step on, at any time: a batch that waits makes up for all of it when next stepped. Null
-        /// puts the initial values back. While it waits</para>
+        /// <summary>How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight.
+        /// docs/reference/stepping.md.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="batch">handle of a batch of the world</param>
+        /// <param name="divisor">
+        /// <para>1 to 1024, at first 1. A batch of divisor n takes one substep where others take n: fewer in each step,
+        /// or, where n is more than the world's substeps, one in every so many steps, which makes up for all of them.
+        /// No substep gets longer by that than falls keep their statistics: 1/60 s, for bodies under 2.5 cm length_d /
+        /// 1.5 m/s. A divisor beyond has no more effect. From the next step on, at any time: a batch that waits makes
+        /// up for all of it when next stepped. While it waits</para>
         /// <para>- views and <see cref="Native.lr_body_get_state"/> have the bodies as they were last stepped,
         /// <see cref="BatchPace.Behind"/> ago, and bodies that are made</para>
         /// <code>
@@ -107,15 +108,11 @@ namespace LangevinRigid
         ///  - its rules, emitter and events wait too.
         /// Part of snapshots.
         /// </code>
-        /// </summary>
-        /// <param name="world">the world</param>
-        /// <param name="batch">handle of a batch of the world</param>
-        /// <param name="rate">rate</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world),
-        /// <see cref="Status.StaleBatch"/>, <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
+        /// </param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>,
         /// <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_set_rate(IntPtr world, BatchId batch, BatchRate* rate);
+        public static extern Status lr_batch_set_rate(IntPtr world, BatchId batch, uint divisor);
 
         /// <summary>Fills a struct with its initial values; <c>BatchPace.Create()</c> does it with the right size.</summary>
         /// <param name="pace">pace</param>
@@ -149,39 +146,24 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_get_view(IntPtr world, BatchId batch, BatchView* view);
 
-        /// <summary>Writes the transforms of all bodies of a batch, in the order of its view; of one that waits
-        /// (<see cref="BatchRate"/>), moved on to the world's time. The mesh to be drawn must have its origin at the
-        /// centre of mass (<see cref="AssetInfo.CenterOfMass"/>).</summary>
+        /// <summary>Writes the transforms of the first <paramref name="count"/> bodies of a batch, or of all where
+        /// there are fewer, in the order of its view; of one that waits (<see cref="Native.lr_batch_set_rate"/>), moved
+        /// on to the world's time. The mesh to be drawn must have its origin at the centre of mass
+        /// (<see cref="AssetInfo.CenterOfMass"/>). An instance buffer keeps what was written before: where
+        /// <see cref="BatchView.Revision"/> is that of the last time, bodies at rest then still lie there, and it is
+        /// enough to write as many as moved then or move now, the greater awake_count of the two. Else all:
+        /// docs/reference/bodies.md. Keep both numbers for each buffer that is written in turn.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="format">one of the constants above</param>
-        /// <param name="dst">4-byte aligned, <paramref name="capacity"/> elements <paramref name="stride"/> bytes
+        /// <param name="dst">4-byte aligned, room for <paramref name="count"/> elements <paramref name="stride"/> bytes
         /// apart.</param>
         /// <param name="stride">0 for elements without gaps, else a multiple of 4, at least an element.</param>
-        /// <param name="capacity">elements that there is room for</param>
-        /// <param name="written">elements written; may be null. When the batch has more than
-        /// <paramref name="capacity"/> bodies nothing is written.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (dst may be null only when there are no
-        /// bodies), <see cref="Status.StaleBatch"/>, <see cref="Status.InvalidArgument"/>,
-        /// <see cref="Status.BufferTooSmall"/>.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_write_transforms(IntPtr world, BatchId batch, TransformFormat format, void* dst, ulong stride, uint capacity, uint* written);
-
-        /// <summary>The same of the first <paramref name="count"/> bodies, or of all where there are fewer. For an
-        /// instance buffer that keeps what was written before: where <see cref="BatchView.Revision"/> is that of the
-        /// last time, bodies at rest then still lie there, and it is enough to write as many as moved then or move now,
-        /// the greater awake_count of the two. Else all: docs/reference/bodies.md. Keep both numbers for each buffer
-        /// that is written in turn.</summary>
-        /// <param name="world">the world</param>
-        /// <param name="batch">handle of a batch of the world</param>
-        /// <param name="format">one of the constants above</param>
-        /// <param name="dst">dst</param>
-        /// <param name="stride">stride</param>
         /// <param name="count">elements of the arrays</param>
-        /// <param name="written">written</param>
+        /// <param name="written">elements written; may be null.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (dst may be null only when nothing is to
         /// be written), <see cref="Status.StaleBatch"/>, <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_write_first_transforms(IntPtr world, BatchId batch, TransformFormat format, void* dst, ulong stride, uint count, uint* written);
+        public static extern Status lr_batch_write_transforms(IntPtr world, BatchId batch, TransformFormat format, void* dst, ulong stride, uint count, uint* written);
     }
 }

@@ -14,11 +14,11 @@ namespace LangevinRigid
         public static extern Status lr_ray_init(Ray* ray, uint structSize);
 
         /// <summary>What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or
-        /// an ellipsoid (docs/maintainers/contact.md); those of batches that wait (<see cref="BatchRate"/>) are where
-        /// they were stepped last. Planes and heightfields are solid below their surface, meshes are met from both
-        /// sides. Colliders are where the last step or <see cref="Native.lr_collider_move"/> has put them. Of equal
-        /// distances bodies come before colliders, then the order is that of batches and keys, or of colliders'
-        /// slots.</summary>
+        /// an ellipsoid (docs/maintainers/contact.md); those of batches that wait
+        /// (<see cref="Native.lr_batch_set_rate"/>) are where they were stepped last. Planes and heightfields are solid
+        /// below their surface, meshes are met from both sides. Colliders are where the last step or
+        /// <see cref="Native.lr_collider_move"/> has put them. Of equal distances bodies come before colliders, then
+        /// the order is that of batches and keys, or of colliders' slots.</summary>
         /// <param name="world">the world</param>
         /// <param name="rays"><paramref name="count"/> elements.</param>
         /// <param name="count">elements of the arrays</param>

@@ -17,8 +17,7 @@ namespace LangevinRigid
         /// before it is carried out, and its status after it. At once: the world as it is, with the assets of its
         /// batches. May begin at any time. Takes 64 KiB of memory, some bytes for each asset, and while it begins a
         /// copy of the assets and a snapshot. When <c>write</c> refuses, the recording ends, a message is logged, and
-        /// the world goes on. Steps with <see cref="BudgetKind.Time"/> depend on the clock: their replay may
-        /// differ.</summary>
+        /// the world goes on.</summary>
         /// <param name="world">the world</param>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (also desc-&gt;write),

@@ -179,21 +179,18 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_step(IntPtr world, float dt, uint substeps);
 
-        /// <summary>Fills a struct with its initial values; <c>Budget.Create()</c> does it with the right size.</summary>
-        /// <param name="budget">budget</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_budget_init(Budget* budget, uint structSize);
-
-        /// <summary>From the next step on; copied. Null ends it. A batch on whose single bodies forces act is stepped
-        /// at once, even over the budget. Part of snapshots.</summary>
+        /// <summary>A budget for the work of each step: a count of substeps of single bodies, whatever each of them
+        /// costs, at most 2^48; 0, as at first: none. From the next step on; part of snapshots. Where the batches that
+        /// are due want more, each gets the fewest substeps that keep falls as they are
+        /// (<see cref="Native.lr_batch_set_rate"/>), those that have waited longest first; nobody waits for ever. The
+        /// same calls give the same bits on every machine. A batch on whose single bodies forces act is stepped at
+        /// once, even over the budget. docs/reference/stepping.md.</summary>
         /// <param name="world">the world</param>
-        /// <param name="budget">budget</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world),
-        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
+        /// <param name="bodySubsteps">body substeps</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
         /// <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_world_set_budget(IntPtr world, Budget* budget);
+        public static extern Status lr_world_set_budget(IntPtr world, ulong bodySubsteps);
 
         /// <summary>Fills a struct with its initial values; <c>StepReport.Create()</c> does it with the right size.</summary>
         /// <param name="report">report</param>
@@ -251,57 +248,5 @@ namespace LangevinRigid
         /// <see cref="Status.SnapshotMismatch"/>, <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_snapshot_restore(IntPtr world, void* memory, ulong size);
-
-        /// <summary>
-        /// <para>The most bytes that <see cref="Native.lr_snapshot_delta_encode"/> writes for a snapshot of so many,
-        /// whatever the base.</para>
-        /// <para>Any thread.</para>
-        /// </summary>
-        /// <param name="snapshotSize">snapshot size</param>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern ulong lr_snapshot_delta_bound(ulong snapshotSize);
-
-        /// <summary>
-        /// <para><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.InvalidArgument"/>
-        /// (memory overlaps base or snapshot), <see cref="Status.SnapshotFormat"/> (either is no snapshot, damaged, or
-        /// of another version), <see cref="Status.BufferTooSmall"/>.</para>
-        /// <para>Any thread.</para>
-        /// </summary>
-        /// <param name="base">bytes that <see cref="Native.lr_world_snapshot_save"/> wrote, more may follow; any
-        /// alignment. The base may also be of another world: that makes no small delta.</param>
-        /// <param name="baseSize">bytes that <see cref="Native.lr_world_snapshot_save"/> wrote, more may follow; any
-        /// alignment. The base may also be of another world: that makes no small delta.</param>
-        /// <param name="snapshot">bytes that <see cref="Native.lr_world_snapshot_save"/> wrote, more may follow; any
-        /// alignment. The base may also be of another world: that makes no small delta.</param>
-        /// <param name="snapshotSize">bytes that <see cref="Native.lr_world_snapshot_save"/> wrote, more may follow;
-        /// any alignment. The base may also be of another world: that makes no small delta.</param>
-        /// <param name="memory">receives the delta, <paramref name="capacity"/> bytes of any alignment, of which all
-        /// may be written also after an error.</param>
-        /// <param name="capacity">elements that there is room for</param>
-        /// <param name="written">bytes used, 0 after an error; may be null.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.InvalidArgument"/>
-        /// (memory overlaps base or snapshot), <see cref="Status.SnapshotFormat"/> (either is no snapshot, damaged, or
-        /// of another version), <see cref="Status.BufferTooSmall"/>.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_snapshot_delta_encode(void* @base, ulong baseSize, void* snapshot, ulong snapshotSize, void* memory, ulong capacity, ulong* written);
-
-        /// <summary>Makes the snapshot that a delta was made of.</summary>
-        /// <param name="base">the same bytes as then.</param>
-        /// <param name="baseSize">the same bytes as then.</param>
-        /// <param name="delta">what was written, more may follow.</param>
-        /// <param name="deltaSize">what was written, more may follow.</param>
-        /// <param name="memory">receives the snapshot, <paramref name="capacity"/> bytes of any alignment; null with
-        /// capacity 0 asks for the size alone; all may be written also after
-        /// <see cref="Status.SnapshotFormat"/>.</param>
-        /// <param name="capacity">elements that there is room for</param>
-        /// <param name="written">bytes of the snapshot, also with <see cref="Status.BufferTooSmall"/>, 0 after other
-        /// errors; may be null. Hostile bytes give an error, or a snapshot for
-        /// <see cref="Native.lr_world_snapshot_restore"/> to judge.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.InvalidArgument"/>
-        /// (memory overlaps base or delta), <see cref="Status.SnapshotFormat"/> (base or delta is none, damaged, or of
-        /// another version), <see cref="Status.SnapshotMismatch"/> (made with another base),
-        /// <see cref="Status.BufferTooSmall"/>. Any thread.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_snapshot_delta_apply(void* @base, ulong baseSize, void* delta, ulong deltaSize, void* memory, ulong capacity, ulong* written);
     }
 }

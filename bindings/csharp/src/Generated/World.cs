@@ -62,22 +62,6 @@ namespace LangevinRigid
         Uniform = 1,
     }
 
-    /// <summary>A budget for the work of each step. When the batches that are due would take more, all are slowed down
-    /// as if their divisors had grown (<see cref="BatchRate"/>), those of low priority more, and take turns; nobody
-    /// waits for ever. Motion stays deterministic with <see cref="BudgetKind.BodySubsteps"/>: the same calls give the
-    /// same bits on every machine. With <see cref="BudgetKind.Time"/> it depends on the clock.
-    /// docs/reference/stepping.md.</summary>
-    public enum BudgetKind : int
-    {
-        /// <summary>The header's <c>LR_BUDGET_NONE</c>.</summary>
-        None = 0,
-        /// <summary>A count of substeps of single bodies, whatever each of them costs.</summary>
-        BodySubsteps = 1,
-        /// <summary>Time of <see cref="Native.lr_world_step"/> on the wall; costs are learnt from the steps
-        /// before.</summary>
-        Time = 2,
-    }
-
     /// <summary>Misuse that is found at run time.</summary>
     [Flags]
     public enum WorldChecks : uint
@@ -483,29 +467,6 @@ namespace LangevinRigid
         public float* RateZ;
     }
 
-    /// <summary>The header's <c>struct lr_budget</c>.</summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct Budget
-    {
-        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
-        public uint StructSize;
-        /// <summary><see cref="BudgetKind"/>; initially <see cref="BudgetKind.None"/></summary>
-        public BudgetKind Kind;
-        /// <summary>a step, 1 to 2^48; <see cref="BudgetKind.BodySubsteps"/></summary>
-        public ulong BodySubsteps;
-        /// <summary>a step, 1e-6 to 1e3; <see cref="BudgetKind.Time"/></summary>
-        public double Seconds;
-
-        /// <summary>One with its initial values and its size.</summary>
-        public static Budget Create()
-        {
-            var value = default(Budget);
-            LangevinLibrary.EnsureLoaded();
-            LangevinException.Check(Native.lr_budget_init(&value, (uint)sizeof(Budget)), "lr_budget_init");
-            return value;
-        }
-    }
-
     /// <summary>What the last step did, and what it left out. Batches without bodies do not count.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct StepReport
@@ -520,17 +481,13 @@ namespace LangevinRigid
         public uint BatchesPassedOver;
         /// <summary>done</summary>
         public ulong BodySubsteps;
-        /// <summary>of the batches that were due, at their own divisors: what no budget would have taken</summary>
+        /// <summary>of the batches that were due, without a budget</summary>
         public ulong BodySubstepsWanted;
-        /// <summary>what the budget multiplied the divisors of priority 1 with, &gt;= 1</summary>
-        public double Coarseness;
         /// <summary>s: how far the bodies that have waited longest are behind the world's time</summary>
         public double Behind;
-        /// <summary>s: the most that a batch has lost in this step. A batch whose budget does not even reach for its
-        /// longest substeps goes in slow motion: <see cref="BatchRate.LongestSubstep"/></summary>
+        /// <summary>s: the most that a batch lost in this step: bodies go in slow motion rather than in too long
+        /// substeps</summary>
         public double Lost;
-        /// <summary>that the step took; 0 without <see cref="BudgetKind.Time"/></summary>
-        public double Seconds;
 
         /// <summary>One with its initial values and its size.</summary>
         public static StepReport Create()

@@ -42,8 +42,6 @@ namespace LangevinUnity
         [Header("Level of detail")]
         [Tooltip("Stepped once where others take so many substeps.")]
         [SerializeField, Range(1, 64)] private int divisor = 1;
-        [Tooltip("Share in the world's budget.")]
-        [SerializeField, Range(0.01f, 100.0f)] private float priority = 1.0f;
 
         [Header("Events")]
         [SerializeField] private LangevinUnityEvent onEvent = new LangevinUnityEvent();
@@ -179,10 +177,7 @@ namespace LangevinUnity
             gains.SpinDrag = spinDrag;
             gains.Turbulence = turbulence;
             LangevinSimulation.Check(Native.lr_batch_set_load_gains(world, id, &gains), "lr_batch_set_load_gains");
-            BatchRate rate = BatchRate.Create();
-            rate.Divisor = (uint)divisor;
-            rate.Priority = priority;
-            LangevinSimulation.Check(Native.lr_batch_set_rate(world, id, &rate), "lr_batch_set_rate");
+            LangevinSimulation.Check(Native.lr_batch_set_rate(world, id, (uint)divisor), "lr_batch_set_rate");
             ApplyLife(world);
         }
 

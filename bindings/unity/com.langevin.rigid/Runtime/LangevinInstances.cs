@@ -94,8 +94,8 @@ namespace LangevinUnity
             if (wanted > 0)
             {
                 TransformFormat format = rows == 3 ? TransformFormat.Matrix3x4ColumnMajor : TransformFormat.Matrix4x4ColumnMajor;
-                Status status = Native.lr_batch_write_first_transforms(world, batch, format, first, 0, wanted, &written);
-                LangevinSimulation.Check(status, "lr_batch_write_first_transforms");
+                Status status = Native.lr_batch_write_transforms(world, batch, format, first, 0, wanted, &written);
+                LangevinSimulation.Check(status, "lr_batch_write_transforms");
             }
             Count = (int)view.Count;
             Written = (int)written;

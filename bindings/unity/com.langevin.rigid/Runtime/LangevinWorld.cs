@@ -28,17 +28,6 @@ namespace LangevinUnity
         Job = 1,
     }
 
-    /// <summary>What bounds the work of a step.</summary>
-    public enum LangevinBudgetKind
-    {
-        /// <summary>Nothing.</summary>
-        None = 0,
-        /// <summary>A number of substeps of single bodies: the same motion on every machine.</summary>
-        BodySubsteps = 1,
-        /// <summary>Milliseconds on the clock.</summary>
-        Milliseconds = 2,
-    }
-
     /// <summary>A world of falling things: steps it, and drives the batches, winds and colliders that have joined.</summary>
     [AddComponentMenu("Langevin Rigid/Langevin World")]
     [DefaultExecutionOrder(-50)]
@@ -69,9 +58,8 @@ namespace LangevinUnity
         [Header("Work")]
         [Tooltip("Threads of the library besides the caller's. -1: half of the processor's. Without effect on results; 0 on WebGL.")]
         [SerializeField, Range(-1, 64)] private int workers = -1;
-        [SerializeField] private LangevinBudgetKind budget = LangevinBudgetKind.None;
-        [SerializeField, Min(0.001f)] private float budgetMilliseconds = 2.0f;
-        [SerializeField] private long budgetBodySubsteps = 100000;
+        [Tooltip("Substeps of single bodies in a step, at most. 0: as many as it takes.")]
+        [SerializeField, Min(0)] private long budget = 0;
 
         private LangevinSimulation simulation;
         private JobHandle pending;
@@ -260,12 +248,10 @@ namespace LangevinUnity
             if (Simulation != null) simulation.StopRecording();
         }
 
-        /// <summary>Bounds the work of each step; batches slow down by their priorities when it does not reach.</summary>
-        public void SetBudget(LangevinBudgetKind kind, float milliseconds, long bodySubsteps)
+        /// <summary>Bounds the work of each step, in substeps of single bodies; 0: no bound.</summary>
+        public void SetBudget(long bodySubsteps)
         {
-            budget = kind;
-            budgetMilliseconds = milliseconds;
-            budgetBodySubsteps = bodySubsteps;
+            budget = bodySubsteps;
             if (Simulation == null) return;
             CompleteStep();
             ApplyBudget();
@@ -273,17 +259,13 @@ namespace LangevinUnity
 
         private void ApplyBudget()
         {
-            Budget native = LangevinRigid.Budget.Create();
-            native.Kind = (BudgetKind)budget;
-            if (budget == LangevinBudgetKind.BodySubsteps) native.BodySubsteps = (ulong)Math.Max(1L, budgetBodySubsteps);
-            if (budget == LangevinBudgetKind.Milliseconds) native.Seconds = budgetMilliseconds * 1e-3;
-            LangevinSimulation.Check(Native.lr_world_set_budget(simulation.Handle, &native), "lr_world_set_budget");
+            LangevinSimulation.Check(Native.lr_world_set_budget(simulation.Handle, (ulong)Math.Max(0L, budget)), "lr_world_set_budget");
         }
 
 #if UNITY_EDITOR
         private void OnValidate()
         {
-            if (Simulation != null) SetBudget(budget, budgetMilliseconds, budgetBodySubsteps);
+            if (Simulation != null) SetBudget(budget);
         }
 #endif
 

@@ -114,11 +114,6 @@ export declare const LR: {
   /** of a grid, all frames together */
   readonly MAX_WIND_SAMPLES: 67108864;
   readonly MAX_WAVES: 8;
-  readonly BUDGET_NONE: 0;
-  /** a count of substeps of single bodies, whatever each of them costs */
-  readonly BUDGET_BODY_SUBSTEPS: 1;
-  /** time of lr_world_step on the wall; costs are learnt from the steps before */
-  readonly BUDGET_TIME: 2;
   readonly RECORD_CALLBACKS: 1;
   /** LR_LOADS_AERODYNAMIC in this version */
   readonly LOADS_DEFAULT: 0;
@@ -583,15 +578,6 @@ export interface SurfaceQuery {
   rate: Float32Array[];
 }
 
-export interface Budget {
-  /** LR_BUDGET_*; initially LR_BUDGET_NONE */
-  kind: number;
-  /** a step, 1 to 2^48; LR_BUDGET_BODY_SUBSTEPS */
-  bodySubsteps: number;
-  /** a step, 1e-6 to 1e3; LR_BUDGET_TIME */
-  seconds: number;
-}
-
 /** What the last step did, and what it left out. Batches without bodies do not count. */
 export interface StepReport {
   batchesStepped: number;
@@ -601,16 +587,12 @@ export interface StepReport {
   batchesPassedOver: number;
   /** done */
   bodySubsteps: number;
-  /** of the batches that were due, at their own divisors: what no budget would have taken */
+  /** of the batches that were due, without a budget */
   bodySubstepsWanted: number;
-  /** what the budget multiplied the divisors of priority 1 with, >= 1 */
-  coarseness: number;
   /** s: how far the bodies that have waited longest are behind the world's time */
   behind: number;
-  /** s: the most that a batch has lost in this step. A batch whose budget does not even reach for its longest substeps goes in slow motion: lr_batch_rate.longest_substep */
+  /** s: the most that a batch lost in this step: bodies go in slow motion rather than in too long substeps */
   lost: number;
-  /** that the step took; 0 without LR_BUDGET_TIME */
-  seconds: number;
 }
 
 export interface RecordingDesc {
@@ -674,29 +656,10 @@ export interface LoadGains {
   turbulence: number;
 }
 
-/**
- * How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
- * A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one
- * in every so many steps, which makes up for all of them. No substep gets longer than `longest_substep` by that: a divisor
- * beyond has no more effect, and a budget that cannot afford them makes bodies slow rather than wrong.
- */
-export interface BatchRate {
-  /** 1 to 1024; initially 1 */
-  divisor: number;
-  /** 0.01 to 100: the share in a budget that does not reach for all; initially 1 */
-  priority: number;
-  /** s, up to LR_MAX_SUBSTEP; initially 0: that up to which falls keep their statistics, 1/60 s, for bodies under 2.5 cm length_d / 1.5 m/s */
-  longestSubstep: number;
-}
-
 /** How a batch keeps up with its world. */
 export interface BatchPace {
   /** as set */
   divisor: number;
-  /** as set */
-  priority: number;
-  /** s, as set, or what 0 stands for */
-  longestSubstep: number;
   /** in the last step of the world; 0: it waited */
   substeps: number;
   /** steps since it was last stepped */
@@ -1243,13 +1206,14 @@ export interface RawFunctions {
    * to be repeated, but bodies went through each other in it; the next one asks for the memory again.
    */
   lr_world_step(world: number, dt: number, substeps: number): number;
-  lr_budget_init(budget: number, struct_size: number): number;
   /**
-   * From the next step on; copied. Null ends it. A batch on whose single bodies forces act is stepped at once, even over the
-   * budget. Part of snapshots.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+   * A budget for the work of each step: a count of substeps of single bodies, whatever each of them costs, at most 2^48; 0, as at
+   * first: none. From the next step on; part of snapshots. Where the batches that are due want more, each gets the fewest substeps that
+   * keep falls as they are (lr_batch_set_rate), those that have waited longest first; nobody waits for ever. The same calls give the
+   * same bits on every machine. A batch on whose single bodies forces act is stepped at once, even over the budget. docs/reference/stepping.md.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT.
    */
-  lr_world_set_budget(world: number, budget: number): number;
+  lr_world_set_budget(world: number, body_substeps: bigint): number;
   lr_step_report_init(report: number, struct_size: number): number;
   /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
   lr_world_get_step_report(world: number, report: number): number;
@@ -1278,26 +1242,12 @@ export interface RawFunctions {
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_world_snapshot_restore(world: number, memory: number, size: bigint): number;
-  /** The most bytes that lr_snapshot_delta_encode writes for a snapshot of so many, whatever the base. */
-  lr_snapshot_delta_bound(snapshot_size: bigint): bigint;
-  /**
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or snapshot), LR_ERROR_SNAPSHOT_FORMAT (either is
-   * no snapshot, damaged, or of another version), LR_ERROR_BUFFER_TOO_SMALL.
-   */
-  lr_snapshot_delta_encode(base: number, base_size: bigint, snapshot: number, snapshot_size: bigint, memory: number, capacity: bigint, written: number): number;
-  /**
-   * Makes the snapshot that a delta was made of.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (memory overlaps base or delta), LR_ERROR_SNAPSHOT_FORMAT (base or delta
-   * is none, damaged, or of another version), LR_ERROR_SNAPSHOT_MISMATCH (made with another base), LR_ERROR_BUFFER_TOO_SMALL. Any
-   * thread.
-   */
-  lr_snapshot_delta_apply(base: number, base_size: bigint, delta: number, delta_size: bigint, memory: number, capacity: bigint, written: number): number;
   lr_recording_desc_init(desc: number, struct_size: number): number;
   /**
    * From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
    * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB of memory,
    * some bytes for each asset, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording
-   * ends, a message is logged, and the world goes on. Steps with LR_BUDGET_TIME depend on the clock: their replay may differ.
+   * ends, a message is logged, and the world goes on.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world
    * is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY.
    */
@@ -1346,19 +1296,11 @@ export interface RawFunctions {
    * LR_ERROR_INVALID_ARGUMENT.
    */
   lr_batch_set_load_gains(world: number, batch: number, gains: number): number;
-  lr_batch_rate_init(rate: number, struct_size: number): number;
   /**
-   * From the next step on, at any time: a batch that waits makes up for all of it when next stepped. Null puts the initial values
-   * back. While it waits
-   *  - views and lr_body_get_state have the bodies as they were last stepped, lr_batch_pace.behind ago, and bodies that are made
-   *    or set are taken to be from then; transforms are moved on by that time with the bodies' velocities;
-   *  - a force on one of its bodies ends the waiting, and acts with the impulse that it would have had in one step;
-   *  - its rules, emitter and events wait too.
-   * Part of snapshots.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
-   * LR_ERROR_INVALID_ARGUMENT.
+   * How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
    */
-  lr_batch_set_rate(world: number, batch: number, rate: number): number;
+  lr_batch_set_rate(world: number, batch: number, divisor: number): number;
   lr_batch_pace_init(pace: number, struct_size: number): number;
   /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
   lr_batch_get_pace(world: number, batch: number, pace: number): number;
@@ -1366,22 +1308,16 @@ export interface RawFunctions {
   /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
   lr_batch_get_view(world: number, batch: number, view: number): number;
   /**
-   * Writes the transforms of all bodies of a batch, in the order of its view; of one that waits (lr_batch_rate), moved on to the
-   * world's time. The mesh to be drawn must have its origin
-   * at the centre of mass (lr_asset_info.center_of_mass).
-   * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when there are no bodies), LR_ERROR_STALE_BATCH,
-   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL.
-   */
-  lr_batch_write_transforms(world: number, batch: number, format: number, dst: number, stride: bigint, capacity: number, written: number): number;
-  /**
-   * The same of the first `count` bodies, or of all where there are fewer. For an instance buffer that keeps what was
-   * written before: where lr_batch_view.revision is that of the last time, bodies at rest then still lie there, and it is
-   * enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md. Keep
-   * both numbers for each buffer that is written in turn.
+   * Writes the transforms of the first `count` bodies of a batch, or of all where there are fewer, in the order of its view; of one that
+   * waits (lr_batch_set_rate), moved on to the world's time. The mesh to be drawn must have its origin at the centre of mass
+   * (lr_asset_info.center_of_mass).
+   * An instance buffer keeps what was written before: where lr_batch_view.revision is that of the last time, bodies at rest then still
+   * lie there, and it is enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md.
+   * Keep both numbers for each buffer that is written in turn.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
    * LR_ERROR_INVALID_ARGUMENT.
    */
-  lr_batch_write_first_transforms(world: number, batch: number, format: number, dst: number, stride: bigint, count: number, written: number): number;
+  lr_batch_write_transforms(world: number, batch: number, format: number, dst: number, stride: bigint, count: number, written: number): number;
   lr_body_desc_init(desc: number, struct_size: number): number;
   /**
    * Creates `count` bodies, all or none.
@@ -1528,7 +1464,7 @@ export interface RawFunctions {
   lr_ray_init(ray: number, struct_size: number): number;
   /**
    * What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/maintainers/contact.md);
-   * those of batches that wait (lr_batch_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
+   * those of batches that wait (lr_batch_set_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
    * meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
    * before colliders, then the order is that of batches and keys, or of colliders' slots.
    * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,

@@ -73,11 +73,9 @@ bool ULangevinBatchComponent::BeginBatch() {
     Gains.drag = DragGain;
     Gains.lift = LiftGain;
     Gains.turbulence = TurbulenceGain;
-    lr_batch_rate Rate;
-    lr_batch_rate_init(&Rate, sizeof(Rate));
-    Rate.divisor = static_cast<uint32>(FMath::Clamp(RateDivisor, 1, 1024));
+    const uint32 Divisor = static_cast<uint32>(FMath::Clamp(RateDivisor, 1, 1024));
     const bool bGood = Check(lr_batch_set_load_gains(World, Batch, &Gains), TEXT("Gains")) &&
-                       Check(lr_batch_set_rate(World, Batch, &Rate), TEXT("Rate")) && ApplyEmitter() && ApplyRules() &&
+                       Check(lr_batch_set_rate(World, Batch, Divisor), TEXT("Rate")) && ApplyEmitter() && ApplyRules() &&
                        ApplyContact();
     if (!bGood) {
         lr_batch_destroy(World, Batch);

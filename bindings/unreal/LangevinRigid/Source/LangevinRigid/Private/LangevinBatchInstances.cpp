@@ -54,7 +54,7 @@ void ULangevinBatchComponent::WriteInstances(double AheadSeconds) {
 
     Records.SetNumUninitialized(Written * RecordFloats);
     Transforms.SetNumUninitialized(FMath::Max(Transforms.Num(), Count));
-    if (!LangevinHost::Check(lr_batch_write_first_transforms(World, Batch, LR_TRANSFORM_POSITION_QUATERNION_SCALE,
+    if (!LangevinHost::Check(lr_batch_write_transforms(World, Batch, LR_TRANSFORM_POSITION_QUATERNION_SCALE,
                                                              Records.GetData(), 0, static_cast<uint32>(Written),
                                                              nullptr),
                              TEXT("Transforms"))) {

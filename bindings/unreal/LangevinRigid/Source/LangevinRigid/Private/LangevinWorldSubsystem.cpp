@@ -51,13 +51,7 @@ void ULangevinWorldSubsystem::Initialize(FSubsystemCollectionBase& Collection) {
     LangevinTypes::Store(Desc.gravity, LangevinConversion::VectorToLangevin({0.0, 0.0, GravityZ}));
     if (!Check(lr_world_create(&Desc, &World), TEXT("A world"))) return;
 
-    if (Settings.BudgetMilliseconds > 0.0f) {
-        lr_budget Budget;
-        lr_budget_init(&Budget, sizeof(Budget));
-        Budget.kind = LR_BUDGET_TIME;
-        Budget.seconds = FMath::Max(1e-6, Settings.BudgetMilliseconds * 1e-3);
-        Check(lr_world_set_budget(World, &Budget), TEXT("A budget"));
-    }
+    if (Settings.Budget > 0) Check(lr_world_set_budget(World, static_cast<uint64>(Settings.Budget)), TEXT("A budget"));
     if (Settings.MaxContactEvents > 0) {
         Check(lr_world_set_contact_events(World, static_cast<uint32>(Settings.MaxContactEvents), LR_EVENTS_ALL),
               TEXT("Contact events"));

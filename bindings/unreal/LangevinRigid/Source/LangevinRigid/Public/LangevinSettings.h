@@ -57,10 +57,9 @@ public:
     UPROPERTY(Config, EditAnywhere, Category = "Simulation")
     FVector Origin = FVector::ZeroVector;
 
-    /** ms that a step may take; bodies that are far or of low priority are then stepped less often. 0: as long as it takes.
-        With a budget motion is no longer the same on every machine. */
-    UPROPERTY(Config, EditAnywhere, Category = "Simulation", meta = (ClampMin = "0.0"))
-    float BudgetMilliseconds = 0.0f;
+    /** Substeps of single bodies that a step may take; batches take longer substeps and turns where they want more. 0: no bound. */
+    UPROPERTY(Config, EditAnywhere, Category = "Simulation", meta = (ClampMin = "0"))
+    int32 Budget = 0;
 
     /** Static collision of the level becomes colliders when play begins, and when levels stream in. */
     UPROPERTY(Config, EditAnywhere, Category = "Collision")

@@ -1,0 +1,121 @@
+#include "baker/aerodynamics/principal_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lr::shape {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+// Of the largest moment. Off-diagonal entries below it are rounding of a mesh in single precision: a body with a mirror
+// plane shall have an axis that is exactly square to it.
+constexpr double rounding = 1e-6;
+// Moments closer than this part of the largest count as equal.
+constexpr double equal = 1e-2;
+
+constexpr std::array<double, 9> identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+void normalise(Vector& v) {
+    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (double& x : v) x /= length;
+}
+
+// Cyclic Jacobi rotations (Golub & Van Loan, 8.5): `m` ends diagonal, rows of `v` are its eigenvectors.
+void diagonalise(std::array<double, 9>& m, std::array<Vector, 3>& v) {
+    for (int sweep = 0; sweep < 32; ++sweep)
+        for (size_t p = 0; p < 2; ++p)
+            for (size_t q = p + 1; q < 3; ++q) {
+                const double off = m[p * 3 + q];
+                if (off == 0.0) continue;
+                const double tau = (m[q * 4] - m[p * 4]) / (2.0 * off);
+                const double t = (tau >= 0.0 ? 1.0 : -1.0) / (std::abs(tau) + std::sqrt(1.0 + tau * tau));
+                const double c = 1.0 / std::sqrt(1.0 + t * t), s = t * c;
+                const size_t r = 3 - p - q;
+                m[p * 4] -= t * off;
+                m[q * 4] += t * off;
+                const double mp = m[r * 3 + p], mq = m[r * 3 + q];
+                m[p * 3 + q] = m[q * 3 + p] = 0.0;
+                m[r * 3 + p] = m[p * 3 + r] = c * mp - s * mq;
+                m[r * 3 + q] = m[q * 3 + r] = s * mp + c * mq;
+                for (size_t i = 0; i < 3; ++i) {
+                    const double vp = v[p][i], vq = v[q][i];
+                    v[p][i] = c * vp - s * vq;
+                    v[q][i] = s * vp + c * vq;
+                }
+            }
+}
+
+std::array<double, 9> rows(const std::array<Vector, 3>& v) {
+    std::array<double, 9> out{};
+    for (size_t i = 0; i < 9; ++i) out[i] = v[i / 3][i % 3] + 0.0; // no -0
+    return out;
+}
+
+// The single axis goes to the body axis nearest to it, and the others as near to theirs as it lets them.
+std::array<double, 9> about(Vector single) {
+    size_t at = 0;
+    for (size_t i = 1; i < 3; ++i)
+        if (std::abs(single[i]) > std::abs(single[at])) at = i;
+    if (single[at] < 0.0)
+        for (double& x : single) x = -x;
+    const size_t next = (at + 1) % 3;
+    std::array<Vector, 3> out{};
+    out[at] = single;
+    for (size_t i = 0; i < 3; ++i) out[next][i] = (i == next ? 1.0 : 0.0) - single[next] * single[i];
+    normalise(out[next]);
+    out[(at + 2) % 3] = cross(single, out[next]);
+    return rows(out);
+}
+
+// The order with the largest product of |cosines|; of several the first, which keeps cyclic order.
+std::array<double, 9> in_body_order(const std::array<Vector, 3>& v) {
+    constexpr size_t orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    const size_t* best = orders[0];
+    double most = -1.0;
+    for (const auto& order : orders) {
+        double near = 0.0;
+        for (size_t i = 0; i < 3; ++i) near += std::abs(v[order[i]][i]);
+        if (near > most + 1e-9) most = near, best = order;
+    }
+    std::array<Vector, 3> out{};
+    for (size_t i = 0; i < 3; ++i) {
+        out[i] = v[best[i]];
+        if (out[i][i] < 0.0)
+            for (double& x : out[i]) x = -x;
+    }
+    const Vector third = cross(out[0], out[1]);
+    // Nearest signs may be left-handed far from the body axes: then the last row gives way.
+    if (third[0] * out[2][0] + third[1] * out[2][1] + third[2] * out[2][2] < 0.0)
+        for (double& x : out[2]) x = -x;
+    return rows(out);
+}
+
+} // namespace
+
+std::array<double, 9> principal_axes(const std::array<double, 9>& inertia) {
+    const double largest = std::max({inertia[0], inertia[4], inertia[8]});
+    std::array<double, 9> m;
+    for (size_t i = 0; i < 9; ++i) m[i] = 0.5 * (inertia[i] + inertia[i % 3 * 3 + i / 3]) / largest;
+    for (size_t i = 0; i < 9; ++i)
+        if (i % 4 != 0 && std::abs(m[i]) <= rounding) m[i] = 0.0;
+    if (m[1] == 0.0 && m[2] == 0.0 && m[5] == 0.0) return identity;
+
+    std::array<Vector, 3> v{Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}};
+    diagonalise(m, v);
+    std::array<std::pair<double, size_t>, 3> moments{std::pair{m[0], size_t{0}}, {m[4], 1}, {m[8], 2}};
+    std::sort(moments.begin(), moments.end());
+    const double low = moments[1].first - moments[0].first, high = moments[2].first - moments[1].first;
+    const double close = equal * moments[2].first;
+    if (low <= close && high <= close) return identity;
+    if (low <= close || high <= close) return about(v[moments[low <= high ? 2 : 0].second]);
+    for (Vector& axis : v) normalise(axis);
+    return in_body_order(v);
+}
+
+} // namespace lr::shape

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "tools/console.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+namespace lr::baker {
+
+std::vector<std::string> utf8_arguments(int argc, char** argv) {
+    return {argv, argv + argc};
+}
+
+void set_up_console() {
+    // A file size limit is then not a death with a file left aside.
+    signal(SIGXFSZ, SIG_IGN);
+}
+
+bool shows_progress() {
+    return isatty(STDERR_FILENO) != 0;
+}
+
+std::string with_slashes(std::string path) {
+    return path;
+}
+
+} // namespace lr::baker

@@ -1,0 +1,204 @@
+// The rules that turn a shape's measures into coefficients: what they must give for known bodies, and that they are
+// finite, continuous and of the right dimension for all.
+#include "shape/aerodynamics.h"
+
+#include "baker/aerodynamics/surface_measures.h"
+#include "format/asset_file.h"
+#include "support/asset_bytes.h"
+#include "support/random.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+using namespace lr;
+using namespace lr::shape;
+using std::numbers::pi;
+using test::Random;
+
+namespace {
+
+AerodynamicGeometry box_geometry(const std::array<double, 3>& side) {
+    SurfaceMeasures measures({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}, std::max({side[0], side[1], side[2]}));
+    for (size_t k = 0; k < 3; ++k)
+        for (double sign : {-0.5, 0.5}) {
+            const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+            const auto corner = [&](double u, double v) {
+                SurfaceMeasures::Point p{};
+                p[k] = sign * side[k], p[i] = u * side[i], p[j] = v * side[j];
+                return p;
+            };
+            measures.add(corner(-0.5, -0.5), corner(0.5, -0.5), corner(0.5, 0.5), 1.0);
+            measures.add(corner(-0.5, -0.5), corner(0.5, 0.5), corner(-0.5, 0.5), 1.0);
+        }
+    AerodynamicGeometry g = measures.geometry();
+    g.volume = side[0] * side[1] * side[2];
+    return g;
+}
+
+// The drag coefficient along an axis, over its silhouette, as the loads put it together.
+double drag_coefficient(const AerodynamicData& a, size_t k, double area, double d, double reynolds) {
+    const double viscosity = 1.0, speed = reynolds * viscosity / d;
+    const double force = 0.5 * (a.drag[k] + a.drag_blunt[k] * reynolds / (reynolds + 8710.0)) * speed * speed +
+                         a.drag_layer[k] * std::sqrt(viscosity * speed) * speed + a.drag_stokes[k] * viscosity * speed;
+    return force / (0.5 * area * speed * speed);
+}
+
+// Clift & Gauvin 1970.
+double sphere_drag_curve(double re) {
+    return 24.0 / re * (1.0 + 0.15 * std::pow(re, 0.687)) + 0.42 / (1.0 + 42500.0 * std::pow(re, -1.16));
+}
+
+struct Field {
+    std::array<double, 3> AerodynamicData::*values;
+    double power; // of the length
+    bool positive;
+};
+constexpr Field fields[] = {{&AerodynamicData::drag, 2.0, true},
+                            {&AerodynamicData::drag_blunt, 2.0, true},
+                            {&AerodynamicData::drag_layer, 1.5, true},
+                            {&AerodynamicData::drag_stokes, 1.0, true},
+                            {&AerodynamicData::lift, 2.0, false},
+                            {&AerodynamicData::spin_lift, 3.0, true},
+                            {&AerodynamicData::lift_moment, 3.0, false},
+                            {&AerodynamicData::spin_drag, 5.0, true},
+                            {&AerodynamicData::spin_drag_stream, 4.0, true},
+                            {&AerodynamicData::roll_damping, 4.0, true},
+                            {&AerodynamicData::spin_drag_stokes, 3.0, true}};
+
+// The largest difference over the fields, each in its power of the largest extent.
+double distance(const AerodynamicData& a, const AerodynamicData& b) {
+    double most = 0.0;
+    for (const Field& f : fields)
+        for (size_t k = 0; k < 3; ++k)
+            most = std::max(most, std::abs((a.*f.values)[k] - (b.*f.values)[k]) / std::pow(a.length, f.power));
+    return most;
+}
+
+std::array<double, 3> random_size(Random& random, double flattest) {
+    return {random.logarithmic(flattest, 1.0), random.logarithmic(flattest, 1.0), random.logarithmic(flattest, 1.0)};
+}
+
+} // namespace
+
+TEST_CASE("a sphere follows the standard drag curve within 8 %, from creep to the drag crisis") {
+    const double a = 0.01;
+    const AerodynamicData c = default_aerodynamics(ellipsoid_geometry({a, a, a}));
+    for (double re = 0.1; re <= 2e5; re *= 1.2)
+        for (size_t k = 0; k < 3; ++k) {
+            CAPTURE(re);
+            CHECK(drag_coefficient(c, k, pi * a * a, 2.0 * a, re) ==
+                  doctest::Approx(sphere_drag_curve(re)).epsilon(0.08));
+        }
+    for (size_t k = 0; k < 3; ++k) {
+        CHECK(c.lift[k] == 0.0);
+        CHECK(c.spin_lift[k] == doctest::Approx(0.5 * 4.0 / 3.0 * pi * a * a * a));
+    }
+}
+
+TEST_CASE("blunt and flat bodies have their measured drag in a steady stream") {
+    PlateCoefficients steady;
+    steady.unsteady_disc = steady.unsteady_strip = 1.0;
+    steady.edge_drag = steady.edge_strip = 0.0;
+    // Hoerner, Fluid-Dynamic Drag, ch. 3: disc 1.17, cube 1.05, long cylinder across 1.2, long strip 1.98.
+    const auto coefficient = [&](const AerodynamicGeometry& g, size_t k) {
+        const double d = std::max({g.extent[0], g.extent[1], g.extent[2]});
+        return drag_coefficient(default_aerodynamics(g, steady), k, g.area[k], d, 3e4);
+    };
+    CHECK(coefficient(ellipsoid_geometry({0.05, 0.05, 1e-5}), 2) == doctest::Approx(1.17).epsilon(0.1));
+    CHECK(coefficient(box_geometry({0.05, 0.05, 0.05}), 0) == doctest::Approx(1.05).epsilon(0.15));
+    CHECK(coefficient(ellipsoid_geometry({1.0, 0.001, 0.001}), 1) == doctest::Approx(1.2).epsilon(0.15));
+    CHECK(coefficient(box_geometry({1.0, 0.003, 1e-5}), 2) == doctest::Approx(1.98).epsilon(0.1));
+    // No edge, no separation that depends on the layer; Blasius' friction of both sides edge on.
+    const AerodynamicData plate = default_aerodynamics(box_geometry({0.1, 0.1, 1e-6}), steady);
+    CHECK(plate.drag_blunt[2] == doctest::Approx(0.0).epsilon(1e-6));
+    CHECK(plate.drag_layer[0] == doctest::Approx(0.664 * 2.0 * 0.01 / std::sqrt(0.1)).epsilon(0.01));
+}
+
+TEST_CASE("a plate is lifted away from its thin direction, and by spin about its length") {
+    const double length = 0.2, chord = 0.02, thin = 1e-5;
+    const AerodynamicGeometry g = box_geometry({length, chord, thin});
+    const AerodynamicData c = default_aerodynamics(g);
+    // k = 0: i = 1 along the chord, j = 2 thin.
+    CHECK(c.lift[0] > 0.0);
+    CHECK(c.lift[1] < 0.0); // k = 1: i = 2 thin, j = 0
+    CHECK(std::abs(c.lift[2]) < 1e-3 * c.lift[0]);
+    const PlateCoefficients plate;
+    CHECK(c.lift[0] == doctest::Approx(1.2 * length * chord * 10.0 / (10.0 + plate.lift_span)).epsilon(1e-2));
+    CHECK(c.spin_lift[0] ==
+          doctest::Approx(0.5 * plate.rotation * length * chord * chord * 10.0 / (10.0 + plate.rotation_span))
+              .epsilon(1e-2));
+    CHECK(c.spin_lift[0] / (0.5 * length * chord * chord) > c.spin_lift[1] / (0.5 * chord * length * length));
+    CHECK(c.length == doctest::Approx(plate.correlation * length));
+    CHECK(c.broadside[2] == 1.0);
+}
+
+// The rest fades with flatness: a cube, a sphere and a rod are in a steady stream's hands alone.
+TEST_CASE("only plates have what free flight adds") {
+    PlateCoefficients other;
+    other.unsteady_disc = 5.0, other.unsteady_strip = 4.0, other.edge_drag = 3.0, other.edge_strip = 2.0,
+    other.stall = 2.0;
+    other.moment = 0.5, other.moment_stalled = -0.5;
+    const AerodynamicGeometry blunt[] = {ellipsoid_geometry({1.0, 1.0, 1.0}), box_geometry({1.0, 1.0, 1.0}),
+                                         ellipsoid_geometry({1.0, 0.01, 0.01})};
+    for (const AerodynamicGeometry& g : blunt)
+        CHECK(distance(default_aerodynamics(g), default_aerodynamics(g, other)) == 0.0);
+    const AerodynamicGeometry plate = box_geometry({1.0, 1.0, 1e-3});
+    CHECK(distance(default_aerodynamics(plate), default_aerodynamics(plate, other)) > 0.1);
+}
+
+TEST_CASE("coefficients of random shapes are finite, scale with their dimension and turn with the axes") {
+    Random random(51);
+    for (int round = 0; round < 200; ++round) {
+        const std::array<double, 3> size = random_size(random, 1e-4);
+        const double s = random.logarithmic(1e-4, 1e3);
+        const auto make = [&](const std::array<double, 3>& a) {
+            return default_aerodynamics(round % 2 == 0 ? box_geometry(a) : ellipsoid_geometry(a));
+        };
+        const AerodynamicData c = make(size), large = make({s * size[0], s * size[1], s * size[2]}),
+                              turned = make({size[2], size[0], size[1]});
+        for (const Field& f : fields)
+            for (size_t k = 0; k < 3; ++k) {
+                const double value = (c.*f.values)[k];
+                REQUIRE(std::isfinite(value));
+                if (f.positive) REQUIRE(value >= 0.0);
+                const double unit = std::pow(c.length, f.power);
+                CHECK(std::abs((large.*f.values)[k] / std::pow(s, f.power) - value) <=
+                      1e-6 * std::abs(value) + 1e-12 * unit);
+                CHECK(std::abs((turned.*f.values)[(k + 1) % 3] - value) <= 1e-6 * std::abs(value) + 1e-12 * unit);
+            }
+    }
+}
+
+TEST_CASE("coefficients change little when the shape does") {
+    Random random(52);
+    for (int round = 0; round < 200; ++round) {
+        std::array<double, 3> from = random_size(random, 1e-3), to = random_size(random, 1e-3);
+        if (round % 4 == 0) from = {1.0, 1.0, 1.0}; // through the sphere and the cube
+        if (round % 4 == 1) from[1] = from[0];      // through bodies of revolution
+        if (round % 4 == 2) from[2] = 1e-6;         // from plates
+        const bool box = round % 2 == 0;
+        const auto at = [&](double t) {
+            std::array<double, 3> a{};
+            for (size_t i = 0; i < 3; ++i) a[i] = from[i] * std::pow(to[i] / from[i], t);
+            return default_aerodynamics(box ? box_geometry(a) : ellipsoid_geometry(a));
+        };
+        // A jump would stay as large as it is however short the step.
+        for (double t : {-1e-7, 0.0, 0.3}) {
+            const AerodynamicData here = at(t);
+            CHECK(distance(here, at(t + 1e-7)) < 1e-4);
+            CHECK(distance(here, at(t + 1e-9)) < 1e-6);
+        }
+    }
+}
+
+TEST_CASE("a box of vanishing thickness tends to the plate without any") {
+    const AerodynamicData flat = default_aerodynamics(box_geometry({0.1, 0.06, 0.0}));
+    for (const Field& f : fields)
+        for (const double x : flat.*f.values) REQUIRE(std::isfinite(x));
+    for (double thin : {1e-4, 1e-6, 1e-8})
+        CHECK(distance(flat, default_aerodynamics(box_geometry({0.1, 0.06, 0.1 * thin}))) < 30.0 * thin);
+}
