@@ -439,7 +439,7 @@ TEST_CASE("forces act at once, whatever the budget") {
 }
 
 // The clock decides what is left out, so only what must hold at any speed is asked.
-TEST_CASE("a budget of time leaves out what it must and gets on with everything") {
+TEST_CASE("a budget of time leaves out what it must and gets on with everything" * doctest::test_suite("native")) {
     const Crowd c({20000, 20000, 20000}, 2);
     for (lr_batch b : c.batches) set_rate(c.world, b, rate_of(1, 1.0f));
     lr_budget b = initialised(lr_budget_init);

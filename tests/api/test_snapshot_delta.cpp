@@ -216,7 +216,7 @@ TEST_CASE("refused deltas: null, overlapping, too small, another base") {
     CHECK(put(base.data(), next.data(), made.data(), made.size()) == LR_ERROR_SNAPSHOT_FORMAT);
 }
 
-TEST_CASE("a damaged delta or base is refused: every truncation, every changed byte") {
+TEST_CASE("a damaged delta or base is refused: every truncation, every changed byte" * doctest::test_suite("native")) {
     Storm storm(20);
     Bytes base = snapshot_of(storm.world);
     steps(storm.world, 1, 0.016f, 2);
@@ -246,7 +246,8 @@ TEST_CASE("a damaged delta or base is refused: every truncation, every changed b
     CHECK(made == next);
 }
 
-TEST_CASE("a rollback allocates nothing: saves, restores and deltas of a world that has held as much before") {
+TEST_CASE("a rollback allocates nothing: saves, restores and deltas of a world that has held as much before" *
+          doctest::test_suite("exact")) {
     CountingAllocator memory;
     lr_world_desc d = world_desc();
     d.allocator = memory.callbacks();
