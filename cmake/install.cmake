@@ -5,9 +5,6 @@ install(TARGETS langevin_rigid EXPORT langevin_rigid_targets COMPONENT runtime
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
 if(TARGET lr_bake)
     install(TARGETS lr_bake lr_replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
-    if(TARGET lr_scorecard)
-        install(TARGETS lr_scorecard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-    endif()
 endif()
 if(TARGET langevin_rigid_baker)
     # Apart from the runtime's targets: who uses those alone must not need assimp.

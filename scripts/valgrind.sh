@@ -9,9 +9,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/release}
 command -v valgrind >/dev/null || { echo "SKIPPED: valgrind, for want of it: scripts/setup.sh test"; exit 0; }
 
-# Those that would take minutes, of the same code as others; those whose own operator new valgrind replaces, and those
-# of rounding modes, which it does not have.
-left_out='*a rollback allocates nothing*,*operator new*,*all its memory from its allocator*,*the C library*memory*,*floating-point mode*,*any job system*,*workers, instruction sets and orders*,*on large ones*,*budget of time*,*million colliders*,*last ones that are lost*,*slices and rules*,*of all sizes*,*all at one point*,*every changed byte*,*sealed again*,*lets bodies through each other*,*many small batches*,*for every n*,*inside out*,*takes it apart*,*instruction set*,*inside a world*'
 log=$(mktemp -d)
 trap 'rm -rf "$log"' EXIT
 check() { # which half of the files
@@ -23,7 +20,7 @@ check() { # which half of the files
     # The kernels are long without a jump, longer than it translates at once.
     valgrind -q --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,possible --vex-guest-max-insns=20 \
         "$build/tests/tests_api" --no-colors \
-        --source-file="$(IFS=, && echo "${files[*]}")" --test-case-exclude="$left_out" >"$log/$1" 2>&1
+        --source-file="$(IFS=, && echo "${files[*]}")" --test-suite-exclude=long,exact,long-exact,native >"$log/$1" 2>&1
 }
 check 0 &
 first=$!

@@ -107,7 +107,8 @@ uint32_t small(uint64_t& state) { // xorshift
 } // namespace
 
 TEST_CASE("memory that fails at the n-th allocation of all, for every n: out of memory, nothing changes, and then all "
-          "is well") {
+          "is well" *
+          doctest::test_suite("long")) {
     const WholeScenario::Kit kit;
     CountingAllocator counted;
     const Golden golden = golden_run(kit, counted, [&] { return counted.calls; });
@@ -156,7 +157,8 @@ TEST_CASE("memory that fails at the n-th allocation of all, for every n: out of 
     CHECK(weaker_steps > 20 / thinned);
 }
 
-TEST_CASE("memory that fails one time in ten: each call succeeds in the end, and the end is the same") {
+TEST_CASE("memory that fails one time in ten: each call succeeds in the end, and the end is the same" *
+          doctest::test_suite("long")) {
     const WholeScenario::Kit kit;
     CountingAllocator counted;
     const Golden golden = golden_run(kit, counted, [&] { return counted.calls; });
@@ -194,7 +196,8 @@ TEST_CASE("memory that fails one time in ten: each call succeeds in the end, and
 
 // Hulls, meshes and shapes of bodies are made with the C++ library's memory.
 // A hull takes thousands of pieces: of those of a call the first ones are tried each, later ones ever more thinly.
-TEST_CASE("operator new that throws at its n-th call: the same" * doctest::skip(!counts_global)) {
+TEST_CASE("operator new that throws at its n-th call: the same" * doctest::test_suite("long") *
+          doctest::skip(!counts_global)) {
     const WholeScenario::Kit kit;
     CountingAllocator counted;
     const Golden golden = golden_run(kit, counted, [] { return global_allocations.load(); });

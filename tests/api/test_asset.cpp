@@ -116,7 +116,7 @@ TEST_CASE("every truncation of a file is refused") {
     CHECK(load(longer) == LR_ERROR_ASSET_CORRUPT);
 }
 
-TEST_CASE("every changed byte of a file is found") {
+TEST_CASE("every changed byte of a file is found" * doctest::test_suite("native")) {
     std::vector<unsigned char> bytes = fixture("leaf.lrb");
 #ifdef LR_TEST_QUICK
     const size_t stride = 7;

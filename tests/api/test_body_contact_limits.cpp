@@ -40,7 +40,7 @@ struct Log {
 
 } // namespace
 
-TEST_CASE("bodies all at one point come apart") {
+TEST_CASE("bodies all at one point come apart" * doctest::test_suite("native")) {
     for (int kind : {0, 1})
         for (uint32_t count : {2u, 30u, 60u}) {
             CAPTURE(kind);
@@ -66,7 +66,7 @@ TEST_CASE("bodies all at one point come apart") {
         }
 }
 
-TEST_CASE("bodies of all sizes meet") {
+TEST_CASE("bodies of all sizes meet" * doctest::test_suite("native")) {
     Random random(2);
     const World world = make(world_desc());
     const Asset asset = make(rigid_box(1.0, 0.7, 0.5, 300.0));
@@ -88,7 +88,7 @@ TEST_CASE("bodies of all sizes meet") {
 }
 
 // Ten small ones fall on a box a thousand times their size.
-TEST_CASE("small bodies land on large ones") {
+TEST_CASE("small bodies land on large ones" * doctest::test_suite("native")) {
     for (double scale : {0.01, 1.0, 100.0}) {
 #ifdef LR_TEST_QUICK
         if (scale > 1.0) continue; // ten times as many steps
@@ -151,7 +151,8 @@ TEST_CASE("bodies whose values are not finite, or far away, harm no others") {
     CHECK(height[0] == height[1]);
 }
 
-TEST_CASE("a step without memory lets bodies through each other, says so, and loses nothing") {
+TEST_CASE("a step without memory lets bodies through each other, says so, and loses nothing" *
+          doctest::test_suite("native")) {
     const Asset asset = make(rigid_box(0.1, 0.1, 0.1, 300.0));
     CountingAllocator memory;
     uint64_t refused = 0;

@@ -130,7 +130,8 @@ TEST_CASE("a body at rest takes the momentum of what hits it") {
     CHECK(after[1] == doctest::Approx(1.0).epsilon(0.02));
 }
 
-TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes it apart") {
+TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes it apart" *
+          doctest::test_suite("native")) {
     const World world = make(world_desc());
     const Asset card = make(rigid_box(0.06, 0.0005, 0.04, 500.0));
     add_collider(world, collider_desc(LR_COLLIDER_PLANE));

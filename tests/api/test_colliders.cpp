@@ -441,7 +441,7 @@ TEST_CASE("running out of memory at any allocation leaves colliders as they were
 }
 
 TEST_CASE("operator new fails anywhere while geometry is built: a status, and nothing leaks" *
-          doctest::skip(!counts_global)) {
+          doctest::test_suite("native") * doctest::skip(!counts_global)) {
     const EachKind each;
     const World world = make(world_desc());
     uint32_t failures = 0;

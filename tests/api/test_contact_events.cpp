@@ -284,7 +284,8 @@ bool same(const std::vector<lr_contact_event>& a, const std::vector<lr_contact_e
 
 } // namespace
 
-TEST_CASE("the same events in the same order with any workers, instruction sets and orders of bodies") {
+TEST_CASE("the same events in the same order with any workers, instruction sets and orders of bodies" *
+          doctest::test_suite("long")) {
     for (const bool windy : {false, true}) {
         CAPTURE(windy);
         uint64_t hash = 0, other = 0;
@@ -308,7 +309,7 @@ TEST_CASE("the same events in the same order with any workers, instruction sets 
     }
 }
 
-TEST_CASE("events without room are counted, and it is the last ones that are lost") {
+TEST_CASE("events without room are counted, and it is the last ones that are lost" * doctest::test_suite("native")) {
     uint64_t lost = 0;
     const std::vector<lr_contact_event> all = play({}), some = play({.capacity = 7}, nullptr, &lost);
     CHECK(some.size() + lost == all.size());

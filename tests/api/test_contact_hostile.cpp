@@ -131,7 +131,8 @@ TEST_CASE("bodies that are told to be nowhere go on as they were") {
     }
 }
 
-TEST_CASE("meshes that are inside out, and those with triangles that are none, hold bodies like others") {
+TEST_CASE("meshes that are inside out, and those with triangles that are none, hold bodies like others" *
+          doctest::test_suite("native")) {
     const Asset asset = chip();
     const Triangles right = cube(0.6f);
     Triangles inside_out = right, mixed = right, crumbs = right;

@@ -40,7 +40,8 @@ uint64_t played(uint64_t seed, const HostileWorld::How& how, uint64_t& faults) {
 } // namespace
 
 TEST_CASE("whatever a world is given, its bodies are within limits, on every instruction set alike, also through a "
-          "snapshot") {
+          "snapshot" *
+          doctest::test_suite("native")) {
     const std::vector<int32_t> targets = simd_targets();
     const Seeds range = seeds();
     uint64_t all = 0, with = 0;

@@ -116,7 +116,7 @@ struct Crowd {
 
 } // namespace
 
-TEST_CASE("every scene ends in the same bits with any job system") {
+TEST_CASE("every scene ends in the same bits with any job system" * doctest::test_suite("long-exact")) {
     std::vector<PlayedScene> scenes = played_scenes();
     int number = 0;
     [[maybe_unused]] uint32_t at = 0;
@@ -154,7 +154,7 @@ TEST_CASE("every scene ends in the same bits with any job system") {
     }
 }
 
-TEST_CASE("wind prepared in slices and rules go through a job system too") {
+TEST_CASE("wind prepared in slices and rules go through a job system too" * doctest::test_suite("native")) {
     const auto play = [](JobSystem* jobs) {
         lr_world_desc d = world_desc();
         if (jobs) d.jobs = jobs->callbacks();
@@ -228,7 +228,8 @@ TEST_CASE("without a worker_count a job system is taken to have the machine's th
     CHECK(said.empty());
 }
 
-TEST_CASE("the job system's functions run in the caller's floating-point mode, which outlives what they do to it") {
+TEST_CASE("the job system's functions run in the caller's floating-point mode, which outlives what they do to it" *
+          doctest::test_suite("native")) {
     struct Modes {
         int seen[2] = {-1, -1};
         lr_job_system callbacks() {
@@ -311,7 +312,8 @@ TEST_CASE("a step through a job system allocates nothing") {
     CHECK(jobs.enqueued > 0);
 }
 
-TEST_CASE("many small batches, some of them gone or empty: as one by one, with any workers") {
+TEST_CASE("many small batches, some of them gone or empty: as one by one, with any workers" *
+          doctest::test_suite("native")) {
     const Asset asset = leaf(), other = curled_leaf();
     const auto play = [&](const lr_world_desc& d) {
         const World world = make(d);

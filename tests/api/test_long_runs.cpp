@@ -115,7 +115,8 @@ TEST_CASE("noise goes on past 2^32 substeps: as strong as before, and another") 
     }
 }
 
-TEST_CASE("a world goes through its 2^32nd substep within a step, on every instruction set alike") {
+TEST_CASE("a world goes through its 2^32nd substep within a step, on every instruction set alike" *
+          doctest::test_suite("native")) {
     const Asset asset = leaf();
     std::vector<uint64_t> hashes;
     for (int32_t target : simd_targets()) {

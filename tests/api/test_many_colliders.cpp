@@ -5,7 +5,7 @@
 
 using namespace test;
 
-TEST_CASE("a million colliders in one call, within seconds, and no cost afterwards") {
+TEST_CASE("a million colliders in one call, within seconds, and no cost afterwards" * doctest::test_suite("native")) {
 #ifdef LR_TEST_QUICK
     constexpr uint32_t count = 100000;
 #else

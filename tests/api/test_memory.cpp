@@ -58,7 +58,7 @@ struct Scenario {
 
 } // namespace
 
-TEST_CASE("a world takes all its memory from its allocator and gives all of it back") {
+TEST_CASE("a world takes all its memory from its allocator and gives all of it back" * doctest::test_suite("native")) {
     CountingAllocator memory;
     lr_world_desc d = world_desc();
     d.allocator = memory.callbacks();
@@ -78,7 +78,8 @@ TEST_CASE("a world takes all its memory from its allocator and gives all of it b
     CHECK_FALSE(memory.mismatch);
 }
 
-TEST_CASE("the n-th allocation fails, for every n: out of memory, nothing leaks, nothing changes") {
+TEST_CASE("the n-th allocation fails, for every n: out of memory, nothing leaks, nothing changes" *
+          doctest::test_suite("native")) {
     const Asset asset = leaf();
     uint64_t total = 0;
     {
@@ -182,7 +183,7 @@ TEST_CASE("a step, a hash, a view and transforms allocate nothing, with and with
     }
 }
 
-TEST_CASE("the C library's memory when no allocator is given, and all of it back") {
+TEST_CASE("the C library's memory when no allocator is given, and all of it back" * doctest::test_suite("native")) {
     const Asset asset = leaf();
     const uint64_t before = global_live;
     {
@@ -195,7 +196,7 @@ TEST_CASE("the C library's memory when no allocator is given, and all of it back
 }
 
 TEST_CASE("operator new fails anywhere inside the library: a status, and nothing leaks" *
-          doctest::skip(!counts_global)) {
+          doctest::test_suite("native") * doctest::skip(!counts_global)) {
     const uint64_t before = global_live;
     const lr_ellipsoid_desc shape = ellipsoid(0.04, 0.01, 0.0001, 800.0);
     lr_world_desc with_workers = world_desc();

@@ -47,7 +47,8 @@ bool same_place(const lr_body_state& a, const lr_body_state& b) {
 
 } // namespace
 
-TEST_CASE("bodies at rest stay where they are, on every instruction set, and the others do not notice") {
+TEST_CASE("bodies at rest stay where they are, on every instruction set, and the others do not notice" *
+          doctest::test_suite("native")) {
     for (int32_t target : simd_targets())
         for (const int kind : {0, 1, 2, 3})
             for (uint32_t count : {1u, 5u, 32u, 70u}) {

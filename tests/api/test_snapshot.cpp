@@ -176,7 +176,7 @@ TEST_CASE("snapshots of other worlds do not fit") {
     refused(hole, LR_ERROR_SNAPSHOT_MISMATCH);
 }
 
-TEST_CASE("a damaged snapshot is refused whole: every truncation, every changed byte") {
+TEST_CASE("a damaged snapshot is refused whole: every truncation, every changed byte" * doctest::test_suite("native")) {
     const Asset a = leaf(), b = curled_leaf();
     const Lived lived(a, b);
     std::vector<unsigned char> snapshot = snapshot_of(lived.world);

@@ -168,7 +168,7 @@ TEST_CASE("the loaded library is the header's") {
     CHECK(lr_version() == (uint32_t{LR_VERSION_MAJOR} << 22 | uint32_t{LR_VERSION_MINOR} << 12 | LR_VERSION_PATCH));
 }
 
-TEST_CASE("instruction sets are listed best first, named, and can be forced") {
+TEST_CASE("instruction sets are listed best first, named, and can be forced" * doctest::test_suite("native")) {
     const std::vector<int32_t> targets = simd_targets();
     REQUIRE(!targets.empty());
     CHECK(std::set<int32_t>(targets.begin(), targets.end()).size() == targets.size());

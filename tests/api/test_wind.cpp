@@ -351,7 +351,8 @@ TEST_CASE("snapshots bring sources and their handles back; grids must be there")
     CHECK(lr_world_remove_wind(two.get(), ids[6]) == LR_OK);
 }
 
-TEST_CASE("a snapshot whose wind was changed and sealed again is refused, or restores a world that works") {
+TEST_CASE("a snapshot whose wind was changed and sealed again is refused, or restores a world that works" *
+          doctest::test_suite("native")) {
     const std::vector<float> samples = grid_samples();
     const Asset asset = leaf();
     const World world = make(world_desc());

@@ -30,7 +30,7 @@ double worst_error(const std::array<double, 3>& axes, int level) {
 
 } // namespace
 
-TEST_CASE("accuracy table: ellipsoids of 320, 1280 and 5120 triangles against Lamb" *
+TEST_CASE("accuracy table: ellipsoids of 320, 1280 and 5120 triangles against Lamb" * doctest::test_suite("long") *
           doctest::skip(lr::test::sanitized)) {
     struct Row {
         std::array<double, 3> axes;

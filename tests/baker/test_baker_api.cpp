@@ -233,7 +233,7 @@ TEST_CASE("baker API: progress never falls, ends at 1, and can cancel at every c
     }
 }
 
-TEST_CASE("baker API: several bakes at once, each as if alone") {
+TEST_CASE("baker API: several bakes at once, each as if alone" * doctest::test_suite("exact")) {
     constexpr std::size_t n = 6;
     const std::string scene = test::glb(test::tetrahedron(), test::two_nodes());
     std::vector<api::BakeResult> alone(n), together(n);

@@ -286,7 +286,7 @@ TEST_CASE("batch: a single bake is skipped only if asked") {
     CHECK(contains(lr_bake(asked).out, "written"));
 }
 
-TEST_CASE("input hash: without baking, the same as in the asset, whatever the input") {
+TEST_CASE("input hash: without baking, the same as in the asset, whatever the input" * doctest::test_suite("exact")) {
     const Scratch scratch;
     write_gltf(scratch, 0.02F);
     scratch.write("a.obj", body(0.03));

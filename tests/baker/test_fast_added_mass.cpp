@@ -62,7 +62,8 @@ Mesh tripod(int n) {
 
 } // namespace
 
-TEST_CASE("fast added mass is that of the dense matrix" * doctest::skip(lr::test::sanitized)) {
+TEST_CASE("fast added mass is that of the dense matrix" * doctest::test_suite("long") *
+          doctest::skip(lr::test::sanitized)) {
     struct Case {
         const char* name;
         Mesh mesh;
@@ -96,7 +97,7 @@ TEST_CASE("fast added mass is that of the dense matrix" * doctest::skip(lr::test
     }
 }
 
-TEST_CASE("fast added mass: ellipsoid of 20,480 triangles against Lamb") {
+TEST_CASE("fast added mass: ellipsoid of 20,480 triangles against Lamb" * doctest::test_suite("exact")) {
     // closed forms of test_added_mass.cpp at 4:2:1, over the volume
     const AddedMass m = solve(test::ellipsoid(4, 2, 1, 5), all_fast());
     const double volume = 4.0 / 3.0 * 3.14159265358979323846 * 8.0;
@@ -109,7 +110,7 @@ TEST_CASE("fast added mass: ellipsoid of 20,480 triangles against Lamb") {
     CHECK(m.iterations < 25);
 }
 
-TEST_CASE("fast added mass: same bits for any number of threads and instruction set") {
+TEST_CASE("fast added mass: same bits for any number of threads and instruction set" * doctest::test_suite("exact")) {
     const Mesh sheet = test::patch(24, 16, [](double u, double v) { return Vec(u, v, 0.3 * u * v); });
     const Mesh closed = test::icosphere(3);
     for (const bool open : {true, false}) {

@@ -116,7 +116,7 @@ TEST_CASE("formats: STL, ASCII and binary") {
     }
 }
 
-TEST_CASE("formats: an open sheet bakes alike from every one of them") {
+TEST_CASE("formats: an open sheet bakes alike from every one of them" * doctest::test_suite("exact")) {
     const Scratch scratch;
     const Mesh leaf = test::patch(6, 4, [](double u, double v) {
         return Eigen::Vector3d(0.08 * u, 0.04 * (v - 0.5), 0.02 * u * u + 0.1 * (v - 0.5) * (v - 0.5));

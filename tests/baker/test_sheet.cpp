@@ -160,7 +160,8 @@ TEST_CASE("refinement keeps the surface and its rim, and leaves no gap") {
         }
 }
 
-TEST_CASE("rectangles and discs without thickness: published values at 2,000 triangles") {
+TEST_CASE("rectangles and discs without thickness: published values at 2,000 triangles" *
+          doctest::test_suite("exact")) {
     struct Case {
         double aspect, mass, along, across; // Meyerhoff 1970 and later panel solutions, four digits
     };

@@ -114,7 +114,7 @@ TEST_CASE("the grid itself carries the decay from the inflow, at any step") {
     }
 }
 
-TEST_CASE("tables do not depend on the grid") {
+TEST_CASE("tables do not depend on the grid" * doctest::test_suite("exact")) {
     TurbulenceOptions o = leaf();
     o.cells = {32, 32, 16};
     const TurbulenceTable middle = make(o);
@@ -181,7 +181,8 @@ TEST_CASE("homogeneous shear tends to production over dissipation 2.09") {
     CHECK(gap < 0.01);
 }
 
-TEST_CASE("a block in the stream: no flow through it, no divergence, and shear feeds G behind it") {
+TEST_CASE("a block in the stream: no flow through it, no divergence, and shear feeds G behind it" *
+          doctest::test_suite("exact")) {
     TurbulenceOptions o = leaf();
     o.cells = {32, 24, 24};
     o.domain_lengths = {8.0, 6.0, 6.0};
@@ -247,7 +248,7 @@ TEST_CASE("a block in the stream: no flow through it, no divergence, and shear f
         CHECK(table.chi_star(n) == doctest::Approx(table.stationary_chi_star).epsilon(0.05));
 }
 
-TEST_CASE("the stationary point of a wake hardly depends on the grid") {
+TEST_CASE("the stationary point of a wake hardly depends on the grid" * doctest::test_suite("exact")) {
     // Without the diffusion of Eq. 13 epsilon* nearly doubles here; with it a body of two cells is within 10 % of four.
     TurbulenceOptions o = leaf();
     o.cells = {16, 16, 8};
@@ -270,7 +271,7 @@ TEST_CASE("an all-fluid mask is the empty stream") {
     CHECK(make(o).chi == without.chi);
 }
 
-TEST_CASE("extreme parameters give finite positive tables") {
+TEST_CASE("extreme parameters give finite positive tables" * doctest::test_suite("exact")) {
     for (double u0 : {1e-9, 1e6})
         for (double l : {1e-5, 1e3})
             for (double l_over_d : {1e-6, 1.0, 1e6})

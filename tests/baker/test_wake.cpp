@@ -193,7 +193,8 @@ TEST_CASE("where the stream stagnates no k is made, at walls it is") {
     CHECK(turbulence.strain_at(7, 7, 7) == doctest::Approx(0.25)); // shear is left as it is
 }
 
-TEST_CASE("tables with a wake hardly depend on the grid" * doctest::skip(lr::test::sanitized)) {
+TEST_CASE("tables with a wake hardly depend on the grid" * doctest::test_suite("long-exact") *
+          doctest::skip(lr::test::sanitized)) {
     const auto compare = [](const Mesh& mesh, const char* name, const std::array<uint32_t, 3>& coarse,
                             const std::array<uint32_t, 3>& fine) {
         const TurbulenceTable a = make(in_stream(mesh, coarse)), b = make(in_stream(mesh, fine));
@@ -264,7 +265,8 @@ TEST_CASE("the wake keeps k alive, and the second run has the same bits") {
     CHECK(std::isfinite(wake.c0));
 }
 
-TEST_CASE("the wake makes its own turbulence: little of the inflow's intensity is left in it, and no burst") {
+TEST_CASE("the wake makes its own turbulence: little of the inflow's intensity is left in it, and no burst" *
+          doctest::test_suite("exact")) {
     TurbulenceOptions o = in_stream(test::leaf(20, 6, 0.01, 0.15), {32, 16, 16});
     std::vector<double> chi, k;
     for (const double intensity : {0.1, 0.01, 1e-6}) {
@@ -377,7 +379,8 @@ TEST_CASE("a period is found in what repeats, and nowhere else") {
     CHECK(drifting.begin == 200);
 }
 
-TEST_CASE("a wake that sheds vortices becomes a loop, and its mean the sample that the runtime reads") {
+TEST_CASE("a wake that sheds vortices becomes a loop, and its mean the sample that the runtime reads" *
+          doctest::test_suite("exact")) {
     Mesh mesh;
     Faults faults;
     REQUIRE(read_mesh(LR_ASSET_SOURCES "/leaf.obj", 1.0, mesh, faults));

@@ -111,7 +111,7 @@ TEST_CASE("a leaf that lies on a floor is held, with vertical normals") {
     }
 }
 
-TEST_CASE("contacts are those of the pair: none missed, as deep as it is") {
+TEST_CASE("contacts are those of the pair: none missed, as deep as it is" * doctest::test_suite("long")) {
     test::Random random(12);
     constexpr ColliderKind kinds[] = {ColliderKind::sphere, ColliderKind::capsule, ColliderKind::box,
                                       ColliderKind::hull, ColliderKind::mesh};

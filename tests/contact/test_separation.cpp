@@ -26,7 +26,7 @@ BodyShape some_body(uint32_t which, float size, test::Random& random) {
 
 } // namespace
 
-TEST_CASE("distances of cores are libccd's") {
+TEST_CASE("distances of cores are libccd's" * doctest::test_suite("long")) {
     test::Random random(1);
     uint32_t apart = 0, overlapping = 0, worse = 0, failed = 0;
     double error = 0.0, most_excess = 0.0, most_normal = 0.0;

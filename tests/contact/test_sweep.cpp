@@ -121,7 +121,7 @@ TEST_CASE("a free way is whole, and one along a wall") {
     CHECK(gap < 0.11f * shape.thickness);
 }
 
-TEST_CASE("until the end of the free way there is no overlap") {
+TEST_CASE("until the end of the free way there is no overlap" * doctest::test_suite("long")) {
     test::Random random(6);
     uint32_t stopped = 0, checked = 0;
     constexpr ColliderKind kinds[] = {ColliderKind::sphere, ColliderKind::capsule, ColliderKind::box,

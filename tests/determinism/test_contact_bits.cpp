@@ -5,7 +5,8 @@
 
 using namespace test;
 
-TEST_CASE("in scenes with contact some bodies rest in the end and others move, and what lies in the way matters") {
+TEST_CASE("in scenes with contact some bodies rest in the end and others move, and what lies in the way matters" *
+          doctest::test_suite("exact")) {
     size_t found = 0;
     for (PlayedScene scene : played_scenes()) {
         if (scene.solids == Solids::none || scene.meeting || scene.faulty) continue;
@@ -23,7 +24,7 @@ TEST_CASE("in scenes with contact some bodies rest in the end and others move, a
     CHECK(found == 4);
 }
 
-TEST_CASE("in scenes of piles bodies touch each other, and that they meet matters") {
+TEST_CASE("in scenes of piles bodies touch each other, and that they meet matters" * doctest::test_suite("exact")) {
     size_t found = 0;
     for (PlayedScene scene : played_scenes()) {
         if (!scene.meeting || scene.faulty) continue;

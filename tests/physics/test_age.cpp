@@ -20,7 +20,8 @@ double age_after(int32_t integrator, double start, double h, int steps_of_most) 
 
 } // namespace
 
-TEST_CASE("an age lasts: 24 hours of 4 ms, and of steps that are nothing beside the age") {
+TEST_CASE("an age lasts: 24 hours of 4 ms, and of steps that are nothing beside the age" *
+          doctest::test_suite("long-exact")) {
     // 330 steps of 65536 substeps: 24.03 h. A plain sum of floats stops at 65536 s.
     const double day = 330.0 * LR_MAX_SUBSTEPS * wide(narrow(0.004));
     CHECK(age_after(LR_INTEGRATOR_DEFAULT, 0.0, 0.004, 330) == doctest::Approx(day).epsilon(1e-6));

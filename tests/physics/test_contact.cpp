@@ -206,7 +206,7 @@ TEST_CASE("a lid that lies on the ground or on a box stays where it is for ten m
 }
 
 // One step through everything that a shot crosses.
-TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second") {
+TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second" * doctest::test_suite("long")) {
     const Asset assets[] = {make(rigid_box(0.03, 0.02, 0.001, 400.0)), make(ellipsoid(0.02, 0.01, 0.0005, 400.0)),
                             make(ellipsoid(0.005, 0.005, 0.005, 400.0))};
     Triangles quad;

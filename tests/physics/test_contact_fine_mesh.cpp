@@ -30,7 +30,7 @@ float flat(float, float) {
 
 } // namespace
 
-TEST_CASE("bodies land and rest on floors of fine triangles as on a plane") {
+TEST_CASE("bodies land and rest on floors of fine triangles as on a plane" * doctest::test_suite("long")) {
 #ifdef LR_TEST_QUICK
     constexpr uint32_t count = 8;
 #else

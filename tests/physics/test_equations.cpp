@@ -166,7 +166,7 @@ TEST_CASE("the motion is that of the equations") {
         }
 }
 
-TEST_CASE("RK4 converges at fourth order, the default at second order") {
+TEST_CASE("RK4 converges at fourth order, the default at second order" * doctest::test_suite("exact")) {
     for (const Case& c : cases())
         for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT}) {
             // Small bodies move quicker. Rounding shows in the smallest error, which grows again with the number of

@@ -6,7 +6,8 @@
 using namespace test;
 
 TEST_CASE(
-    "scenes are recorded without a change of their bits, and played again with other workers and instruction sets") {
+    "scenes are recorded without a change of their bits, and played again with other workers and instruction sets" *
+    doctest::test_suite("long")) {
     const std::vector<int32_t> targets = simd_targets();
     size_t number = 0;
     for (PlayedScene& scene : played_scenes()) {

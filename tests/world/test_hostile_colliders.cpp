@@ -55,7 +55,7 @@ void exercise(const Scene& scene) {
 
 } // namespace
 
-TEST_CASE("changed colliders in a snapshot are refused, or restore a world that works") {
+TEST_CASE("changed colliders in a snapshot are refused, or restore a world that works" * doctest::test_suite("long")) {
     const std::vector<unsigned char> good = snapshot_of(Scene().world);
     const size_t plain = snapshot_of(make(world_desc())).size();
     REQUIRE(good.size() > plain + 6 * 136);

@@ -1,0 +1,66 @@
+# To be sourced in the project's root, by test.sh, demo.sh, scripts/verify.sh and .ci/run: steps, their times and what they found.
+# build/results has a log of each step, build/times.txt a line for each step and run:
+#   date, what, cold|cached|warm, seconds, seconds of processor time, cores
+jobs=$(nproc)
+results=build/results
+left_to_verify='long|load|scorecard|bench' # labels of tests (tests/CMakeLists.txt) that ./test.sh does without
+mkdir -p "$results"
+
+configure() { # directory, arguments of cmake: silent where it goes well
+    local dir=$1 log=$results/configure-${1##*/}.txt
+    shift
+    cmake -B "$dir" "$@" >"$log" 2>&1 || { cat "$log"; return 1; }
+}
+run_ctest() { ctest --test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error "${@:2}"; } # directory, arguments
+skip() { # why: ends the step that says it
+    echo "SKIPPED: $*"
+    exit 77
+}
+
+cpu_seconds() { # of all programs that have ended
+    times | awk 'NR == 2 { gsub("s", ""); split($1, u, "m"); split($2, s, "m"); printf "%d", 60 * (u[1] + s[1]) + u[2] + s[2] }'
+}
+cache_counts() { # hits and misses of the compiler's cache
+    { ccache --print-stats 2>/dev/null || true; } |
+        awk '/^(direct|preprocessed)_cache_hit/ { hits += $2 } /^cache_miss/ { misses = $2 } END { print hits + 0, misses + 0 }'
+}
+# Cold: built from nothing. Cached: no build folder, but most objects come from the compiler's cache. Warm: built before.
+start_clock() { # folder of the build
+    built_before=$([ -e "$1/build.ninja" ] && echo yes || echo no)
+    cache_before=$(cache_counts)
+}
+note_time() { # what, seconds, seconds of processor time
+    local kind=cold hits misses hits_before misses_before
+    read -r hits misses <<<"$(cache_counts)"
+    read -r hits_before misses_before <<<"$cache_before"
+    [ $((hits - hits_before)) -le $((misses - misses_before)) ] || kind=cached
+    [ "$built_before" = no ] || kind=warm
+    printf '%s %s %s %d %d %d\n' "$(date +%FT%T)" "$1" $kind "$2" "$3" "$jobs" >>build/times.txt
+}
+
+# Runs the function step_NAME in a shell of its own, where the first failure ends it; `outcome` is then passed, failed or skipped.
+run_step() { # script, name, title
+    local log=$results/$1-$2.log start=$SECONDS cpu=$(cpu_seconds) status
+    printf '\n== %s (%d:%02d)\n' "$3" $((SECONDS / 60)) $((SECONDS % 60))
+    set +e
+    (set -e && "step_${2//-/_}") 2>&1 | tee "$log"
+    status=${PIPESTATUS[0]}
+    set -e
+    case $status in 0) outcome=passed ;; 77) outcome=skipped ;; *) outcome=failed ;; esac
+    cpu=$(($(cpu_seconds) - cpu))
+    printf -- '-- %s: %s (%d s, %d s of processor time)\n' "$2" $outcome $((SECONDS - start)) $cpu | tee -a "$log"
+    note_time "$1/$2" $((SECONDS - start)) $cpu
+}
+# `N passed, N failed, N skipped`: tests of CTest and of bindings, and each step that has none of those. Fails where one failed.
+closing_line() { # logs
+    cat /dev/null "$@" | awk '
+        /tests passed, [0-9]+ tests failed out of/ { f += $4; p += $NF - $4 }
+        /^[a-z0-9]+: [0-9]+ passed, [0-9]+ failed/ { p += $2; f += $4; s += $6 }
+        /^-- [a-z0-9-]+: (passed|failed|skipped) \(/ {
+            if ($3 == "skipped") ++s
+            else if ($3 == "passed") p += (p + f == 0)
+            else f += (f == 0)
+            passed += p; failed += f; skipped += s; p = f = s = 0
+        }
+        END { printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped; exit failed > 0 }'
+}

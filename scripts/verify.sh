@@ -1,0 +1,169 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+#
+# All that ./test.sh leaves out: other architectures and compilers, the other sanitizers, fuzzing, packages, long tests.
+#   scripts/verify.sh [STEP...]         those steps, or all
+#   scripts/verify.sh --minutes N       what fits into N minutes by the estimates: cheap steps first, then dear ones, another one first each day
+#   scripts/verify.sh --list            steps, and minutes that each takes on two cores
+# A step whose tools are not installed is skipped and says what installs them: scripts/setup.sh test package arm64 windows.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source scripts/steps.sh
+source scripts/compiler_cache.sh
+library=build/release/src/liblangevin_rigid.so
+
+steps=( # name, minutes on two cores, title
+    "tidy          2 clang-tidy on the runtime"
+    "abi           1 ABI of the library; targets that are refused"
+    "security      1 Hardening, imports and system calls of the library"
+    "doxygen       1 API reference without a warning"
+    "bench         2 lr_bench: its columns, and equal hashes"
+    "long          5 Long tests, and load"
+    "scorecard     5 Scorecard: every row"
+    "valgrind      6 Valgrind over the API's tests"
+    "tsan         10 ThreadSanitizer"
+    "asan         12 AddressSanitizer and UndefinedBehaviorSanitizer: long tests, and the baker"
+    "fuzz          9 Fuzzers: assets 20 s, API, meshes and cards 60 s each"
+    "clang         6 Held hashes: clang"
+    "levels       15 Held hashes: GCC and clang at -O1, -O2 and -O3"
+    "arm64         8 Held hashes: 64-bit ARM, emulated"
+    "windows      10 Held hashes: 64-bit Windows, by Wine"
+    "package      12 Package for Linux, used as a new user would"
+    "packages     30 Packages for Windows, 64-bit ARM and the web"
+    "reproducible 10 The library twice, in other folders: the same bytes"
+)
+
+release() { # with the present sources
+    configure build/release --preset release
+    cmake --build build/release >"$results/build-release.txt" || { tail -n 60 "$results/build-release.txt"; return 1; }
+}
+need() { # program, words for scripts/setup.sh
+    command -v "$1" >/dev/null || skip "for want of $1: scripts/setup.sh ${*:2}"
+}
+
+step_tidy() {
+    need clang-tidy test
+    configure build/release --preset release
+    # Not on what is compiled for each target: Highway's macros are not written for it, and each would be read again.
+    find src -name '*.cpp' -not -path 'src/baker/*' -not -path 'src/replay/*' -not -path 'src/scorecard/*' -not -path 'src/tools/*' |
+        xargs grep -L 'HWY_TARGET_INCLUDE\|foreach_target' |
+        xargs -P "$jobs" -n 6 clang-tidy -p build/release --quiet 2>/dev/null
+}
+step_abi() {
+    release
+    tests/abi/test_check.py
+    tests/abi/check.py $library
+    tests/targets/check_refused.sh
+}
+step_security() {
+    release
+    build/release/src/tools/bake/lr_bake mesh assets/leaf.obj -o "$results/leaf.lrb" --density 350 --quiet
+    tests/security/check_hardening.sh $library build/release/src/tools/bake/lr_bake
+    tests/security/check_imports.sh $library tests/security/imports-linux.txt
+    tests/security/test_hardening.sh
+    tests/security/check_syscalls.sh build/release/src "$results/leaf.lrb"
+}
+step_doxygen() { need doxygen test; scripts/api_reference.sh; }
+step_bench() { release; run_ctest build/release -L bench; }
+step_long() { release; run_ctest build/release -L 'long|load'; }
+step_scorecard() { release; run_ctest build/release -L scorecard; }
+step_valgrind() { need valgrind test; release; scripts/valgrind.sh; }
+step_tsan() { # of the files of tests only those that say something of threads
+    configure build/tsan --preset tsan -DLR_BUILD_BAKER=OFF
+    cmake --build build/tsan
+    run_ctest build/tsan -LE 'long|exact'
+}
+step_asan() { # what ./test.sh leaves out of it
+    configure build/asan --preset asan -DLR_BUILD_BAKER=ON
+    cmake --build build/asan
+    run_ctest build/asan -L long -LE exact
+    run_ctest build/asan -R '^tests_baker|lr_replay' -LE 'long|exact'
+}
+step_fuzz() {
+    need clang++-14 test
+    configure build/fuzz --preset fuzz
+    cmake --build build/fuzz --target fuzz_asset fuzz_api fuzz_mesh fuzz_card
+    local run target good=true
+    local -A running
+    for run in asset:20 api:60 mesh:60 card:60; do
+        target=${run%:*}
+        mkdir -p "build/fuzz/corpus-$target"
+        # assimp loses memory on some damaged files; nothing of ours can give it back.
+        ASAN_OPTIONS=detect_leaks=$([ "$target" = mesh ] && echo 0 || echo 1) \
+            "build/fuzz/tests/fuzz/fuzz_$target" -max_total_time="${run#*:}" -max_len=40000 -verbosity=0 -print_final_stats=1 \
+            "build/fuzz/corpus-$target" "tests/fuzz/corpus/$target" >"build/fuzz/$target.log" 2>&1 &
+        running[$target]=$!
+    done
+    for target in "${!running[@]}"; do
+        wait "${running[$target]}" || good=false
+        echo "$target: $(grep -E 'number_of_executed_units|ERROR|SUMMARY' "build/fuzz/$target.log" || true)"
+    done
+    $good
+}
+step_clang() { need clang++-14 test; scripts/check_determinism.sh clang-O2; }
+step_levels() { need clang++-14 test; scripts/check_determinism.sh; }
+step_arm64() {
+    need aarch64-linux-gnu-g++ test arm64
+    need qemu-aarch64-static test arm64
+    scripts/check_determinism.sh arm64
+}
+on_platform() ( # whether its tools are here
+    source packaging/platforms.sh
+    select_platform "$1"
+)
+step_windows() {
+    on_platform windows-x64 || skip "for want of the tools above"
+    scripts/check_determinism.sh windows
+}
+make_package() { # platform
+    scripts/package.sh "$1"
+    packaging/check_package.sh build/packages/langevin_rigid-*-"$1".*[xi][zp]
+}
+step_package() {
+    on_platform linux-x64 || skip "for want of the tools above"
+    make_package linux-x64
+}
+step_packages() {
+    local platform
+    for platform in windows-x64 linux-arm64; do on_platform $platform || skip "for want of the tools above"; done
+    for platform in windows-x64 linux-arm64; do make_package $platform; done
+    scripts/package.sh wasm
+}
+step_reproducible() { scripts/check_reproducible.sh; }
+
+minutes= names=() left=()
+case ${1:-} in
+--list) printf '%s\n' "${steps[@]}"; exit ;;
+--minutes) minutes=${2:?minutes} ;;
+*) names=("$@") ;;
+esac
+declare -A estimate title
+all=()
+for entry in "${steps[@]}"; do
+    read -r name number text <<<"$entry"
+    all+=("$name") estimate[$name]=$number title[$name]=$text
+done
+for name in "${names[@]}"; do [ -n "${title[$name]:-}" ] || { echo "verify: no step $name; those there are: ${all[*]}" >&2; exit 2; }; done
+[ ${#names[@]} -gt 0 ] || names=("${all[@]}")
+if [ -n "$minutes" ]; then # the cheap ones, and the dear ones from the day's on
+    names=() dear=()
+    for name in "${all[@]}"; do if [ "${estimate[$name]}" -le 2 ]; then names+=("$name"); else dear+=("$name"); fi; done
+    first=$((10#$(date +%j) % ${#dear[@]}))
+    names+=("${dear[@]:first}" "${dear[@]:0:first}")
+fi
+
+rm -f "$results"/verify-*.log
+start_clock build/release
+bad=()
+for name in "${names[@]}"; do
+    if [ -n "$minutes" ] && [ $((SECONDS + 60 * estimate[$name])) -gt $((60 * minutes)) ]; then
+        left+=("$name (${estimate[$name]} min)")
+        continue
+    fi
+    run_step verify "$name" "${title[$name]}"
+    [ $outcome != failed ] || bad+=("$name")
+done
+echo
+[ ${#left[@]} -eq 0 ] || echo "Left out for want of time: ${left[*]}. By hand: scripts/verify.sh STEP..."
+[ ${#bad[@]} -eq 0 ] || echo "Failed: ${bad[*]}; logs: $results/verify-*.log"
+closing_line "$results"/verify-*.log
