@@ -10,7 +10,7 @@ namespace {
 
 void tell_batch(Call& call, const lr_batch_desc* desc) {
     if (!call.reads(desc)) return;
-    lr_batch_desc d;
+    lr_batch_desc d{};
     read_struct(desc, d);
     const BatchRecord record{call.asset(*d.asset), d.capacity,   d.load_model,   d.clock,
                              d.table_end,          d.integrator, d.damping_gain, d.noise_gain};

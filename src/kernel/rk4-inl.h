@@ -17,7 +17,7 @@ namespace lr::HWY_NAMESPACE {
 //   P' = P x w + weight vector - alpha rho(V + A) v + noise
 //   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D (u - fluid spin) + noise
 // The Munk moment P x v carries the body's own momentum too, which is parallel to v and drops out.
-template <bool kFull, class C>
+template <bool kFull, bool kAerodynamic, class C>
 HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Quaternion q, Twist t) {
     const Twist p = momentum<kFull>(c, t);
     Twist f;
@@ -25,7 +25,7 @@ HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Q
     f.u = scale(held.inverse_length, add(cross(p.u, t.u), cross(p.v, t.v)));
     if constexpr (kFull) f.u = add(f.u, cross(broadcast(c.buoyancy), to_body(q, held.gravity)));
     if (held.external) f = add(f, external_force<kFull>(c, *held.external, q));
-    if (in.loads == Loads::langevin) {
+    if (!kAerodynamic && in.loads == Loads::langevin) {
         VF alpha = held.alpha;
         if (in.clock == Clock::speed)
             alpha = hn::Mul(hn::Mul(constant(c.speed_alpha), held.inverse_length), hn::Sqrt(dot(t.v, t.v)));
@@ -57,7 +57,7 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
             c, {scale(beta, Vec3{gauss[0], gauss[1], gauss[2]}), scale(spin_beta, Vec3{gauss[3], gauss[4], gauss[5]})});
     }
     const auto rate = [&](Quaternion q, Twist t) LR_LAMBDA {
-        const Twist r = twist_rate<kFull>(in, c, held, q, t);
+        const Twist r = twist_rate<kFull, kAerodynamic>(in, c, held, q, t);
         if constexpr (!kAerodynamic) return r;
         if (held.sheared) t.u = sub(t.u, to_body(q, held.fluid_spin));
         return add(r, acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held.inverse_length, t)));
