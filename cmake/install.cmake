@@ -15,6 +15,8 @@ if(TARGET langevin_rigid_baker)
 endif()
 install(FILES include/langevin_rigid.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# The library contains it: its terms go wherever the library goes, in packages of bindings too.
+install(FILES "${LR_CCD_SOURCE}/BSD-LICENSE" DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.libccd COMPONENT runtime)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/langevin_rigid)
 install(EXPORT langevin_rigid_targets NAMESPACE langevin_rigid:: DESTINATION ${package_dir} COMPONENT runtime)

@@ -16,9 +16,8 @@ set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,--stack-first -Wl,-z,stack-size=1048576")
 set(CMAKE_CROSSCOMPILING_EMULATOR "node;${CMAKE_CURRENT_LIST_DIR}/cross/run_wasi.mjs")
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
-# Of the other libraries the runtime needs headers alone, but for libccd, which is compiled along.
+# Of the other libraries the runtime needs headers alone.
 list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}/cross/wasi")
 set(FlatBuffers_DIR "${CMAKE_CURRENT_LIST_DIR}/cross" CACHE PATH "FlatBuffers' headers and its compiler for this machine")
 set(HWY_DIR "${CMAKE_CURRENT_LIST_DIR}/cross" CACHE PATH "Highway's headers")
-set(ccd_DIR "${CMAKE_CURRENT_LIST_DIR}/cross/wasi" CACHE PATH "libccd's sources")
 set(doctest_DIR "${CMAKE_CURRENT_LIST_DIR}/cross/wasi" CACHE PATH "Its header")

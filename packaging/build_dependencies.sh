@@ -11,19 +11,19 @@ source packaging/platforms.sh
 
 select_platform "${1:?which platform}"
 folder=$(platform_folder "$platform")
-sources=$PWD/build/packaging/sources
+sources=$PWD/build/sources
 runtime=false
 prefix=$folder/dependencies
 if [ "${2:-}" = --runtime ]; then
     runtime=true
     prefix=$folder/runtime-dependencies
-    scripts/debian_source.sh "$sources" highway libccd >/dev/null
+    scripts/debian_source.sh "$sources" highway >/dev/null
 else
     packaging/fetch_sources.sh >/dev/null
 fi
 jobs=${LR_JOBS:-$(nproc)}
 
-# No contraction: libccd's numbers are part of what moves bodies, and ARM would fuse. Names of folders stay out of the code.
+# No contraction, which ARM has and others have not. Names of folders stay out of the code.
 # Sections by function: who links leaves out what it does not call.
 flags="-ffp-contract=off -fno-fast-math -fvisibility=hidden -ffunction-sections -fdata-sections -w -ffile-prefix-map=$sources=. -ffile-prefix-map=$folder=."
 # GCC for 64-bit Windows takes stack slots for aligned that are not.
@@ -57,7 +57,6 @@ build() { # name, folder of the sources, what to build ("install": that too), ar
 }
 built() { cp "$prefix.build/$1" "$prefix/$2"; } # of a library that is not installed by its own rules
 
-build libccd "$sources/libccd" install -DCCD_DOUBLE=ON -DLIBM_LIBRARY:STRING=-lm -DBUILD_TESTING=OFF
 build highway "$sources/highway" install -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF \
     -DHWY_FORCE_STATIC_LIBS=ON -DHWY_SYSTEM_GTEST=OFF
 

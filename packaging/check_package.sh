@@ -163,7 +163,7 @@ check "lr_bake bakes a mesh" bake mesh "moved there/assets/leaf.obj" -o "bäked 
 check "the bytes that are in the package" cmp "bäked 葉/葉.lrb" "$prefix/assets/leaf.lrb"
 check "lr_bake reads it again" bake check "bäked 葉/葉.lrb"
 "$root/packaging/write_meshes.py" meshes
-draco=$root/build/packaging/sources/draco/testdata/Box/glTF_Binary/Box_Draco.glb
+draco=$root/build/sources/draco/testdata/Box/glTF_Binary/Box_Draco.glb
 [ ! -f "$draco" ] || cp "$draco" meshes/draco.glb # a cube of 1 m, compressed
 weighs() { # mesh of 1 m^3: 500 kg at 500 kg/m^3
     bake mesh "meshes/$1" -o "meshes/$1.lrb" --unit m --density 500 --quiet && bake info "meshes/$1.lrb" --json | tee -a /dev/stderr |

@@ -89,7 +89,7 @@ grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|
 
 cp LICENSE "$stage/"
 rm -rf "$stage/share"
-python3 packaging/third_party.py --platform "$platform" --sources build/packaging/sources --out "$stage"
+python3 packaging/third_party.py --platform "$platform" --sources build/sources --out "$stage"
 floor=()
 case $platform in
 linux-*)

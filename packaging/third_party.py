@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """THIRD_PARTY.md and licences/ of a package: what of others is inside its files, under which terms.
 
-    third_party.py --platform linux-x64 --sources build/packaging/sources --out STAGE
+    third_party.py --platform linux-x64 --sources build/sources --out STAGE
 """
 import argparse
 import re

@@ -48,8 +48,8 @@ for name in "${wanted[@]}"; do
     gcc-*) compilers=(-DCMAKE_C_COMPILER="$(find_program gcc)" -DCMAKE_CXX_COMPILER="$(find_program g++)") ;;
     clang-*) compilers=(-DCMAKE_C_COMPILER="$(find_program clang-14 clang)" -DCMAKE_CXX_COMPILER="$(find_program clang++-14 clang++)") ;;
     arm64)
-        compilers=(-DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64-linux-gnu.cmake" -DLR_WITH_CCD=OFF)
-        emulator=(timeout 600 qemu-aarch64-static -L /usr/aarch64-linux-gnu)
+        compilers=(-DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64-linux-gnu.cmake")
+        emulator=(timeout 1800 qemu-aarch64-static -L /usr/aarch64-linux-gnu)
         ;;
     windows)
         source packaging/platforms.sh
@@ -61,7 +61,7 @@ for name in "${wanted[@]}"; do
             "-DCMAKE_RUNTIME_OUTPUT_DIRECTORY=$PWD/$dir/tests")
         export WINEDEBUG=${WINEDEBUG:--all}
         exe=.exe
-        emulator=(timeout 600 "${runner[@]}")
+        emulator=(timeout 1800 "${runner[@]}")
         ;;
     esac
     mkdir -p "$dir"

@@ -32,9 +32,10 @@ cd "$work/unpacked"
 apt() { apt-get "${options[@]}" "$@" >>"$work/log" 2>&1; }
 failed() {
     tail -n 20 "$work/log" >&2
+    echo "no sources of ${names[*]}: they come once, over the network, from where this machine gets its Debian packages" >&2
     exit 1
 }
-apt update || failed
+apt update || true # lists of others may fail: those of Debian are enough
 # With security updates, as packages are installed; not every mirror has the sources of those.
 apt source --only-source "${names[@]}" || {
     rm -rf ./*

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the project needs on Debian 12, and nothing when it is all there. Later steps need no network.
+# Installs what the project needs on Debian 12, and the sources of libccd into build/sources; nothing when it is all there. Later steps
+# need no network.
 #   scripts/setup.sh [build|test|bench|battery] [WORD...]   build: library, baker, samples; test: that and what only tests use;
 #                                     battery: build and what scripts/noise_battery.sh runs. Words add to it:
 #       arm64     a cross compiler and an emulator of 64-bit ARM
@@ -14,7 +15,7 @@ packages=(
     g++ cmake ninja-build pkg-config python3
     libhwy-dev                                   # kernel: SIMD
     libflatbuffers-dev flatbuffers-compiler      # asset format
-    libccd-dev                                   # contact: convex pairs
+    dpkg-dev                                     # unpacks the sources of libccd (contact: convex pairs)
     libeigen3-dev libassimp-dev                  # baker
     libpng-dev libboost-dev                      # baker: images and triangulation of cards
     libcli11-dev nlohmann-json3-dev              # command lines, reports
@@ -34,7 +35,7 @@ if [ "${1:-build}" = test ]; then
         mono-mcs mono-runtime libmono-corlib4.5-cil libmono-system-core4.0-cil libmono-system4.0-cil   # C#, Unity, Unreal's rules
         python3-numpy python3-pip python3-setuptools python3-wheel python3-matplotlib mypy             # Python
         nodejs lld-14 wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 llvm-14   # WebAssembly
-        node-typescript dpkg-dev                     # its types; unpacks the sources of libccd
+        node-typescript                              # its types
         xvfb xdotool                                 # the viewer in a window, without a screen
         valgrind                                     # scripts/valgrind.sh
         patchelf                                     # libraries that find each other beside them, in packages
@@ -47,7 +48,7 @@ if [ "$mode" = battery ]; then
     packages+=(dieharder)
 fi
 if [[ " $* " == *" package "* ]]; then
-    packages+=(dpkg-dev xz-utils zip unzip binutils)   # Debian's sources; archives; what is in them
+    packages+=(xz-utils zip unzip binutils)            # archives; what is in them
     packages+=(libutfcpp-dev doctest-dev)              # headers, for assimp and tests
     packages+=(python3-pip python3-setuptools python3-wheel)   # the wheel
 fi
@@ -69,9 +70,7 @@ for package in "${packages[@]}"; do
     [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
 done
 fetch_sources() { # later steps need no network
-    # WebAssembly is built with the sources of libccd: its package is for this processor.
-    [ "$mode" != test ] || scripts/debian_source.sh build/sources libccd >/dev/null ||
-        echo "set-up: no sources of libccd; WebAssembly will be built without it" >&2
+    scripts/debian_source.sh build/sources libccd >/dev/null
     if [[ " $* " == *" package "* ]]; then packaging/fetch_sources.sh >/dev/null; fi
 }
 if [ ${#missing[@]} -eq 0 ]; then

@@ -89,7 +89,7 @@ if has pip && has setuptools && has wheel; then
     # As for Blender: a wheel is an archive.
     run "the wheel, unpacked" unzip -q "$work"/wheels/langevin_rigid-*-py3-none-linux_"$(uname -m)".whl -d "$work/carried"
     run "the wheel finds what it carries" bash -c "cd '$work/carried/langevin_rigid' && ! ldd lib/*.so* bin/lr_bake |
-        grep -E 'lib(hwy|ccd|assimp).* => ' | grep -vF ' => $work/carried/'"
+        grep -E 'lib(hwy|assimp).* => ' | grep -vF ' => $work/carried/'"
     run "hello.py and a bake with nothing but the wheel" env -u LANGEVIN_RIGID_LIBRARY PYTHONPATH="$work/carried" bash -c "cd / &&
         $python $here/samples/hello.py | grep -q 'state $LR_TEST_HELLO_HASH' &&
         $python -c 'import langevin_rigid as lr; assert \"carried\" in lr.library_path() and \"carried\" in lr.baker_path()

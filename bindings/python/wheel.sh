@@ -18,6 +18,7 @@ major=$("$python" -c "import re, sys; print(re.search(r'VERSION = \((\d+)', open
 carry=$here/../../packaging/carry.py
 /usr/bin/python3 "$carry" "$prefix/lib/liblangevin_rigid.so.$major" "$work/langevin_rigid/lib" "liblangevin_rigid.so.$major"
 /usr/bin/python3 "$carry" "$prefix/bin/lr_bake" "$work/langevin_rigid/bin" lr_bake
+cp "$prefix"/share/doc/langevin_rigid/LICENSE.* "$work/langevin_rigid/lib/" # of what is compiled into the library
 cat >"$work/setup.py" <<'PY'
 from setuptools import Distribution, setup
 from wheel.bdist_wheel import bdist_wheel

@@ -107,6 +107,8 @@ def put_native(prefix, package, licences):
                         licences.update([licence_of(beside, prefix)])
                     except PackageError as error:
                         print(f"package: warning: {error}")
+    for document in (prefix / "share/doc/langevin_rigid").glob("LICENSE.*"): # of what is compiled into the library
+        licences[document.suffix[1:]] = document.read_text()
     print(f"package: {platform}: {', '.join(copied)}")
     put_tool(prefix, platform, package, licences)
 

@@ -8,11 +8,9 @@ wasm=$root/build/web/wasm package=$root/build/web/package
 targets=(langevin_rigid_wasm)
 [ "${1:-}" != --tests ] || targets+=(tests_determinism snapshot_file)
 
-ccd=ON
-"$root/scripts/debian_source.sh" "$root/build/sources" libccd || ccd=OFF
 mkdir -p "$wasm"
 cmake -S "$root" -B "$wasm" -G Ninja -DCMAKE_TOOLCHAIN_FILE="$root/cmake/wasm32-wasi.cmake" -DCMAKE_BUILD_TYPE=Release \
-    -DLR_BUILD_BAKER=OFF -DLR_WITH_CCD=$ccd -DLR_CCD_SOURCE="$root/build/sources/libccd" >"$wasm/configure.log" 2>&1 || { cat "$wasm/configure.log"; exit 1; }
+    -DLR_BUILD_BAKER=OFF >"$wasm/configure.log" 2>&1 || { cat "$wasm/configure.log"; exit 1; }
 cmake --build "$wasm" -j "${LR_JOBS:-2}" --target "${targets[@]}" >"$wasm/build.log" 2>&1 || { tail -n 60 "$wasm/build.log"; exit 1; }
 
 rm -rf "$package"
@@ -24,9 +22,8 @@ cp src/generated/* "$package/src/generated"
 cp "$wasm/bindings/web/native/langevin_rigid.wasm" "$package"
 # What is linked in.
 cp "$root/LICENSE" "$package/licenses/langevin_rigid"
-[ $ccd = OFF ] || cp "$root/build/sources/libccd/BSD-LICENSE" "$package/licenses/libccd"
+cp "$root/build/sources/libccd/BSD-LICENSE" "$package/licenses/libccd"
 for library in libhwy-dev libflatbuffers-dev wasi-libc libc++-14-dev-wasm32; do
     [ ! -e "/usr/share/doc/$library/copyright" ] || cp "/usr/share/doc/$library/copyright" "$package/licenses/$library"
 done
 echo "package: $package ($(stat -c %s "$package/langevin_rigid.wasm") bytes, $(gzip -9c "$package/langevin_rigid.wasm" | wc -c) gzipped)"
-[ $ccd = ON ] || echo "SKIPPED: libccd, for want of its sources: scripts/debian_source.sh build/sources libccd, with a network"

@@ -1,14 +1,8 @@
 #include "contact/ccd_pair.h"
 
-#if defined(LR_WITH_CCD)
 #include <ccd/ccd.h>
-#endif
 
 namespace lr {
-
-#if defined(LR_WITH_CCD)
-
-const bool lr_has_ccd = true;
 
 namespace {
 
@@ -52,8 +46,7 @@ bool ccd_direction(const PlacedBody& body, const PlacedCollider& collider, Doubl
     const double size = static_cast<double>(body.reach > 0.0f ? body.reach : 1.0f);
     const Side one{&body, nullptr, to_double(body.center), 1.0 / size, &calls};
     const Side other{nullptr, &collider, collider.middle(), 1.0 / size, &calls};
-    ccd_t ccd;
-    CCD_INIT(&ccd);
+    ccd_t ccd{}; // CCD_INIT would have its other algorithm linked in
     ccd.support1 = ccd.support2 = support;
     ccd.center1 = ccd.center2 = middle;
     ccd.max_iterations = 50;
@@ -70,15 +63,5 @@ bool ccd_direction(const PlacedBody& body, const PlacedCollider& collider, Doubl
     direction = 1.0 / std::sqrt(square) * d;
     return true;
 }
-
-#else
-
-const bool lr_has_ccd = false;
-
-bool ccd_direction(const PlacedBody&, const PlacedCollider&, Double3&) {
-    return false;
-}
-
-#endif
 
 } // namespace lr

@@ -5,10 +5,8 @@
 
 namespace lr {
 
-extern const bool lr_has_ccd;
-
-// A direction in which the body comes out of the collider, unit; not always that of least depth. False: libccd is not there, did not
-// come to an end, or says that they do not overlap.
+// A direction in which the body comes out of the collider, unit; not always that of least depth. False: libccd did not come to an
+// end, or says that they do not overlap.
 bool ccd_direction(const PlacedBody& body, const PlacedCollider& collider, Double3& direction);
 
 } // namespace lr

@@ -75,8 +75,8 @@ TEST_CASE("distances of cores are libccd's" * doctest::test_suite("long")) {
     CHECK(apart > test::rounds(10000));
     CHECK(overlapping > test::rounds(8000));
     CHECK(error < 1e-4);
-    CHECK(most_normal < 0.05);                           // libccd's own tolerance on edges
-    CHECK(worse < overlapping / (lr_has_ccd ? 80 : 20)); // 0.9 %: local minima of the depth
+    CHECK(most_normal < 0.05);       // libccd's own tolerance on edges
+    CHECK(worse < overlapping / 80); // 0.9 %: local minima of the depth
     CHECK(most_excess < 0.25);
 }
 
