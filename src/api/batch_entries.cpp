@@ -20,7 +20,7 @@ void tell_batch(Call& call, const lr_batch_desc* desc) {
 
 void tell_table(Call& call, const lr_turbulence_table* table) {
     if (!call.reads(table)) return;
-    lr_turbulence_table t;
+    lr_turbulence_table t{};
     read_struct(table, t);
     const TableRecord record{t.count, t.dt, t.u0, t.l, t.c0, t.stationary, t.reserved};
     call.value(static_cast<uint32_t>(Where::here));
@@ -31,7 +31,7 @@ void tell_table(Call& call, const lr_turbulence_table* table) {
 
 // Arrays without gaps.
 void tell_forces(Call& call, const lr_force_arrays* arrays) {
-    lr_force_arrays a;
+    lr_force_arrays a{};
     if (!call.structure(arrays, a)) return;
     const uint64_t stride = a.stride == 0 ? sizeof(float) : a.stride;
     for (const auto* three : {&a.force, &a.torque})

@@ -8,7 +8,7 @@ using namespace lr::api;
 namespace {
 
 void tell_source(Call& call, const lr_wind_source_desc* desc) {
-    lr_wind_source_desc d;
+    lr_wind_source_desc d{};
     if (!call.structure(desc, d)) return;
     const float* const samples = d.kind == LR_WIND_SOURCE_GRID ? d.samples : nullptr;
     call.shared_array(samples, samples ? sizeof(float) * lr::sample_count(d) : 0);
