@@ -158,6 +158,7 @@ bad=()
 for name in "${names[@]}"; do
     if [ -n "$minutes" ] && [ $((SECONDS + 60 * estimate[$name])) -gt $((60 * minutes)) ]; then
         left+=("$name (${estimate[$name]} min)")
+        echo "-- $name: skipped (left out)" >"$results/verify-$name.log"
         continue
     fi
     run_step verify "$name" "${title[$name]}"
