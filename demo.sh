@@ -3,24 +3,25 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-step() { printf '\n== %s\n' "$*"; }
+source scripts/steps.sh
+step() { printf '\n== %s (%d:%02d)\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 
 step "Set-up"
 scripts/setup.sh build
 source scripts/compiler_cache.sh
+read_cpu
+SECONDS=0 cpu_of_setup=$cpu # times are those after set-up
+start_clock build/demo
+mkdir -p demo
 
-mkdir -p build demo
 step "Build and install the library and the baker"
-cmake --preset release -DLR_BUILD_TESTS=OFF -B build/demo >build/demo-configure.log 2>&1 ||
-    { cat build/demo-configure.log; exit 1; }
+configure build/demo --preset release -DLR_BUILD_TESTS=OFF
 cmake --build build/demo
 cmake --install build/demo --prefix build/demo/install >/dev/null
 
 step "Build the samples as an outside user would: against the installed package"
-cmake -S samples -B build/demo-samples -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_PREFIX_PATH="$PWD/build/demo/install" >build/demo-samples-configure.log 2>&1 ||
-    { cat build/demo-samples-configure.log; exit 1; }
-cmake --build build/demo-samples
+configure build/demo-samples -S samples -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$PWD/build/demo/install"
+cmake --build build/demo-samples --target hello leaf_storm viewer viewer_assets
 
 step "Bake the leaf"
 build/demo/install/bin/lr_bake mesh assets/leaf.obj -o demo/leaf.lrb --unit m --density 350 --report demo/leaf.json
@@ -46,4 +47,6 @@ build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --cou
 step "A look through the viewer: samples/viewer"
 build/demo-samples/viewer --seconds 12 --count 9000 --trails --threads "$(nproc)" --png demo/viewer.png
 
+read_cpu
+note_time demo.sh $SECONDS $((cpu - cpu_of_setup))
 printf '\nLook at demo/leaf_storm.png (the storm), demo/tracks.png (single falls), demo/leaves_on_the_ground.png,\ndemo/a_heap_of_leaves.png, and demo/viewer.png. On a desktop: build/demo-samples/viewer\n'

@@ -69,6 +69,7 @@ for name in "${wanted[@]}"; do
     run_step test "$name" "${titles[$name]}"
     [ $outcome != failed ] || break
 done
-[ $# -gt 0 ] || [ $outcome = failed ] || note_time test.sh $SECONDS "$(cpu_seconds)"
+read_cpu
+[ $# -gt 0 ] || [ $outcome = failed ] || note_time test.sh $SECONDS "$cpu"
 echo
 closing_line "$results"/test-*.log

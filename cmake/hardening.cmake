@@ -5,6 +5,7 @@
 #   lr_harden(TARGET [EXCEPT SOURCE...])     for what ships, besides what all targets have
 
 set(lr_hardening "")
+set(lr_no_hardening "") # takes it back
 if(LR_SANITIZE) # sees more, and does not go together with it
 elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     target_compile_options(lr_flags INTERFACE -fstack-protector-strong)
@@ -15,10 +16,13 @@ elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     # Fortified functions are those of an optimised build.
     set(optimised "$<CONFIG:Release,RelWithDebInfo,MinSizeRel>")
     list(APPEND lr_hardening "$<${optimised}:-U_FORTIFY_SOURCE>" "$<${optimised}:-D_FORTIFY_SOURCE=2>")
+    list(APPEND lr_no_hardening -U_FORTIFY_SOURCE)
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
         list(APPEND lr_hardening -fstack-clash-protection -fcf-protection=full)
+        list(APPEND lr_no_hardening -fno-stack-clash-protection -fcf-protection=none)
     elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
         list(APPEND lr_hardening -mbranch-protection=standard $<$<CXX_COMPILER_ID:GNU>:-fstack-clash-protection>)
+        list(APPEND lr_no_hardening -mbranch-protection=none $<$<CXX_COMPILER_ID:GNU>:-fno-stack-clash-protection>)
     endif()
 elseif(MINGW)
     # Not the stack protector: GCC's takes its secret from ADVAPI32, and the library needs no DLL but KERNEL32 and msvcrt.
@@ -27,8 +31,6 @@ endif()
 
 function(lr_harden target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" EXCEPT)
-    get_target_property(sources ${target} SOURCES)
-    list(REMOVE_ITEM sources ${arg_EXCEPT})
-    list(FILTER sources INCLUDE REGEX "[.](c|cpp)$")
-    set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS ${lr_hardening})
+    target_compile_options(${target} PRIVATE ${lr_hardening})
+    set_property(SOURCE ${arg_EXCEPT} APPEND PROPERTY COMPILE_OPTIONS ${lr_no_hardening})
 endfunction()

@@ -17,8 +17,10 @@ skip() { # why: ends the step that says it
     exit 77
 }
 
-cpu_seconds() { # of all programs that have ended
-    times | awk 'NR == 2 { gsub("s", ""); split($1, u, "m"); split($2, s, "m"); printf "%d", 60 * (u[1] + s[1]) + u[2] + s[2] }'
+# Sets `cpu`: seconds of all programs that have ended. Not in $(...), which is a shell of its own and has had none.
+read_cpu() {
+    times >"$results/times.txt"
+    cpu=$(awk 'NR == 2 { gsub("s", ""); split($1, u, "m"); split($2, s, "m"); printf "%d", 60 * (u[1] + s[1]) + u[2] + s[2] }' "$results/times.txt")
 }
 cache_counts() { # hits and misses of the compiler's cache
     { ccache --print-stats 2>/dev/null || true; } |
@@ -40,14 +42,17 @@ note_time() { # what, seconds, seconds of processor time
 
 # Runs the function step_NAME in a shell of its own, where the first failure ends it; `outcome` is then passed, failed or skipped.
 run_step() { # script, name, title
-    local log=$results/$1-$2.log start=$SECONDS cpu=$(cpu_seconds) status
+    local log=$results/$1-$2.log start=$SECONDS status cpu cpu_before
+    read_cpu
+    cpu_before=$cpu
     printf '\n== %s (%d:%02d)\n' "$3" $((SECONDS / 60)) $((SECONDS % 60))
     set +e
     (set -e && "step_${2//-/_}") 2>&1 | tee "$log"
     status=${PIPESTATUS[0]}
     set -e
     case $status in 0) outcome=passed ;; 77) outcome=skipped ;; *) outcome=failed ;; esac
-    cpu=$(($(cpu_seconds) - cpu))
+    read_cpu
+    cpu=$((cpu - cpu_before))
     printf -- '-- %s: %s (%d s, %d s of processor time)\n' "$2" $outcome $((SECONDS - start)) $cpu | tee -a "$log"
     note_time "$1/$2" $((SECONDS - start)) $cpu
 }

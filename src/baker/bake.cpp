@@ -4,6 +4,7 @@
 #include "baker/aerodynamics/mesh_geometry.h"
 #include "baker/aerodynamics/principal_axes.h"
 #include "baker/bake_input.h"
+#include "baker/file_faults.h"
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/ellipsoid_mesh.h"
 #include "baker/mesh/mass_properties.h"
@@ -28,11 +29,6 @@ namespace {
 constexpr std::size_t max_name_bytes = 4096; // check_asset
 // Of a sheet, over its length: thicker ones need their edges, which the zero-thickness formulation has not.
 constexpr double max_thickness_share = 0.2;
-
-bool fail(Faults& faults, FaultId id, std::string where, std::string what, std::string remedy) {
-    faults.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
-    return false;
-}
 
 bool in_range(double value, double low, double high, const char* where, const char* unit, Faults& faults) {
     if (value >= low && value <= high) return true; // false for NaN

@@ -17,10 +17,6 @@ std::string utf8(const std::filesystem::path& path) {
     return valid_utf8(std::string(text.begin(), text.end()));
 }
 
-std::filesystem::path to_path(const std::string& utf8) {
-    return std::u8string(utf8.begin(), utf8.end());
-}
-
 std::filesystem::path mesh_path(const BakeOptions& o) {
     return to_path(o.mesh_path);
 }

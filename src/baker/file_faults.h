@@ -11,7 +11,7 @@
 
 namespace lr::baker {
 
-inline bool file_fault(Faults& faults, FaultId id, const std::string& path, std::string what, std::string remedy) {
+inline bool fail(Faults& faults, FaultId id, const std::string& path, std::string what, std::string remedy) {
     faults.push_back({id, Severity::error, path, std::move(what), std::move(remedy)});
     return false;
 }
@@ -24,32 +24,31 @@ inline bool cannot_write(Faults& faults, const std::string& path, int reason) {
     if (reason == EDQUOT) remedy = "Free some space there, or write elsewhere.";
 #endif
     if (reason == EISDIR) remedy = "Give the name of a file in that folder.";
-    return file_fault(faults, FaultId::file_write, path,
-                      "It cannot be written: " + std::generic_category().message(reason) + ".", remedy);
+    return fail(faults, FaultId::file_write, path,
+                "It cannot be written: " + std::generic_category().message(reason) + ".", remedy);
 }
 
 inline bool cannot_read(Faults& faults, const std::string& path, int reason, const char* remedy) {
-    return file_fault(faults, FaultId::file_read, path,
-                      "It cannot be read: " + std::generic_category().message(reason) + ".", remedy);
+    return fail(faults, FaultId::file_read, path, "It cannot be read: " + std::generic_category().message(reason) + ".",
+                remedy);
 }
 
 inline bool no_such_file(Faults& faults, const std::string& path) {
-    return file_fault(faults, FaultId::file_not_found, path, "There is no such file.",
-                      "Check the path and its spelling.");
+    return fail(faults, FaultId::file_not_found, path, "There is no such file.", "Check the path and its spelling.");
 }
 
 inline bool not_a_file(Faults& faults, const std::string& path) {
-    return file_fault(faults, FaultId::file_read, path, "This is not a file.",
-                      "Give the path of a file, not of a folder or a device.");
+    return fail(faults, FaultId::file_read, path, "This is not a file.",
+                "Give the path of a file, not of a folder or a device.");
 }
 
 inline bool too_large(Faults& faults, const std::string& path, std::size_t max_bytes) {
-    return file_fault(faults, FaultId::file_too_large, path,
-                      "The file is larger than " + std::to_string(max_bytes) + " bytes.", "Reduce it.");
+    return fail(faults, FaultId::file_too_large, path,
+                "The file is larger than " + std::to_string(max_bytes) + " bytes.", "Reduce it.");
 }
 
 inline bool not_a_folder(Faults& faults, const std::string& path) {
-    return file_fault(faults, FaultId::file_write, path, "This is a file, not a folder.", "Give the name of a folder.");
+    return fail(faults, FaultId::file_write, path, "This is a file, not a folder.", "Give the name of a folder.");
 }
 
 } // namespace lr::baker

@@ -8,11 +8,10 @@
 namespace lr::baker {
 namespace {
 
-constexpr double four_pi = 4.0 * std::numbers::pi;
 // Smaller leaves move work from the near blocks to the expansions.
-constexpr std::size_t leaf_size = 64;
+constexpr std::size_t vertices_of_leaf = 64;
 // With it and expansion_order the operator is right to about 1e-5 (docs/maintainers/numerics.md).
-constexpr double separation = 0.65;
+constexpr double vertex_separation = 0.65;
 constexpr std::size_t moment_rows = 2 * expansion_terms;
 
 } // namespace
@@ -20,8 +19,8 @@ constexpr std::size_t moment_rows = 2 * expansion_terms;
 FastHypersingular::FastHypersingular(const std::vector<Panel>& panels, const BasisParts& parts, unsigned threads)
     : panels_(panels), parts_(parts), threads_(threads) {
     place_unknowns();
-    tree_ = build_cluster_tree(items_, leaf_size);
-    find_cluster_pairs(tree_, separation);
+    tree_ = build_cluster_tree(items_, vertices_of_leaf);
+    find_cluster_pairs(tree_, vertex_separation);
 }
 
 void FastHypersingular::assemble(const HypersingularBlocks& blocks, const std::function<void(double)>& progress) {
@@ -190,7 +189,7 @@ void FastHypersingular::apply(const ModeVectors& x, ModeVectors& y, std::size_t 
         scale_degrees(cluster.radius, local);
         scratch[thread].resize(std::max(scratch[thread].size(), moment_rows * count(cluster)));
         multiply_transposed(&moments_[moment_start_[leaf]], rows, count(cluster), local, to, scratch[thread].data());
-        for (std::size_t k = 0; k < count(cluster) * mode_lanes; ++k) to[k] *= -1.0 / four_pi;
+        for (std::size_t k = 0; k < count(cluster) * mode_lanes; ++k) to[k] *= -1.0 / (4.0 * std::numbers::pi);
         apply_near(leaf, x, to, scratch[thread]);
     });
 }

@@ -7,8 +7,6 @@
 namespace lr::baker {
 namespace {
 
-constexpr double four_pi = 4.0 * std::numbers::pi;
-
 template <class Visit> void for_each_part(const SurfaceBasis& basis, const Visit& visit) {
     for (std::size_t t = 0; t < basis.corners.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -24,8 +22,9 @@ void add_record(const Panel& panel, std::vector<double>& records) {
     Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
     for (const Eigen::Vector3d& corner : panel.corner)
         second += (corner - panel.centroid) * (corner - panel.centroid).transpose() / 12.0;
-    records.insert(records.end(), {panel.centroid[0], panel.centroid[1], panel.centroid[2], second(0, 0), second(1, 1),
-                                   second(2, 2), second(0, 1), second(1, 2), second(2, 0), panel.area / four_pi});
+    records.insert(records.end(),
+                   {panel.centroid[0], panel.centroid[1], panel.centroid[2], second(0, 0), second(1, 1), second(2, 2),
+                    second(0, 1), second(1, 2), second(2, 0), panel.area / (4.0 * std::numbers::pi)});
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "baker/card/alpha_mask.h"
 
+#include "baker/file_faults.h"
+
 #include <png.h>
 
 #include <algorithm>
@@ -114,11 +116,6 @@ bool decode(png_structp png, png_infop info, MaskChannel channel, Rows& rows) {
     }
     png_read_end(png, nullptr);
     return true;
-}
-
-bool fail(Faults& faults, FaultId id, const std::string& where, std::string what, std::string remedy) {
-    faults.push_back({id, Severity::error, where, std::move(what), std::move(remedy)});
-    return false;
 }
 
 } // namespace

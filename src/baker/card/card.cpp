@@ -3,6 +3,7 @@
 #include "baker/card/outline.h"
 #include "baker/card/outline_simplify.h"
 #include "baker/card/planar_mesh.h"
+#include "baker/file_faults.h"
 #include "baker/file_io.h"
 #include "baker/text.h"
 
@@ -24,11 +25,6 @@ constexpr double grey_tolerance = 0.2;
 // Likewise, in edge lengths: a mesh has little use for finer detail.
 constexpr double edge_tolerance = 0.02;
 constexpr double short_edge = 0.25; // in edge lengths: see simplify_outlines
-
-bool fail(Faults& faults, FaultId id, std::string where, std::string what, std::string remedy) {
-    faults.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
-    return false;
-}
 
 std::string rounded(double value, double unit = 0.1) {
     return shortest(std::round(value / unit) / std::round(1.0 / unit));
@@ -210,7 +206,7 @@ bool read_card(const std::string& path_utf8, const CardOptions& options, Mesh& o
     std::vector<uint8_t> bytes;
     if (!read_file(path_utf8, max_file_bytes, bytes, faults)) return false;
     if (!read_card_memory(bytes.data(), bytes.size(), options, path_utf8, out, report, faults)) return false;
-    const std::filesystem::path path(std::u8string(path_utf8.begin(), path_utf8.end()));
+    const std::filesystem::path path = to_path(path_utf8);
     const std::u8string stem = path.stem().u8string();
     out.name = valid_utf8(std::string(stem.begin(), stem.end()));
     return true;

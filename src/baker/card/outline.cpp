@@ -1,6 +1,7 @@
 #include "baker/card/outline.h"
 
 #include "baker/card/outline_corners.h"
+#include "baker/file_faults.h"
 
 #include <Eigen/Geometry>
 
@@ -16,11 +17,6 @@ namespace {
 constexpr double clearance = 1.0 / 256.0;
 // Beyond, the mask is noise: 16 bytes each.
 constexpr std::size_t max_points = 1 << 24;
-
-bool fail(Faults& faults, FaultId id, const std::string& where, std::string what, std::string remedy) {
-    faults.push_back({id, Severity::error, where, std::move(what), std::move(remedy)});
-    return false;
-}
 
 // Cell (x, y) has the centres of the pixels (x-1, y-1), (x, y-1), (x, y), (x-1, y) as its corners 0 to 3; edge k runs from
 // corner k to k + 1.

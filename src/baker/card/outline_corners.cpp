@@ -7,14 +7,14 @@
 namespace lr::baker {
 namespace {
 
-constexpr double run_length = 3.0;     // pixels of straight outline on both sides; stairs of a slope have shorter runs
-constexpr double straight = 0.06;      // pixels; an anti-aliased slope is reproduced to this
-constexpr double longest_cut = 1.5;    // pixels along the outline
-constexpr double nearest = 1.0 / 64.0; // pixels from the ends of the cut to the corner
-constexpr double farthest = 1.5;       // likewise
-constexpr double least_turn = 0.5;     // sine of the angle between the runs
+constexpr double run_length = 3.0;  // pixels of straight outline on both sides; stairs of a slope have shorter runs
+constexpr double straight = 0.06;   // pixels; an anti-aliased slope is reproduced to this
+constexpr double longest_cut = 1.5; // pixels along the outline
+constexpr double nearest_end = 1.0 / 64.0; // pixels from the ends of the cut to the corner
+constexpr double farthest = 1.5;           // likewise
+constexpr double least_turn = 0.5;         // sine of the angle between the runs
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+double signed_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
@@ -32,7 +32,7 @@ std::optional<Eigen::Vector2d> straight_run(const Loop& loop, std::size_t i, std
     if (length < run_length || chord.norm() < 0.9 * run_length) return std::nullopt;
     const Eigen::Vector2d direction = chord / chord.norm();
     for (std::size_t k = i; k != end; k = (k + step) % n)
-        if (std::abs(cross(direction, loop[k] - loop[i])) > straight) return std::nullopt;
+        if (std::abs(signed_area(direction, loop[k] - loop[i])) > straight) return std::nullopt;
     return direction;
 }
 
@@ -40,11 +40,11 @@ std::optional<Eigen::Vector2d> straight_run(const Loop& loop, std::size_t i, std
 std::optional<Eigen::Vector2d> find_corner(const Loop& loop, std::size_t i, std::size_t j) {
     const auto before = straight_run(loop, i, loop.size() - 1), after = straight_run(loop, j, 1);
     if (!before || !after) return std::nullopt;
-    const double turn = cross(*before, *after);
+    const double turn = signed_area(*before, *after);
     if (std::abs(turn) < least_turn) return std::nullopt;
     const Eigen::Vector2d gap = loop[j] - loop[i];
-    const double beyond_i = -cross(gap, *after) / turn, beyond_j = -cross(gap, *before) / turn;
-    if (!(beyond_i > nearest && beyond_j > nearest && beyond_i <= farthest && beyond_j <= farthest))
+    const double beyond_i = -signed_area(gap, *after) / turn, beyond_j = -signed_area(gap, *before) / turn;
+    if (!(beyond_i > nearest_end && beyond_j > nearest_end && beyond_i <= farthest && beyond_j <= farthest))
         return std::nullopt;
     return loop[i] - beyond_i * *before;
 }

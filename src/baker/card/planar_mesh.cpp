@@ -18,8 +18,8 @@ constexpr double seed_clearance = 0.7; // of lattice points to the outline, in e
 constexpr double finest = 0.03;        // no triangle is split for its shape below this part of the edge length
 // Of wanted_angle: 1/2 over its sine, and over the tangent of its half. Literals, as the library's own functions differ between
 // machines.
-constexpr double ratio = 1.1831007915762493, height = 2.2553542518310286;
-constexpr int max_rounds = 80;
+constexpr double best_ratio = 1.1831007915762493, height = 2.2553542518310286;
+constexpr int max_flip_rounds = 80;
 constexpr int smoothing_rounds = 12;
 constexpr double sharp = 0.5; // cosine of the angle between sides below which their splits must match
 
@@ -85,16 +85,16 @@ private:
 
 // Delaunay refinement (Ruppert 1995, A Delaunay refinement algorithm for quality 2-dimensional mesh generation), many points a
 // round, with the off-centres of Ungor 2004 and, at sharp corners, splits on concentric shells. Starts from a hexagonal lattice.
-class Refiner {
+class PlanarRefiner {
 public:
-    Refiner(double edge, std::size_t max_faces) : edge_(edge), max_points_(max_faces + 100) {}
+    PlanarRefiner(double edge, std::size_t max_faces) : edge_(edge), max_points_(max_faces + 100) {}
 
     // Coordinates on the grid.
     bool run(const std::vector<std::vector<GridPoint>>& loops) {
         for (const std::vector<GridPoint>& loop : loops) add_loop(loop);
         if (!split_until_present()) return false;
         seed();
-        for (int round = 0; round < max_rounds; ++round) {
+        for (int round = 0; round < max_flip_rounds; ++round) {
             if (!split_until_present()) return false;
             if (!insert_points()) break;
         }
@@ -314,8 +314,8 @@ private:
         for (const Face& f : faces_) {
             const Circle circle = circumcircle(points_[f[0]], points_[f[1]], points_[f[2]]);
             const bool large = circle.radius > too_large * edge_;
-            const bool thin =
-                circle.radius > ratio * circle.shortest && circle.shortest > finest * edge_ && !is_forced(f, circle);
+            const bool thin = circle.radius > best_ratio * circle.shortest && circle.shortest > finest * edge_ &&
+                              !is_forced(f, circle);
             if (!large && !thin) continue;
             double x = circle.x, y = circle.y, radius = circle.radius;
             if (thin) {
@@ -452,7 +452,7 @@ bool triangulate_region(const std::vector<Loop>& loops, double edge, std::size_t
         while (points.size() > 1 && points.back() == points.front()) points.pop_back();
         if (points.size() < 3) return false;
     }
-    Refiner refiner(edge * scale, max_faces);
+    PlanarRefiner refiner(edge * scale, max_faces);
     if (!refiner.run(on_grid)) return false;
     std::vector<uint32_t> renumbered(refiner.points().size(), none);
     for (const Face& face : refiner.faces()) {

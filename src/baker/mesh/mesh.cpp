@@ -33,10 +33,6 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-std::filesystem::path to_path(const std::string& utf8) {
-    return std::filesystem::path(std::u8string(utf8.begin(), utf8.end()));
-}
-
 // At most twenty, each once.
 std::string list_names(const std::vector<std::string>& names) {
     constexpr std::size_t most = 20;

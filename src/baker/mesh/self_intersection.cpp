@@ -21,8 +21,8 @@ constexpr std::size_t most_tests = 1000;
 // Of the rounding of a projection, over the coordinates: a gap larger than this is one.
 constexpr double projection_rounding = 1e-14;
 
-bool segments_meet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-                   const Eigen::Vector2d& d) {
+bool flat_segments_meet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                        const Eigen::Vector2d& d) {
     const int abc = orientation(a, b, c), abd = orientation(a, b, d);
     const int cda = orientation(c, d, a), cdb = orientation(c, d, b);
     if (abc * abd > 0 || cda * cdb > 0) return false;
@@ -38,7 +38,8 @@ bool segment_meets_in_plane(const Vector& s, const Vector& t, const Triangle& f)
         const Eigen::Vector2d a = flat(f[0]), b = flat(f[1]), c = flat(f[2]), p = flat(s), q = flat(t);
         const int turn = orientation(a, b, c);
         if (turn == 0) continue; // seen from the side
-        if (segments_meet(p, q, a, b) || segments_meet(p, q, b, c) || segments_meet(p, q, c, a)) return true;
+        if (flat_segments_meet(p, q, a, b) || flat_segments_meet(p, q, b, c) || flat_segments_meet(p, q, c, a))
+            return true;
         return orientation(a, b, p) == turn && orientation(b, c, p) == turn && orientation(c, a, p) == turn;
     }
     return false;

@@ -3,6 +3,7 @@
 #include "baker/file_io.h"
 #include "baker/phases.h"
 #include "baker/signals_held.h"
+#include "baker/text.h"
 #include "tools/bake/memory_budget.h"
 
 #include <algorithm>
@@ -23,10 +24,6 @@
 
 namespace lr::baker {
 namespace {
-
-std::filesystem::path to_path(const std::string& utf8) {
-    return std::u8string(utf8.begin(), utf8.end());
-}
 
 std::string stem_of(const std::string& path_utf8) {
     const std::u8string stem = to_path(path_utf8).stem().u8string();
