@@ -3,10 +3,10 @@
 #include "support/colliders.h"
 #include "support/lifecycle.h"
 #include "support/seal.h"
+#include "support/snapshot_layout.h"
 #include "support/wind.h"
 #include "world/lifecycle.h"
 #include "world/snapshot_format.h"
-#include "world/snapshot_layout.h"
 #include "world/snapshot_parts.h"
 
 #include <cmath>
@@ -16,7 +16,7 @@ using namespace test;
 
 namespace {
 
-// The pieces of a snapshot, as in src/world/snapshot_layout.cpp: of its head, and the columns of the first batch.
+// The pieces of a snapshot, as in support/snapshot_layout.h: of its head, and the columns of the first batch.
 enum Piece : uint64_t { head, wind, surface, colliders };
 constexpr uint64_t batch = uint64_t{1} << 16, column = batch + 1;
 constexpr uint64_t field(uint64_t f) {
@@ -67,9 +67,7 @@ struct Scene {
         lr_batch_contact contact = initialised(lr_batch_contact_init);
         contact.friction = 0.7f;
         REQUIRE(lr_batch_set_contact(w, batch, &contact) == LR_OK);
-        lr_batch_rate rate = initialised(lr_batch_rate_init);
-        rate.divisor = 4, rate.longest_substep = 0.05f;
-        REQUIRE(lr_batch_set_rate(w, batch, &rate) == LR_OK);
+        REQUIRE(lr_batch_set_rate(w, batch, 4) == LR_OK);
         lr_body_desc d = body_desc();
         for (int i = 0; i < 4; ++i) {
             d.position[0] = static_cast<float>(i);
@@ -77,7 +75,7 @@ struct Scene {
             ids.push_back(add_body(world, batch, d));
         }
         REQUIRE(lr_body_set_rest(w, ids.data() + 3, 1, LR_REST_RESTING) == LR_OK);
-        steps(world, 3, 0.01f);
+        steps(world, 3, 0.001f); // so that the batch waits in the end
     }
 };
 
@@ -132,12 +130,13 @@ TEST_CASE("a snapshot with a value beyond the limit of its setter is refused, an
     for (size_t k = 2; k < 5; ++k) refused(batch, offsetof(Batch, stationary) + 8 * k, 1.1e6);
     refused(batch, offsetof(Batch, stationary) + 16, 0.0);
     refused(batch, offsetof(Batch, aerodynamics) + offsetof(lr::AerodynamicData, drag), -1.0);
-    refused(batch, offsetof(Batch, aerodynamics) + offsetof(lr::AerodynamicData, center), 100.0); // more than two lengths away
+    refused(batch, offsetof(Batch, aerodynamics) + offsetof(lr::AerodynamicData, center),
+            100.0); // more than two lengths away
     refused(column + lr::column_alpha, 0, 1e13f);
     refused(column + lr::column_beta, 0, 1e20f);
     using Pace = lr::Pace::Record;
     const size_t pace = offsetof(Batch, pace);
-    refused(batch, pace + offsetof(Pace, rate) + offsetof(lr_batch_rate, divisor), 1025u);
+    refused(batch, pace + offsetof(Pace, divisor), 1025u);
     refused(batch, pace + offsetof(Pace, wind), 1000.1f);
     refused(batch, pace + offsetof(Pace, drift), 1e26);
     for (double lost : {-1.0, 1e23}) refused(batch, pace + offsetof(Pace, lost), lost);
