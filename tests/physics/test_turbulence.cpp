@@ -98,7 +98,7 @@ TEST_CASE("the stationary variance does not depend on the step, in the default s
         const World world = weightless(10);
         lr_batch_desc d = langevin();
         d.clock = LR_CLOCK_AGE;
-        const lr_batch batch = add_batch(world, d, sphere, crowd, full);
+        const lr_batch batch = add_batch(world, d, sphere, crowd);
         set_constant_table(world, batch, chi, epsilon, c0);
         const std::vector<lr_body> ids = add_crowd(world, batch, crowd);
         const auto substeps = static_cast<uint32_t>(std::ceil(5.0 / x));

@@ -99,7 +99,7 @@ TEST_CASE("no recorder reads what a call has not accepted") {
     stale(&lr_batch_set_turbulence_table, w);
     stale(&lr_batch_set_aerodynamics, w);
     stale(&lr_batch_set_load_gains, w);
-    stale(&lr_batch_set_rate, w);
+    CHECK(lr_batch_set_rate(w, 999, 2) == LR_ERROR_STALE_BATCH);
     stale(&lr_batch_add_forces, w);
     stale(&lr_batch_set_force, w);
     stale(&lr_batch_set_contact, w);
