@@ -54,10 +54,7 @@ struct PairContact {
 uint32_t find_pair_contacts(const MeetingShape& a, float scale_a, const Pose& at_a, const MeetingShape& b,
                             float scale_b, const Pose& at_b, float margin, PairContact (&out)[most_pair_contacts]);
 
-struct Bounds {
-    Vector low, high; // m
-};
-// The axis-parallel box about a placed body.
-Bounds bounds(const MeetingShape& shape, float scale, const Pose& at);
+// About a placed body.
+Box bounds(const MeetingShape& shape, float scale, const Pose& at);
 
 } // namespace lr

@@ -102,12 +102,12 @@ bool set_hull(BodyShape& shape, const Points& all) {
         std::vector<uint32_t> corners;
         double least = plane.offset;
         for (uint32_t i = 0; i < points.size(); ++i) {
-            const double along = dot(of(plane.normal), of(points[i]));
+            const double along = dot(plane.normal, of(points[i]));
             least = std::min(least, along);
             if (plane.offset - along <= 4.0 * hull.slack + 2e-6 * size) corners.push_back(i);
         }
         thickness = std::min(thickness, plane.offset - least);
-        add_face(shape, points, of(plane.normal), corners);
+        add_face(shape, points, plane.normal, corners);
     }
     shape.thickness = static_cast<float>(thickness);
     set_bounds(shape);
@@ -164,14 +164,14 @@ Points reduced(const Points& from, double extent, double width, Double3 across, 
                     }
                     if (low < -1e-5 * extent && high > 1e-5 * extent) continue; // a diagonal
                     if (high > -low) out = -out;
-                    planes.push_back({{out.x, out.y, out.z}, dot(out, a)});
+                    planes.push_back({out, dot(out, a)});
                 }
         } else if (!hull.flat) {
             planes = hull_planes(kept, hull);
         }
         const auto outside = [&](Double3 p) {
             double far = 0.0;
-            for (const HullPlane& plane : planes) far = std::max(far, dot(of(plane.normal), p) - plane.offset);
+            for (const HullPlane& plane : planes) far = std::max(far, dot(plane.normal, p) - plane.offset);
             return far;
         };
         const size_t before = kept.size();
@@ -189,10 +189,10 @@ double thinnest(const Points& points, const std::vector<HullPlane>& planes, Doub
     double least = std::numeric_limits<double>::infinity();
     for (const HullPlane& plane : planes) {
         double low = plane.offset;
-        for (const auto& p : points) low = std::min(low, dot(of(plane.normal), of(p)));
+        for (const auto& p : points) low = std::min(low, dot(plane.normal, of(p)));
         if (plane.offset - low >= least) continue;
         least = plane.offset - low;
-        along = of(plane.normal);
+        along = plane.normal;
         middle = 0.5 * (plane.offset + low);
     }
     return least;

@@ -4,6 +4,7 @@
 #include "contact/body_shape.h"
 #include "contact/colliders.h"
 #include "contact/ground_samples.h"
+#include "contact/pose_rows.h"
 #include "contact/resting_bodies.h"
 #include "kernel/contact.h"
 #include "kernel/wind.h"
@@ -79,6 +80,23 @@ inline float contact_margin(float reach, Vector x, float gravity, float h) {
     return 0.005f * reach + 1e-6f * far + gravity * h * h;
 }
 
+// A contact of one body as its slot has it.
+struct SlotContact {
+    Vector arm, normal, surface, lag;
+    float gap, friction, restitution;
+    uint32_t collider;
+};
+inline SlotContact contact_in(const ContactSlots::Slot& s, uint32_t lane) {
+    return {vector_in(s.arm, 0, lane),
+            vector_in(s.normal, 0, lane),
+            vector_in(s.surface, 0, lane),
+            vector_in(s.lag, 0, lane),
+            s.gap[lane],
+            s.friction[lane],
+            s.restitution[lane],
+            s.collider[lane]};
+}
+
 // How a body met a collider.
 struct Touch {
     uint32_t collider; // slot + 1; 0: none
@@ -107,7 +125,7 @@ public:
     void collect(const LaneRow (&before)[pose_fields], float begin, float end, float h);
     void solve(const LaneRow (&before)[pose_fields], float h);
     uint32_t contacts(uint32_t lane) const { return filled_[lane]; }
-    const ContactSlots::Slot& contact(uint32_t k) const { return slots_.slot[k]; }
+    SlotContact contact(uint32_t lane, uint32_t k) const { return contact_in(slots_.slot[k], lane); }
     void take_out(uint32_t lane);
 
     // The body at rest that a contact is with, whose collider is then `a_body`.
@@ -144,11 +162,10 @@ private:
     void touch_grounds(const ContactBodies& bodies, float begin, float end, float h);
     void touch_others(uint32_t lane, float begin, float end, float h);
     void touch_resting(uint32_t lane, const LaneRow (&before)[pose_fields], float h);
-    void add(uint32_t lane, const ContactSlots::Slot& from);
+    uint32_t put(uint32_t lane, const SlotContact& contact);
     void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion);
     uint32_t place(uint32_t lane, float gap);
-    Pose pose_of(uint32_t lane) const;
-    void set_pose(uint32_t lane, const Pose& pose);
+    Pose pose_of(uint32_t lane) const { return pose_in(arrays_.field, lane); }
     float margin_of(uint32_t lane, float h) const;
 
     const ContactStep* step_;

@@ -33,7 +33,8 @@ Vector farthest(const PairBody& body, Vector direction) {
 PairBody pair_body(const MeetingShape& shape, float scale, const Pose& from, const Pose& to) {
     const Rotation turn = to.rotation * inverse(from.rotation);
     const float reach = scale * shape.shape.reach;
-    return {&shape, scale, from, to, to.position - from.position, 2.0f * reach * length({turn.x, turn.y, turn.z})};
+    return {
+        &shape, scale, from, to, to.position - from.position, 2.0f * reach * length(Vector{turn.x, turn.y, turn.z})};
 }
 
 float near_enough(const PairBody& a, const PairBody& b, float margin) {
@@ -77,13 +78,6 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
     }
     out[at] = {{arm_a, arm_b, n, apart - dot(n, moved(a, arm_a) - moved(b, arm_b))}, apart};
     return kept;
-}
-
-uint32_t find_way_contacts(const PairBody& a, const PairBody& b, float margin, WayContact (&out)[most_pair_contacts]) {
-    PairContact found[most_pair_contacts];
-    const uint32_t count =
-        find_pair_contacts(*a.shape, a.scale, a.from, *b.shape, b.scale, b.from, near_enough(a, b, margin), found);
-    return keep_way_contacts(a, b, margin, found, count, out);
 }
 
 } // namespace lr

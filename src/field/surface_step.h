@@ -1,6 +1,7 @@
 // Bodies that may touch the lower fluid: taken out of a block, stepped by themselves, and put back.
 #pragma once
 
+#include "field/body_copies.h"
 #include "field/surface.h"
 #include "field/wind_field.h"
 #include "kernel/step.h"
@@ -36,13 +37,11 @@ private:
 
     const SurfaceStep* step_;
     uint32_t begin_, live_;
-    uint32_t count_ = 0, padded_ = 0;
+    uint32_t count_ = 0;
     bool windy_ = false;
     alignas(64) uint32_t near_[field_block];
     uint32_t index_[field_block];
-    alignas(64) float field_[field_count][field_block];
-    alignas(64) uint32_t key_[field_block];
-    alignas(64) float force_[force_components][field_block];
+    BodyCopies<field_block> copies_;
     alignas(64) float wind_[3][field_block];
     alignas(64) float fraction_[field_block];
 };

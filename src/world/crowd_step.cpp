@@ -90,17 +90,7 @@ void CrowdStep::move_cut(const CrowdMember& member, uint32_t begin, uint32_t end
         step_in_field(slice, batch.step, nullptr, arrays, member.item.handle, batch.awake(), begin, end);
         return;
     }
-    StepInput one = batch.step;
-    one.substeps = 1;
-    one.first_substep += substep;
-    one.external.clear = last(substep);
-    const auto n = static_cast<float>(time_.substeps);
-    const float from = static_cast<float>(substep) / n, to = static_cast<float>(substep + 1) / n;
-    for (size_t k = 0; k < 3 && one.wind_changes; ++k) {
-        const float change = one.wind[k] - one.wind_begin[k], whole = one.wind[k];
-        one.wind[k] = last(substep) ? whole : one.wind_begin[k] + to * change;
-        one.wind_begin[k] += from * change;
-    }
+    const StepInput one = substep_of(batch.step, substep);
     if (wet_ && one.water) {
         SurfaceStep here = surface_;
         here.time = {time_.begin + substep * time_.h, time_.h, 1};

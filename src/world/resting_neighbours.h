@@ -28,6 +28,4 @@ private:
 float pair_friction(const ContactSettings& a, const ContactSettings& b);
 float pair_restitution(const ContactSettings& a, const ContactSettings& b);
 
-Pose pose_of(const BatchArrays& arrays, uint32_t index);
-
 } // namespace lr
