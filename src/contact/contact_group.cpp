@@ -293,27 +293,31 @@ void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {
     std::copy_n(list.id, 4, out);
 }
 
+void TouchSum::take(float impulse, Vector arm, Vector normal, Vector surface) {
+    if (!(impulse >= 0.0f)) return;
+    touch_.impulse += impulse;
+    if (!(impulse > strongest_)) return;
+    strongest_ = impulse;
+    put(to_outer(now_, arm), touch_.position);
+    put(normal, touch_.normal);
+    touch_.speed = std::max(dot(normal, surface - rotate(then_, v_ + cross(w_, arm))), 0.0f);
+}
+
+Touch TouchSum::touch(float unit_mass) const {
+    Touch all = touch_;
+    all.impulse *= unit_mass;
+    return all;
+}
+
 Touch ContactGroup::meeting(uint32_t i, uint32_t collider, const LaneRow (&before)[pose_fields]) const {
-    Touch touch{};
-    touch.collider = collider + 1;
-    const Pose pose = pose_of(i);
-    const Rotation turn = pose_in(before, i).rotation;
-    const Vector v = vector_in(before, field_vx, i), w = vector_in(before, field_wx, i);
-    float strongest = -1.0f, sum = 0.0f;
+    TouchSum sum(collider, pose_of(i), pose_in(before, i).rotation, vector_in(before, field_vx, i),
+                 vector_in(before, field_wx, i));
     for (uint32_t k = 0; k < filled_[i]; ++k) {
-        const ContactSlots::Slot& s = slots_.slot[k];
-        if (s.collider[i] != collider || !(s.impulse[i] >= 0.0f)) continue;
-        sum += s.impulse[i];
-        if (!(s.impulse[i] > strongest)) continue;
-        strongest = s.impulse[i];
-        const SlotContact c = contact_in(s, i);
-        lr::put(to_outer(pose, c.arm), touch.position);
-        lr::put(c.normal, touch.normal);
-        touch.speed = std::max(dot(c.normal, c.surface - rotate(turn, v + cross(w, c.arm))), 0.0f);
+        const SlotContact c = contact(i, k);
+        if (c.collider == collider) sum.take(slots_.slot[k].impulse[i], c.arm, c.normal, c.surface);
     }
     const float scale = arrays_.field[field_scale][i];
-    touch.impulse = body_->unit_mass * scale * scale * scale * sum;
-    return touch;
+    return sum.touch(body_->unit_mass * scale * scale * scale);
 }
 
 NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin,

@@ -104,6 +104,23 @@ struct Touch {
     float speed, impulse; // m/s, N s
 };
 
+// Its contacts with a collider together: where the strongest is, and the impulse of all.
+class TouchSum {
+public:
+    // The body at the end of a substep; then, v, w: its rotation and velocities as that began.
+    TouchSum(uint32_t collider, const Pose& now, Rotation then, Vector v, Vector w)
+        : now_(now), then_(then), v_(v), w_(w), touch_{collider + 1, {}, {}, 0.0f, 0.0f} {}
+    void take(float impulse, Vector arm, Vector normal, Vector surface);
+    Touch touch(float unit_mass) const;
+
+private:
+    Pose now_;
+    Rotation then_;
+    Vector v_, w_;
+    float strongest_ = -1.0f;
+    Touch touch_;
+};
+
 // What a body touches, the strongest first as far as there is room: colliders by slot + 1, bodies at rest by a_body + 1.
 struct TouchList {
     uint32_t id[4] = {};

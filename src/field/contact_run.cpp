@@ -64,19 +64,13 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
     const BatchArrays arrays = states.arrays(first);
     const uint32_t count = bodies_from(states, first);
     ContactGroup group(run.step, in.body, arrays, count);
-    SurfaceStep wet{};
-    if (run.surface) wet = *run.surface;
     alignas(64) LaneRow before[pose_fields];
     for (uint32_t i = 0; i < in.substeps; ++i) {
         for (size_t f = 0; f < pose_fields; ++f) std::copy_n(arrays.field[f], contact_lanes, before[f]);
         StepInput one = substep_of(in, i);
         states.lend_forces(one.external, first);
-        if (run.surface && in.water) {
-            wet.time = {run.time.begin + i * run.time.h, run.time.h, 1};
-            step_at_surface(wet, one, arrays, batch, count, 0, lanes);
-        } else {
-            run.target->step(one, arrays, 0, lanes);
-        }
+        step_lanes(*run.target, run.surface, {run.time.begin + i * run.time.h, run.time.h, 1}, one, arrays, batch,
+                   count, 0, lanes);
         touch(run, group, states, near, arrays, before, first, i, in.faults);
     }
 }
@@ -85,21 +79,15 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
 
 void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
                          uint32_t live, uint32_t begin, uint32_t end) {
-    const auto step_lanes = [&](uint32_t from, uint32_t to) {
-        if (run.surface && in.water) {
-            SurfaceStep wet = *run.surface;
-            wet.time = run.time;
-            step_at_surface(wet, in, arrays, batch, live, from, to);
-        } else {
-            run.target->step(in, arrays, from, to);
-        }
+    const auto step = [&](uint32_t from, uint32_t to) {
+        step_lanes(*run.target, run.surface, run.time, in, arrays, batch, live, from, to);
     };
     for (uint32_t at = begin, last = begin; at < end; at = last) {
         NearContacts near(run.step, arrays, live, at, end, run.step.dt);
         last = near.end();
         leave(run.book, near, at, std::min(last, live));
         if (near.count() == 0) {
-            step_lanes(at, last);
+            step(at, last);
             continue;
         }
         arrange(run.book, near);
@@ -110,7 +98,7 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
         for (uint32_t from = at; from < last;) {
             uint32_t to = from;
             while (to < last && near.others(to)) to += static_cast<uint32_t>(lane_block);
-            if (to != from) step_lanes(from, to);
+            if (to != from) step(from, to);
             from = to + static_cast<uint32_t>(lane_block);
         }
         for (uint32_t first = 0; first < near.count(); first += lanes) step_group(run, in, batch, states, near, first);

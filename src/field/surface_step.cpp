@@ -78,8 +78,14 @@ void NearBodies::put_back(const BatchArrays& to) const {
     copies_.put_back(to, [this](uint32_t i) { return index_[i]; });
 }
 
-void step_at_surface(const SurfaceStep& step, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
-                     uint32_t live, uint32_t begin, uint32_t end) {
+void step_lanes(const KernelTarget& target, const SurfaceStep* surface, const StepTime& time, const StepInput& in,
+                const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end) {
+    if (!surface || !in.water) {
+        target.step(in, arrays, begin, end);
+        return;
+    }
+    SurfaceStep step = *surface;
+    step.time = time;
     for (uint32_t at = begin; at < end; at += most) {
         const uint32_t last = std::min(at + most, end);
         NearBodies near(step, in, arrays, live, at, last, step.time.h * step.time.substeps, true);

@@ -46,8 +46,8 @@ private:
     alignas(64) float fraction_[field_block];
 };
 
-// [begin, end) through all substeps of a step in a uniform wind.
-void step_at_surface(const SurfaceStep& step, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
-                     uint32_t live, uint32_t begin, uint32_t end);
+// [begin, end) through all substeps of a step in a uniform wind. surface: null without one; its time is not read.
+void step_lanes(const KernelTarget& target, const SurfaceStep* surface, const StepTime& time, const StepInput& in,
+                const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end);
 
 } // namespace lr

@@ -187,30 +187,17 @@ float CrowdStep::pressed(uint32_t place, uint32_t k) const {
     return crowd_->solver.pressed(crowd_->units[crowd_->first_unit[place] + k / block_contacts], k % block_contacts);
 }
 
-// As ContactGroup::meeting.
 Touch CrowdStep::meeting(uint32_t place, uint32_t collider) const {
     const Crowd& c = *crowd_;
     const CrowdBody& body = crowd_->solver.bodies()[place];
-    const CrowdMember& member = member_of(c.body_at[place]);
-    Touch touch{};
-    touch.collider = collider + 1;
-    const Pose now{vector_of(body.x), {body.q[0], body.q[1], body.q[2], body.q[3]}};
-    const Rotation then{body.q0[0], body.q0[1], body.q0[2], body.q0[3]};
-    float strongest = -1.0f, sum = 0.0f;
+    TouchSum sum(collider, {vector_of(body.x), {body.q[0], body.q[1], body.q[2], body.q[3]}},
+                 {body.q0[0], body.q0[1], body.q0[2], body.q0[3]}, vector_of(body.v0), vector_of(body.w0));
     for (uint32_t k = 0; k < c.held_count[place]; ++k) {
-        const float impulse = pressed(place, k);
-        if (c.held[c.first_held[place] + k].collider != collider || !(impulse >= 0.0f)) continue;
-        sum += impulse;
-        if (!(impulse > strongest)) continue;
-        strongest = impulse;
         const CrowdContact& contact = c.held_contacts[c.first_held[place] + k];
-        put(to_outer(now, contact.arm_a), touch.position);
-        put(contact.normal, touch.normal);
-        const Vector speed = vector_of(body.v0) + cross(vector_of(body.w0), contact.arm_a);
-        touch.speed = std::max(dot(contact.normal, contact.surface - rotate(then, speed)), 0.0f);
+        if (c.held[c.first_held[place] + k].collider == collider)
+            sum.take(pressed(place, k), contact.arm_a, contact.normal, contact.surface);
     }
-    touch.impulse = member.kind.body->unit_mass * body.scale * body.scale * body.scale * sum;
-    return touch;
+    return sum.touch(member_of(c.body_at[place]).kind.body->unit_mass * body.scale * body.scale * body.scale);
 }
 
 void CrowdStep::put_back(uint32_t place, uint32_t substep) {
