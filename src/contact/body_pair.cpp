@@ -220,7 +220,7 @@ BestFace best_face_of_a(const PlacedPair& pair) {
     }
     uint32_t at = 0;
     const float separation = best.get(at);
-    return {-a.normals[at], separation};
+    return {-a.face_normal(at), separation};
 }
 BestFace best_face_of_b(const PlacedPair& pair) {
     const MeetingShape &a = *pair.a, &b = *pair.b;
@@ -237,7 +237,7 @@ BestFace best_face_of_b(const PlacedPair& pair) {
     }
     uint32_t at = 0;
     const float separation = best.get(at);
-    return {pair.turned(b.normals[at]), separation};
+    return {pair.turned(b.face_normal(at)), separation};
 }
 
 // Cores that overlap: from the best face of each, and along the line of the middles.

@@ -20,9 +20,8 @@ float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
         const Vector stretched{s.semi_axes.x * d.x, s.semi_axes.y * d.y, s.semi_axes.z * d.z};
         least = dot(d, s.center) - length(stretched);
     } else {
-        least = d.x * s.x[0] + d.y * s.y[0] + d.z * s.z[0];
-        for (uint32_t k = 1; k < s.count; ++k) least = std::min(least, d.x * s.x[k] + d.y * s.y[k] + d.z * s.z[k]);
-        least -= s.radius;
+        const uint32_t i = farthest_point(s.x, s.y, s.z, s.count, -d);
+        least = dot(d, {s.x[i], s.y[i], s.z[i]}) - s.radius;
     }
     return dot(n, pose.position) + scale * least;
 }

@@ -266,8 +266,17 @@ float rolling_of(const ContactSettings& settings, const BodyShape& shape) {
 }
 
 ContactBodies ContactGroup::bodies(const LaneRow (&before)[pose_fields], float h) const {
+    const BodyShape& s = *step_->shape;
     return {body_,
-            constants_of(*step_->shape, *step_->samples),
+            {s.count,
+             s.sample_count,
+             s.x,
+             s.y,
+             s.z,
+             s.radius,
+             {s.center.x, s.center.y, s.center.z},
+             {s.semi_axes.x, s.semi_axes.y, s.semi_axes.z},
+             s.reach},
             h,
             step_->gravity,
             rolling_of(*step_->settings, *step_->shape),

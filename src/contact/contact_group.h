@@ -3,7 +3,6 @@
 
 #include "contact/body_shape.h"
 #include "contact/colliders.h"
-#include "contact/ground_samples.h"
 #include "contact/pose_rows.h"
 #include "contact/resting_bodies.h"
 #include "kernel/contact.h"
@@ -35,7 +34,6 @@ struct ContactStep {
     const ContactTarget* target;
     const Colliders* colliders;
     const BodyShape* shape;
-    const GroundSamples* samples;
     const ContactSettings* settings;
     float gravity;                          // m/s^2, magnitude
     float fluid_density;                    // kg/m^3
@@ -44,21 +42,7 @@ struct ContactStep {
     const RestingBodies* resting = nullptr; // that they meet; null: none
 };
 
-static_assert(most_ground_samples == most_ground_points);
-constexpr ShapeConstants constants_of(const BodyShape& s, const GroundSamples& g) {
-    return {s.count,
-            s.x,
-            s.y,
-            s.z,
-            g.count,
-            g.x,
-            g.y,
-            g.z,
-            s.radius,
-            {s.center.x, s.center.y, s.center.z},
-            {s.semi_axes.x, s.semi_axes.y, s.semi_axes.z},
-            s.reach};
-}
+static_assert(most_shape_samples == most_ground_points);
 
 // Where a collider is at a part of the step, 0 to 1.
 Pose pose_at(const Collider& collider, float part);

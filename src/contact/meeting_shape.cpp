@@ -250,20 +250,14 @@ void set_own_points(MeetingShape& out) {
         }
     }
     out.center = 1.0f / static_cast<float>(count) * sum;
-    for (uint32_t f = 0; f < shape.face_count; ++f) {
-        out.normals[f] = rotate(to_own, shape.faces[f].normal);
-        if (out.flat) out.normals[f] = {0.0f, 0.0f, f == 0 ? 1.0f : -1.0f};
-        float offset = -std::numeric_limits<float>::infinity();
-        for (uint32_t i = 0; i < count; ++i)
-            offset = std::max(offset, dot(out.normals[f], {out.x[i], out.y[i], out.z[i]}));
-        out.offsets[f] = offset;
-    }
     for (uint32_t f = 0; f < most_shape_faces; ++f) {
         const uint32_t from = f < shape.face_count ? f : 0;
-        out.face_x[f] = out.normals[from].x;
-        out.face_y[f] = out.normals[from].y;
-        out.face_z[f] = out.normals[from].z;
-        out.face_offset[f] = out.offsets[from];
+        const Vector n =
+            out.flat ? Vector{0.0f, 0.0f, from == 0 ? 1.0f : -1.0f} : rotate(to_own, shape.faces[from].normal);
+        out.face_x[f] = n.x, out.face_y[f] = n.y, out.face_z[f] = n.z;
+        out.face_offset[f] = -std::numeric_limits<float>::infinity();
+        for (uint32_t i = 0; i < count; ++i)
+            out.face_offset[f] = std::max(out.face_offset[f], dot(n, {out.x[i], out.y[i], out.z[i]}));
     }
     if (!out.flat) return;
     set_coarse_outline(out);

@@ -17,13 +17,7 @@ Vector moved(const PairBody& body, Vector arm) {
 Vector farthest(const PairBody& body, Vector direction) {
     const BodyShape& s = body.shape->shape;
     const Vector d = rotate(inverse(body.to.rotation), direction);
-    uint32_t best = 0;
-    float most = d.x * s.x[0] + d.y * s.y[0] + d.z * s.z[0];
-    for (uint32_t i = 1; i < s.count; ++i) {
-        const float along = d.x * s.x[i] + d.y * s.y[i] + d.z * s.z[i];
-        best = along > most ? i : best;
-        most = along > most ? along : most;
-    }
+    const uint32_t best = farthest_point(s.x, s.y, s.z, s.count, d);
     return body.scale * (Vector{s.x[best], s.y[best], s.z[best]} + s.radius * d);
 }
 

@@ -52,7 +52,6 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->reach_ = reach_of(asset.data);
     retain(asset);
     batch->shape = make_body_shape(asset.data, asset.extents);
-    batch->ground = make_ground_samples(batch->shape);
     batch->meeting = make_meeting_shape(batch->shape);
     batch->step = StepInput{};
     batch->step.loads = settings.loads;

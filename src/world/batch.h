@@ -146,8 +146,7 @@ public:
     bool reserve_lifecycle();                           // false when out of memory
 
     ContactSettings contact;
-    BodyShape shape{}; // what of its bodies can touch
-    GroundSamples ground{};
+    BodyShape shape{};      // what of its bodies can touch
     MeetingShape meeting{}; // what of them others can touch
     ContactBook contact_book();
 

@@ -54,15 +54,10 @@ ContactRun contact_run(const lr_world& world, Batch& batch, const SurfaceStep* w
                        float seconds) {
     const float* const g = world.gravity;
     const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    const ContactStep step{world.contact,
-                           &world.colliders,
-                           &batch.shape,
-                           &batch.ground,
-                           &batch.contact,
-                           gravity,
-                           static_cast<float>(batch.settings().fluid_density),
-                           seconds,
-                           world.contact_gain(batch, seconds)};
+    const ContactStep step{world.contact, &world.colliders,
+                           &batch.shape,  &batch.contact,
+                           gravity,       static_cast<float>(batch.settings().fluid_density),
+                           seconds,       world.contact_gain(batch, seconds)};
     return {step, world.target, water, time, {}, still_speed(gravity)};
 }
 
