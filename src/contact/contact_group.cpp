@@ -22,14 +22,6 @@ bool is_ground(const Collider& c) {
     return c.geometry.kind == ColliderKind::plane || c.geometry.kind == ColliderKind::heightfield;
 }
 
-// Geometric mean and the larger: a pair slips as its materials do together, and bounces as the springier one.
-float friction_of(const ContactSettings& s, const Collider& c) {
-    return std::sqrt(s.friction * c.friction);
-}
-float restitution_of(const ContactSettings& s, const Collider& c) {
-    return std::max(s.restitution, c.restitution);
-}
-
 } // namespace
 
 const char* wrong_in(const ContactSettings& s) {
@@ -109,7 +101,7 @@ void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, co
     const Collider& c = step_->colliders->at(collider);
     const Vector point = to_outer(pose_of(i), contact.arm);
     put(i, {contact.arm, rotate(pose.rotation, contact.normal), motion.velocity_at(point), motion.lag_at(point),
-            contact.gap, friction_of(*step_->settings, c), restitution_of(*step_->settings, c), collider});
+            contact.gap, pair_friction(*step_->settings, c), pair_restitution(*step_->settings, c), collider});
 }
 
 // Returns the slot that it has got, or contact_slots.
@@ -146,8 +138,8 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
         for (size_t k = 0; k < 3; ++k) lr::put(axes[k], s.axes + 3 * k);
         lr::put(motion.velocity, s.velocity);
         lr::put(motion.spin, s.spin);
-        s.friction = friction_of(*step_->settings, c);
-        s.restitution = restitution_of(*step_->settings, c);
+        s.friction = pair_friction(*step_->settings, c);
+        s.restitution = pair_restitution(*step_->settings, c);
         s.collider = grounds_[g];
         if (const HeightfieldGeometry* const f = c.geometry.heightfield) {
             s.heights = f->heights;

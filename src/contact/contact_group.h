@@ -23,6 +23,14 @@ struct ContactSettings {
     bool may_rest = true;
     bool operator==(const ContactSettings&) const = default;
 };
+// Geometric mean and the larger: a pair slips as its materials do together, and bounces as the springier one. Of a batch and a
+// collider, or of two batches.
+template <class Other> float pair_friction(const ContactSettings& a, const Other& b) {
+    return std::sqrt(a.friction * b.friction);
+}
+template <class Other> float pair_restitution(const ContactSettings& a, const Other& b) {
+    return std::max(a.restitution, b.restitution);
+}
 // Null when fine, else what is wrong; NaN is.
 const char* wrong_in(const ContactSettings& settings);
 

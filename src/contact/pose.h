@@ -27,7 +27,7 @@ template <class T> constexpr T dot(Vector3<T> a, Vector3<T> b) {
 template <class T> constexpr Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-template <class T> T length(Vector3<T> a) {
+template <class T> inline T length(Vector3<T> a) {
     return std::sqrt(dot(a, a));
 }
 // Of each coordinate.

@@ -13,10 +13,8 @@ constexpr auto lanes = static_cast<uint32_t>(lane_block), most = static_cast<uin
 NearBodies::NearBodies(const SurfaceStep& step, const StepInput& in, const BatchArrays& from, uint32_t live,
                        uint32_t begin, uint32_t end, double dt, bool forget)
     : step_(&step), begin_(begin), live_(live) {
-    const float* const g = step.gravity;
-    const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     step.target->surface.near(step.surface->at(step.time.begin), step.surface->highest(), *in.water,
-                              static_cast<float>(dt), gravity, from, begin, end, near_);
+                              static_cast<float>(dt), length(vector_of(step.gravity)), from, begin, end, near_);
     for (uint32_t i = begin; i < std::min(end, live); ++i)
         if (near_[i - begin] != 0) index_[count_++] = i;
     if (count_ == 0) return;

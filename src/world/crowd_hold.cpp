@@ -14,16 +14,12 @@ constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 // What sweeps leave of the motion in a heap is some times what a body alone lies still at.
 constexpr float heap_still = 3.0f;
 
-// Of a body's fastest point, at most, m/s.
-float speed_of(Vector extent, Vector v, Vector w) {
-    return length(v) + farthest(extent, w);
-}
 // A body in a heap falls through what sweeps leave of gaps, is stopped in the next substep, and rocks back: what does not last for
 // two, and is no more than restitution counts (2 g h), is no motion.
 float lasting_speed(const BodyAfter& body, Vector v0, Vector w0, Vector v, Vector w, float fall) {
-    const float before = speed_of(body.extent, v0, w0), now = speed_of(body.extent, v, w);
+    const float before = fastest(body.extent, v0, w0), now = fastest(body.extent, v, w);
     if (std::max(before, now) > 2.0f * fall) return std::max(before, now);
-    return std::min({before, now, speed_of(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
+    return std::min({before, now, fastest(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
 }
 
 } // namespace

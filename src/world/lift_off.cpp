@@ -102,10 +102,9 @@ void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t c
         sample_field(*world_->target, world_->wind, time_.begin + 0.5 * time_.h, item.handle, winds, count, winds);
     alignas(64) uint32_t wet[most] = {};
     if (in.water) {
-        const float* const g = world_->gravity;
         world_->target->surface.near(world_->surface.at(time_.begin), world_->surface.highest(), *in.water,
-                                     static_cast<float>(time_.h), std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]),
-                                     arrays, 0, copies.padded, wet);
+                                     static_cast<float>(time_.h), length(vector_of(world_->gravity)), arrays, 0,
+                                     copies.padded, wet);
     }
     // The velocity of the fluid around a body has no meaning while it lies: there the wind is kept that it has withstood.
     uint32_t tried[most], tried_count = 0;

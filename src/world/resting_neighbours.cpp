@@ -38,13 +38,6 @@ struct Neighbours {
 
 } // namespace
 
-float pair_friction(const ContactSettings& a, const ContactSettings& b) {
-    return std::sqrt(a.friction * b.friction);
-}
-float pair_restitution(const ContactSettings& a, const ContactSettings& b) {
-    return std::max(a.restitution, b.restitution);
-}
-
 RestingNeighbours::RestingNeighbours(const lr_world& world, uint32_t slot) : world_(&world), slot_(slot) {
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         const Batch& batch = *world.batches[other].batch;

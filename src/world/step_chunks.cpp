@@ -52,8 +52,7 @@ void StepChunks::run(void* context, uint32_t chunk) {
 
 ContactRun contact_run(const lr_world& world, Batch& batch, const SurfaceStep* water, const StepTime& time,
                        float seconds) {
-    const float* const g = world.gravity;
-    const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const float gravity = length(vector_of(world.gravity));
     const ContactStep step{world.contact, &world.colliders,
                            &batch.shape,  &batch.contact,
                            gravity,       static_cast<float>(batch.settings().fluid_density),

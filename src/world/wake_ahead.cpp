@@ -38,8 +38,7 @@ void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float stil
 
 void wake_ahead(lr_world& world, float dt, const FloatMode& mode) {
     const Workers workers(world.crew, mode);
-    const float* const g = world.gravity;
-    const float still = still_speed(std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]));
+    const float still = still_speed(length(vector_of(world.gravity)));
     bool any = false;
     for (uint32_t slot = 0; slot < world.batch_slots; ++slot) {
         const Batch* const batch = world.batches[slot].batch;
