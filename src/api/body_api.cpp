@@ -184,7 +184,7 @@ lr_status lr_inner_world_wake_box(lr_world* world, const float* low, const float
     for (size_t k = 0; k < 3; ++k)
         if (from[k] > to[k]) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "low is above high");
     if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
-    const uint32_t count = world->wake_box(from, to);
+    const uint32_t count = world->wake_box({lr::vector_of(from), lr::vector_of(to)});
     if (woken) *woken = count;
     return LR_OK;
 }

@@ -234,7 +234,6 @@ lr_status lr_inner_collider_get_state(const lr_world* world, lr_collider collide
     if (status != LR_OK) return refuse(world, name, status);
     const lr::Collider& c = world->colliders.at(slot);
     const lr::ColliderMotion& m = world->colliders.motion(slot);
-    const auto put = [](lr::Vector v, float(&to)[3]) { to[0] = v.x, to[1] = v.y, to[2] = v.z; };
     lr_collider_state out{};
     out.kind = static_cast<int32_t>(c.geometry.kind);
     put(c.begin.position, out.position);

@@ -1,6 +1,7 @@
 #include "contact/body_pair.h"
 
 #include "contact/placed_pair.h"
+#include "kernel/closest-inl.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,6 +16,24 @@ constexpr float drawn_apart = 0.02f;
 constexpr uint32_t most_refinements = 3;
 // Of a core: how far from edges a point over a face is surely nearest to the face.
 constexpr float off_edges = 2e-3f;
+
+// With a moved by `shift`. enough: cores farther apart are `beyond`. tolerance: of the distance. start: a guess of the normal.
+Closest closest_points(const PlacedPair& pair, Vector shift, float enough, float tolerance, Vector start) {
+    using Lane = HWY_NAMESPACE::OnePair<float, Vector, false, 24>;
+    const auto support = [&](Vector d) {
+        float along = 0.0f;
+        const Vector on_a = pair.point_a(farthest_of_a(pair, -d, along)) + shift;
+        return HWY_NAMESPACE::Corner<Lane>{on_a - pair.point_b(support_of_b(pair, d)), on_a};
+    };
+    const auto found = HWY_NAMESPACE::closest<Lane>(support, start, enough, touching_cores * pair.size, tolerance);
+    Closest out{};
+    out.state = found.beyond ? Closest::State::beyond : found.overlap ? Closest::State::overlap : Closest::State::apart;
+    out.distance = found.distance;
+    out.normal = 1.0f / found.distance * found.v;
+    out.on_a = found.on_a;
+    out.on_b = found.on_a - found.v;
+    return out;
+}
 
 Four rows_of(Vector v, float behind) {
     return Four{v.x, v.y, v.z, behind};
@@ -201,7 +220,7 @@ BestFace best_face_of_a(const PlacedPair& pair) {
     }
     uint32_t at = 0;
     const float separation = best.get(at);
-    return {-a.normals[at], separation};
+    return {-a.face_normal(at), separation};
 }
 BestFace best_face_of_b(const PlacedPair& pair) {
     const MeetingShape &a = *pair.a, &b = *pair.b;
@@ -218,7 +237,7 @@ BestFace best_face_of_b(const PlacedPair& pair) {
     }
     uint32_t at = 0;
     const float separation = best.get(at);
-    return {pair.turned(b.normals[at]), separation};
+    return {pair.turned(b.face_normal(at)), separation};
 }
 
 // Cores that overlap: from the best face of each, and along the line of the middles.

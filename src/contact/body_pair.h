@@ -25,18 +25,17 @@ struct MeetingShape {
 
     // The hull's own frame, in which pairs are computed: its origin in the middle of the core's box, a plate in z = 0,
     // x along the box of least area about it.
-    Vector origin;                    // m, body frame
-    Rotation frame;                   // takes vectors from the own frame to the body's
-    Vector center;                    // m, mean of the points
-    Vector core_half;                 // m, of the core's box
-    float core_reach;                 // m, of the core from `origin`
-    Vector normals[most_shape_faces]; // of the faces of `shape`
-    float offsets[most_shape_faces];  // m: inside normal . p <= offset
-    // The same in rows, padded to whole vectors by repeating the first.
+    Vector origin;    // m, body frame
+    Rotation frame;   // takes vectors from the own frame to the body's
+    Vector center;    // m, mean of the points
+    Vector core_half; // m, of the core's box
+    float core_reach; // m, of the core from `origin`
+    // Of the faces of `shape`, m: inside normal . p <= offset; padded to whole vectors by repeating the first.
     alignas(16) float face_x[most_shape_faces], face_y[most_shape_faces], face_z[most_shape_faces];
     alignas(16) float face_offset[most_shape_faces];
     uint32_t coarse_count;
     bool flat; // a plate: all z are 0
+    Vector face_normal(uint32_t f) const { return {face_x[f], face_y[f], face_z[f]}; }
 };
 static_assert(most_shape_faces % MeetingShape::lanes == 0);
 // May throw std::bad_alloc.
@@ -54,10 +53,7 @@ struct PairContact {
 uint32_t find_pair_contacts(const MeetingShape& a, float scale_a, const Pose& at_a, const MeetingShape& b,
                             float scale_b, const Pose& at_b, float margin, PairContact (&out)[most_pair_contacts]);
 
-struct Bounds {
-    Vector low, high; // m
-};
-// The axis-parallel box about a placed body.
-Bounds bounds(const MeetingShape& shape, float scale, const Pose& at);
+// About a placed body.
+Box bounds(const MeetingShape& shape, float scale, const Pose& at);
 
 } // namespace lr

@@ -102,12 +102,12 @@ bool set_hull(BodyShape& shape, const Points& all) {
         std::vector<uint32_t> corners;
         double least = plane.offset;
         for (uint32_t i = 0; i < points.size(); ++i) {
-            const double along = dot(of(plane.normal), of(points[i]));
+            const double along = dot(plane.normal, of(points[i]));
             least = std::min(least, along);
             if (plane.offset - along <= 4.0 * hull.slack + 2e-6 * size) corners.push_back(i);
         }
         thickness = std::min(thickness, plane.offset - least);
-        add_face(shape, points, of(plane.normal), corners);
+        add_face(shape, points, plane.normal, corners);
     }
     shape.thickness = static_cast<float>(thickness);
     set_bounds(shape);
@@ -164,14 +164,14 @@ Points reduced(const Points& from, double extent, double width, Double3 across, 
                     }
                     if (low < -1e-5 * extent && high > 1e-5 * extent) continue; // a diagonal
                     if (high > -low) out = -out;
-                    planes.push_back({{out.x, out.y, out.z}, dot(out, a)});
+                    planes.push_back({out, dot(out, a)});
                 }
         } else if (!hull.flat) {
             planes = hull_planes(kept, hull);
         }
         const auto outside = [&](Double3 p) {
             double far = 0.0;
-            for (const HullPlane& plane : planes) far = std::max(far, dot(of(plane.normal), p) - plane.offset);
+            for (const HullPlane& plane : planes) far = std::max(far, dot(plane.normal, p) - plane.offset);
             return far;
         };
         const size_t before = kept.size();
@@ -189,10 +189,10 @@ double thinnest(const Points& points, const std::vector<HullPlane>& planes, Doub
     double least = std::numeric_limits<double>::infinity();
     for (const HullPlane& plane : planes) {
         double low = plane.offset;
-        for (const auto& p : points) low = std::min(low, dot(of(plane.normal), of(p)));
+        for (const auto& p : points) low = std::min(low, dot(plane.normal, of(p)));
         if (plane.offset - low >= least) continue;
         least = plane.offset - low;
-        along = of(plane.normal);
+        along = plane.normal;
         middle = 0.5 * (plane.offset + low);
     }
     return least;
@@ -341,9 +341,57 @@ bool set_from_hull(BodyShape& shape, const AssetData& asset) {
     return set_hull(shape, reduced(points, extent, thickness, {0.0, 0.0, 0.0}, most_shape_points));
 }
 
-} // namespace
+Vector point(const BodyShape& s, uint32_t i) {
+    return {s.x[i], s.y[i], s.z[i]};
+}
 
-BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& extents) {
+// Twice the area of a face, and its middle.
+float measure(const BodyShape& s, const ShapeFace& f, Vector& middle) {
+    const Vector first = point(s, s.corners[f.first]);
+    middle = {0.0f, 0.0f, 0.0f};
+    Vector area{0.0f, 0.0f, 0.0f};
+    const uint32_t count = f.count;
+    for (uint32_t k = 0; k < count; ++k) {
+        const Vector a = point(s, s.corners[f.first + k]), b = point(s, s.corners[f.first + (k + 1) % count]);
+        middle = middle + a;
+        area = area + cross(a - first, b - first);
+    }
+    middle = 1.0f / static_cast<float>(f.count) * middle;
+    return length(area);
+}
+
+void add_samples(BodyShape& s) {
+    s.sample_count = s.count;
+    const auto add = [&](Vector p) {
+        if (s.sample_count == most_shape_samples) return;
+        s.x[s.sample_count] = p.x, s.y[s.sample_count] = p.y, s.z[s.sample_count] = p.z;
+        ++s.sample_count;
+    };
+    // Faces by their size; of a flat body both are the same.
+    uint32_t order[most_shape_faces];
+    float area[most_shape_faces];
+    Vector middle[most_shape_faces];
+    const bool flat = s.face_count == 2;
+    const uint32_t faces = flat ? 1 : s.face_count;
+    float total = 0.0f;
+    for (uint32_t f = 0; f < faces; ++f) {
+        order[f] = f;
+        area[f] = measure(s, s.faces[f], middle[f]);
+        total += area[f];
+    }
+    std::stable_sort(order, order + faces, [&](uint32_t a, uint32_t b) { return area[a] > area[b]; });
+    for (uint32_t k = 0; k < faces && s.sample_count < most_shape_samples; ++k) {
+        const uint32_t f = order[k];
+        if (area[f] < 0.05f * total) break;
+        add(middle[f]);
+        // Half way to some of its corners.
+        const ShapeFace& face = s.faces[f];
+        const uint32_t corners = face.count, stride = (corners + 7) / 8;
+        for (uint32_t c = 0; c < corners; c += stride) add(0.5f * (middle[f] + point(s, s.corners[face.first + c])));
+    }
+}
+
+BodyShape shape_of(const AssetData& asset, const std::array<double, 3>& extents) {
     BodyShape shape{};
     const std::array<double, 3>& middle = asset.center_of_buoyancy;
     std::array<double, 3> semi = inertia_axes(asset);
@@ -363,6 +411,14 @@ BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& e
         }
     }
     set_ellipsoid(shape, middle, semi);
+    return shape;
+}
+
+} // namespace
+
+BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& extents) {
+    BodyShape shape = shape_of(asset, extents);
+    add_samples(shape);
     return shape;
 }
 

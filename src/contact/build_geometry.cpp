@@ -17,21 +17,11 @@ constexpr double flat = 1e-4;
 // Sine of the angle by which a surface may bend at an edge and still be flat.
 constexpr double bend = 1e-3;
 
-HullPoint minus(const HullPoint& a, const HullPoint& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+Double3 of(const HullPoint& p) {
+    return {p[0], p[1], p[2]};
 }
-double dot(const HullPoint& a, const HullPoint& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-HullPoint cross(const HullPoint& a, const HullPoint& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double norm(const HullPoint& a) {
-    return std::sqrt(dot(a, a));
-}
-
-HullPoint point(const float* v) {
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+Double3 over(Double3 a, double b) {
+    return {a.x / b, a.y / b, a.z / b};
 }
 
 bool all_finite(const float* values, size_t count) {
@@ -65,17 +55,16 @@ struct Edge {
 
 std::vector<HullPlane> hull_planes(const std::vector<HullPoint>& points, const shape::ConvexHull& hull) {
     const size_t count = hull.triangles.size();
-    std::vector<HullPoint> normals(count);
+    std::vector<Double3> normals(count);
     std::vector<double> areas(count);
-    const auto at = [&](uint32_t corner) { return points[hull.points[corner]]; };
+    const auto at = [&](uint32_t corner) { return of(points[hull.points[corner]]); };
     double size = 0.0;
-    for (const uint32_t i : hull.points) size = std::max(size, norm(minus(points[i], at(0))));
+    for (const uint32_t i : hull.points) size = std::max(size, length(of(points[i]) - at(0)));
     for (size_t i = 0; i < count; ++i) {
         const auto& t = hull.triangles[i];
-        normals[i] = cross(minus(at(t[1]), at(t[0])), minus(at(t[2]), at(t[0])));
-        areas[i] = norm(normals[i]);
-        if (areas[i] > 0.0)
-            for (double& n : normals[i]) n /= areas[i];
+        normals[i] = cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]));
+        areas[i] = length(normals[i]);
+        if (areas[i] > 0.0) normals[i] = over(normals[i], areas[i]);
     }
     std::vector<size_t> order(count);
     std::iota(order.begin(), order.end(), size_t{0});
@@ -86,7 +75,7 @@ std::vector<HullPlane> hull_planes(const std::vector<HullPoint>& points, const s
     for (const size_t i : order) {
         if (taken[i] || !(areas[i] > 0.0)) continue;
         HullPlane plane{normals[i], -std::numeric_limits<double>::infinity()};
-        for (const uint32_t p : hull.points) plane.offset = std::max(plane.offset, dot(plane.normal, points[p]));
+        for (const uint32_t p : hull.points) plane.offset = std::max(plane.offset, dot(plane.normal, of(points[p])));
         for (size_t j = 0; j < count; ++j) {
             bool in = true;
             for (const uint32_t corner : hull.triangles[j])
@@ -104,7 +93,7 @@ bool build_hull(const float* vertices, uint32_t count, std::vector<float>& hull_
     faces.clear();
     if (count < 4 || count > most_hull_vertices || !all_finite(vertices, size_t{3} * count)) return false;
     std::vector<HullPoint> points(count);
-    for (uint32_t i = 0; i < count; ++i) points[i] = point(vertices + size_t{3} * i);
+    for (uint32_t i = 0; i < 3 * count; ++i) points[i / 3][i % 3] = wide(vertices[i]);
     shape::ConvexHull hull;
     if (shape::convex_hull(points, hull) != shape::HullOutcome::done || hull.flat) return false;
     double extent = 0.0;
@@ -115,9 +104,9 @@ bool build_hull(const float* vertices, uint32_t count, std::vector<float>& hull_
     }
     for (const HullPlane& plane : hull_planes(points, hull)) {
         double least = plane.offset;
-        for (const uint32_t i : hull.points) least = std::min(least, dot(plane.normal, points[i]));
+        for (const uint32_t i : hull.points) least = std::min(least, dot(plane.normal, of(points[i])));
         if (!(plane.offset - least > flat * extent)) return false;
-        for (const double n : plane.normal) faces.push_back(static_cast<float>(n));
+        for (const double n : {plane.normal.x, plane.normal.y, plane.normal.z}) faces.push_back(static_cast<float>(n));
         faces.push_back(static_cast<float>(plane.offset));
     }
     for (const uint32_t i : hull.points)
@@ -133,27 +122,25 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
     if (std::any_of(indices, indices + size_t{3} * triangle_count, [&](uint32_t i) { return i >= vertex_count; }))
         return false;
     const auto at = [&](uint32_t triangle, uint32_t corner) {
-        return point(vertices + size_t{3} * indices[size_t{3} * triangle + corner % 3]);
+        return to_double(vector_of(vertices + size_t{3} * indices[size_t{3} * triangle + corner % 3]));
     };
     bool any = false;
-    std::vector<HullPoint> exact(triangle_count, HullPoint{});
+    std::vector<Double3> exact(triangle_count, Double3{});
     for (uint32_t t = 0; t < triangle_count; ++t) {
-        const HullPoint a = minus(at(t, 1), at(t, 0)), b = minus(at(t, 2), at(t, 0)), n = cross(a, b);
-        const double area = norm(n), c = norm(minus(b, a));
-        const double longest = std::max({norm(a), norm(b), c});
+        const Double3 a = at(t, 1) - at(t, 0), b = at(t, 2) - at(t, 0), n = cross(a, b);
+        const double area = length(n), c = length(b - a);
+        const double longest = std::max({length(a), length(b), c});
         if (!(area > 1e-7 * longest * longest)) continue; // a line: its normal would be rounding
         any = true;
-        for (uint32_t k = 0; k < 3; ++k) {
-            exact[t][k] = n[k] / area;
-            normals[size_t{3} * t + k] = static_cast<float>(exact[t][k]);
-        }
+        exact[t] = over(n, area);
+        put(to_float(exact[t]), normals.data() + size_t{3} * t);
     }
     if (!any) return false;
 
     const std::vector<uint32_t> names = welded(vertices, vertex_count);
     std::vector<Edge> edges;
     for (uint32_t t = 0; t < triangle_count; ++t)
-        for (uint32_t k = 0; k < 3 && norm(exact[t]) > 0.5; ++k) {
+        for (uint32_t k = 0; k < 3 && length(exact[t]) > 0.5; ++k) {
             const uint32_t a = names[indices[size_t{3} * t + k]], b = names[indices[size_t{3} * t + (k + 1) % 3]];
             edges.push_back({std::min(a, b), std::max(a, b), t, k});
         }
@@ -169,8 +156,8 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
             for (size_t j = from; j < to; ++j) {
                 const Edge &mine = edges[i], &other = edges[j];
                 if (mine.triangle == other.triangle) continue;
-                const HullPoint out = minus(at(other.triangle, other.number + 2), at(other.triangle, other.number));
-                const double rise = dot(exact[mine.triangle], out) / norm(out);
+                const Double3 out = at(other.triangle, other.number + 2) - at(other.triangle, other.number);
+                const double rise = dot(exact[mine.triangle], out) / length(out);
                 uint8_t& bits = hidden_edges[mine.triangle];
                 if (rise > -bend) bits = static_cast<uint8_t>(bits | 1u << mine.number);
                 if (rise < bend) bits = static_cast<uint8_t>(bits | 8u << mine.number);

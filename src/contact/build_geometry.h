@@ -2,6 +2,7 @@
 // return false leave their outputs unspecified. May throw std::bad_alloc.
 #pragma once
 
+#include "contact/pose.h"
 #include "shape/convex_hull.h"
 
 #include <cstdint>
@@ -17,8 +18,8 @@ bool build_hull(const float* vertices, uint32_t count, std::vector<float>& hull_
 
 // The planes of a hull that is not flat, each once, largest triangle first.
 struct HullPlane {
-    shape::HullPoint normal; // outward, unit
-    double offset;           // m: no corner has normal . x over it
+    Double3 normal; // outward, unit
+    double offset;  // m: no corner has normal . x over it
 };
 std::vector<HullPlane> hull_planes(const std::vector<shape::HullPoint>& points, const shape::ConvexHull& hull);
 

@@ -20,9 +20,8 @@ float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
         const Vector stretched{s.semi_axes.x * d.x, s.semi_axes.y * d.y, s.semi_axes.z * d.z};
         least = dot(d, s.center) - length(stretched);
     } else {
-        least = d.x * s.x[0] + d.y * s.y[0] + d.z * s.z[0];
-        for (uint32_t k = 1; k < s.count; ++k) least = std::min(least, d.x * s.x[k] + d.y * s.y[k] + d.z * s.z[k]);
-        least -= s.radius;
+        const uint32_t i = farthest_point(s.x, s.y, s.z, s.count, -d);
+        least = dot(d, {s.x[i], s.y[i], s.z[i]}) - s.radius;
     }
     return dot(n, pose.position) + scale * least;
 }
@@ -64,13 +63,6 @@ bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
     return true;
 }
 
-// What goes from one pose to another is in it.
-Box around(const Pose& from, const Pose& to, float reach) {
-    const Vector a = from.position, b = to.position, half{reach, reach, reach};
-    return {Vector{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)} - half,
-            Vector{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)} + half};
-}
-
 // Moves a body out to its side of all of them; false where they leave no room.
 bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t count, Pose& pose) {
     float room[most_stops];
@@ -92,9 +84,7 @@ bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t cou
 void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float end, float h) {
     for (uint32_t i = 0; i < count_; ++i) {
         const float scale = arrays_.field[field_scale][i];
-        const Pose from{{before[0][i], before[1][i], before[2][i]},
-                        {before[3][i], before[4][i], before[5][i], before[6][i]}};
-        const Pose to = pose_of(i);
+        const Pose from = pose_in(before, i), to = pose_of(i);
         const auto free_way = [&](const Pose& a, const Pose& b, const Candidate& candidate) {
             const Collider& c = step_->colliders->at(candidate.slot);
             if (c.geometry.kind == ColliderKind::plane) return 1.0f;
@@ -114,7 +104,8 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
         for (bool slides = true; slides;) {
             float free = 1.0f;
             Candidate candidate{};
-            any_order(i, around(from, target, step_->shape->reach * scale), [&](const Candidate& c) {
+            const Box way{low_of(from.position, target.position), high_of(from.position, target.position)};
+            any_order(i, grown(way, step_->shape->reach * scale), [&](const Candidate& c) {
                 const auto same = [&](const Candidate& m) { return m.slot == c.slot && m.part.first == c.part.first; };
                 if (std::any_of(met_before, met_before + met_count, same)) return;
                 const float here = free_way(from, target, c);
@@ -150,7 +141,10 @@ void ContactGroup::clip(const LaneRow (&before)[pose_fields], float begin, float
             target = slides ? Pose{from.position + aside.position, to.rotation} : met;
         }
         if (count == 0) continue;
-        set_pose(i, target);
+        const Rotation& q = target.rotation;
+        put_in(arrays_.field, field_x, i, target.position);
+        put_in(arrays_.field, field_qx, i, {q.x, q.y, q.z});
+        arrays_.field[field_qw][i] = q.w;
         // It may have left again what it met, which takes its speed all the same.
         for (uint32_t n = 0; n < count; ++n) {
             const uint32_t slot = stops[n].candidate.slot;

@@ -8,17 +8,6 @@
 namespace lr {
 namespace {
 
-double wide(float x) {
-    return static_cast<double>(x);
-}
-
-struct Wide {
-    double v[3];
-};
-Wide wide(Vector a) {
-    return {{wide(a.x), wide(a.y), wide(a.z)}};
-}
-
 double quaternion_dot(const Rotation& a, const Rotation& b) {
     return wide(a.x) * wide(b.x) + wide(a.y) * wide(b.y) + wide(a.z) * wide(b.z) + wide(a.w) * wide(b.w);
 }
@@ -29,42 +18,36 @@ double squared_difference(const Rotation& a, const Rotation& b) {
     return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + d[3] * d[3];
 }
 
+Double3 sizes_of(Double3 a) {
+    return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
+}
+Double3 all(double a) {
+    return {a, a, a};
+}
+
 // m: how far a point of the box can be from the frame's origin.
 double radius(const Box& box) {
-    const Wide low = wide(box.low), high = wide(box.high);
-    double sum = 0.0;
-    for (int k = 0; k < 3; ++k) {
-        const double most = std::max(std::abs(low.v[k]), std::abs(high.v[k]));
-        sum += most * most;
-    }
-    return std::sqrt(sum);
+    return length(high_of(sizes_of(to_double(box.low)), sizes_of(to_double(box.high))));
 }
 
 struct WideBox {
-    double low[3], high[3];
+    Double3 low, high;
 };
 
 WideBox box_at(const LocalBounds& local, const Pose& pose) {
     const Rotation& q = pose.rotation;
     const double x = wide(q.x), y = wide(q.y), z = wide(q.z), w = wide(q.w);
-    const double rows[3][3] = {{1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)},
-                               {2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)},
-                               {2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)}};
-    const Wide low = wide(local.box.low), high = wide(local.box.high), at = wide(pose.position);
-    WideBox out{};
-    for (int i = 0; i < 3; ++i) {
-        double middle = at.v[i], half = wide(local.round), size = half;
-        for (int k = 0; k < 3; ++k) {
-            const double m = 0.5 * (low.v[k] + high.v[k]), h = 0.5 * (high.v[k] - low.v[k]);
-            middle += rows[i][k] * m;
-            half += std::abs(rows[i][k]) * h;
-            size += std::abs(m) + h;
-        }
-        half += 1e-6 * size; // the quaternion's length is one up to rounding, and so is all that is computed with it
-        out.low[i] = middle - half;
-        out.high[i] = middle + half;
-    }
-    return out;
+    const Double3 rows[3] = {{1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)},
+                             {2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)},
+                             {2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)}};
+    const Double3 low = to_double(local.box.low), high = to_double(local.box.high), one = all(1.0);
+    const Double3 m = 0.5 * (low + high), h = 0.5 * (high - low);
+    const Double3 middle = to_double(pose.position) + Double3{dot(rows[0], m), dot(rows[1], m), dot(rows[2], m)};
+    Double3 half{dot(sizes_of(rows[0]), h), dot(sizes_of(rows[1]), h), dot(sizes_of(rows[2]), h)};
+    // The quaternion's length is one up to rounding, and so is all that is computed with it.
+    const double round = wide(local.round), size = round + dot(sizes_of(m) + h, one);
+    half = half + all(round + 1e-6 * size);
+    return {middle - half, middle + half};
 }
 
 float rounded_down(double x) {
@@ -119,22 +102,17 @@ Box swept_box(const LocalBounds& local, const Pose& begin, const Pose& end, bool
     if (moves) {
         const WideBox other = box_at(local, end);
         const double bulge = radius(local.box) * 0.5 * squared_difference(begin.rotation, end.rotation) * (1.0 + 1e-6);
-        for (int k = 0; k < 3; ++k) {
-            box.low[k] = std::min(box.low[k], other.low[k]) - bulge;
-            box.high[k] = std::max(box.high[k], other.high[k]) + bulge;
-        }
+        box = {low_of(box.low, other.low) - all(bulge), high_of(box.high, other.high) + all(bulge)};
     }
-    return {{rounded_down(box.low[0]), rounded_down(box.low[1]), rounded_down(box.low[2])},
-            {rounded_up(box.high[0]), rounded_up(box.high[1]), rounded_up(box.high[2])}};
+    return {{rounded_down(box.low.x), rounded_down(box.low.y), rounded_down(box.low.z)},
+            {rounded_up(box.high.x), rounded_up(box.high.y), rounded_up(box.high.z)}};
 }
 
 float most_travel(const Box& local, const Pose& begin, const Pose& end) {
-    const Wide from = wide(begin.position), to = wide(end.position);
-    double sum = 0.0;
-    for (int k = 0; k < 3; ++k) sum += (to.v[k] - from.v[k]) * (to.v[k] - from.v[k]);
     // The chord of an angle, 2 sin(angle / 2), is at most twice the difference of the quaternions, 2 sin(angle / 4).
     const double turned = 2.0 * std::sqrt(squared_difference(begin.rotation, end.rotation));
-    return rounded_up((std::sqrt(sum) + turned * radius(local)) * (1.0 + 1e-6));
+    return rounded_up((length(to_double(end.position) - to_double(begin.position)) + turned * radius(local)) *
+                      (1.0 + 1e-6));
 }
 
 Rotation nearer_to(const Rotation& to, const Rotation& q) {
@@ -143,19 +121,18 @@ Rotation nearer_to(const Rotation& to, const Rotation& q) {
 
 Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector& rest) {
     Pose to = from;
-    const Wide x = wide(from.position), v = wide(linear), left = wide(rest), w = wide(angular);
-    double next[3];
     constexpr auto most = static_cast<double>(farthest_place); // where no body comes
-    for (int k = 0; k < 3; ++k) next[k] = std::clamp(x.v[k] + left.v[k] + v.v[k] * dt, -most, most);
-    to.position = {static_cast<float>(next[0]), static_cast<float>(next[1]), static_cast<float>(next[2])};
-    rest = {static_cast<float>(next[0] - wide(to.position.x)), static_cast<float>(next[1] - wide(to.position.y)),
-            static_cast<float>(next[2] - wide(to.position.z))};
-    const double speed = std::sqrt(w.v[0] * w.v[0] + w.v[1] * w.v[1] + w.v[2] * w.v[2]);
+    const Double3 w = to_double(angular);
+    const Double3 next =
+        high_of(low_of(to_double(from.position) + to_double(rest) + dt * to_double(linear), all(most)), all(-most));
+    to.position = to_float(next);
+    rest = to_float(next - to_double(to.position));
+    const double speed = length(w);
     if (!(speed > 0.0)) return to;
     double s = 0.0, c = 1.0;
     sine_cosine(0.5 * speed * dt, s, c);
     const double scale = s / speed;
-    const double a[4] = {scale * w.v[0], scale * w.v[1], scale * w.v[2], c};
+    const double a[4] = {scale * w.x, scale * w.y, scale * w.z, c};
     const Rotation& q = from.rotation;
     const double b[4] = {wide(q.x), wide(q.y), wide(q.z), wide(q.w)};
     double p[4] = {

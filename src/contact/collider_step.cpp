@@ -31,10 +31,6 @@ bool turns(const Collider& c) {
     return c.moves && (a.x != b.x || a.y != b.y || a.z != b.z || a.w != b.w);
 }
 
-void put(Vector v, float* to) {
-    to[0] = v.x, to[1] = v.y, to[2] = v.z;
-}
-
 double along(Vector axis, Vector a, Vector b) { // axis . (a - b)
     return static_cast<double>(axis.x) * (static_cast<double>(a.x) - static_cast<double>(b.x)) +
            static_cast<double>(axis.y) * (static_cast<double>(a.y) - static_cast<double>(b.y)) +
@@ -228,14 +224,7 @@ bool Colliders::any_ground(const Box& box, uint32_t layers) const {
 
 bool Colliders::any_finite(const Box& box, uint32_t layers) const {
     bool any = false;
-    const auto take = [&](uint32_t slot) { any = any || (colliders_[slot].layers & layers) != 0; };
-    still_grid_.query(box, [&](const Proxy& p) {
-        if (slots_[p.slot].where == Where::still) take(p.slot);
-    });
-    if (any) return true;
-    active_grid_.query(box, [&](const Proxy& p) {
-        if (slots_[p.slot].where == Where::active) take(p.slot);
-    });
+    each_finite(box, [&](uint32_t slot, ColliderPart) { any = any || (colliders_[slot].layers & layers) != 0; });
     return any;
 }
 

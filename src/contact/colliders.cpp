@@ -2,6 +2,7 @@
 
 #include "contact/collider_motion.h"
 #include "world/handles.h"
+#include "world/mix.h"
 
 #include <algorithm>
 #include <bit>
@@ -295,24 +296,14 @@ void Colliders::set_surface(uint32_t slot, float friction, float restitution, ui
     c.layers = layers;
 }
 
-namespace {
-
-uint64_t mix(uint64_t v) {
-    v = (v ^ v >> 30) * 0xbf58476d1ce4e5b9ull;
-    v = (v ^ v >> 27) * 0x94d049bb133111ebull;
-    return v ^ v >> 31;
-}
-
-} // namespace
-
 uint64_t Colliders::hash() const {
     uint64_t sum = 0;
     for (uint32_t slot = 0; slot < used_; ++slot) {
         if (slots_[slot].where == Where::free) continue;
         const Collider& c = colliders_[slot];
         const ColliderMotion& m = motions_[slot];
-        uint64_t one = mix(id(slot) + 0x9e3779b97f4a7c15ull);
-        const auto word = [&](uint64_t w) { one = mix(one ^ w) + 0x9e3779b97f4a7c15ull; };
+        uint64_t one = mix64(id(slot) + 0x9e3779b97f4a7c15ull);
+        const auto word = [&](uint64_t w) { one = mix64(one ^ w) + 0x9e3779b97f4a7c15ull; };
         const auto number = [&](float x) { word(std::bit_cast<uint32_t>(x)); };
         const auto numbers = [&](Vector v) { number(v.x), number(v.y), number(v.z); };
         const auto pose = [&](const Pose& p) {
@@ -332,7 +323,7 @@ uint64_t Colliders::hash() const {
         word(c.layers);
         sum += one;
     }
-    return count_ == 0 ? 0 : mix(sum ^ count_) | 1;
+    return count_ == 0 ? 0 : mix64(sum ^ count_) | 1;
 }
 
 } // namespace lr

@@ -96,12 +96,7 @@ public:
         const auto take = [&](uint32_t slot, ColliderPart part) {
             if ((colliders_[slot].layers & layers) != 0) found(Candidate{slot, part});
         };
-        still_grid_.query(box, [&](const Proxy& p) {
-            if (slots_[p.slot].where == Where::still) take(p.slot, p.part);
-        });
-        active_grid_.query(box, [&](const Proxy& p) {
-            if (slots_[p.slot].where == Where::active) take(p.slot, p.part);
-        });
+        each_finite(box, take);
         for (uint32_t i = 0; i < unbounded_count_; ++i)
             if (in_reach(colliders_[unbounded_[i]], box)) take(unbounded_[i], {0, 0});
     }
@@ -173,6 +168,16 @@ private:
     void fill_near();
     void add_near(uint32_t slot);
     bool in_reach(const Collider& collider, const Box& box) const;
+    // Calls found(slot, part) for each finite collider, or part of one, whose box reaches into `box`.
+    template <class Found> void each_finite(const Box& box, Found&& found) const {
+        const auto take = [&](const ProxyGrid& grid, Where where) {
+            grid.query(box, [&](const Proxy& p) {
+                if (slots_[p.slot].where == where) found(p.slot, p.part);
+            });
+        };
+        take(still_grid_, Where::still);
+        take(active_grid_, Where::active);
+    }
 
     GeometryStore geometries_;
     Allocator* allocator_;

@@ -11,30 +11,15 @@ namespace lr {
 namespace {
 
 // Where a body may be within so long; as in the kernel.
-struct Vicinity {
-    Vector low, high;
-    bool finite() const { return length(high - low) < 1e10f && dot(low, low) < 1e20f; } // false for NaN
-};
-Vicinity vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i, float dt) {
-    const auto at = [&](size_t f) {
-        return Vector{arrays.field[f][i], arrays.field[f + 1][i], arrays.field[f + 2][i]};
-    };
+Box vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i, float dt) {
     const float size = 1.5f * step.shape->reach * arrays.field[field_scale][i];
-    const float speed = length(at(field_vx)) + 0.25f * size * length(at(field_wx));
-    const float far = size + dt * (1.5f * speed + step.gain);
-    const Vector x = at(field_x), half{far, far, far};
-    return {x - half, x + half};
+    const float speed =
+        length(vector_in(arrays.field, field_vx, i)) + 0.25f * size * length(vector_in(arrays.field, field_wx, i));
+    const Vector x = vector_in(arrays.field, field_x, i);
+    return grown({x, x}, size + dt * (1.5f * speed + step.gain));
 }
 bool is_ground(const Collider& c) {
     return c.geometry.kind == ColliderKind::plane || c.geometry.kind == ColliderKind::heightfield;
-}
-
-// Geometric mean and the larger: a pair slips as its materials do together, and bounces as the springier one.
-float friction_of(const ContactSettings& s, const Collider& c) {
-    return std::sqrt(s.friction * c.friction);
-}
-float restitution_of(const ContactSettings& s, const Collider& c) {
-    return std::max(s.restitution, c.restitution);
 }
 
 } // namespace
@@ -77,8 +62,7 @@ ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, c
     std::fill(touches_, touches_ + contact_lanes, false);
     for (uint32_t i = 0; i < count; ++i) {
         Near& near = near_[i];
-        const Vicinity around = vicinity(step, arrays, i, step.dt);
-        const Box box{around.low, around.high};
+        const Box box = vicinity(step, arrays, i, step.dt);
         const uint32_t layers = step.settings->layers;
         near.count = step.colliders->candidates(box, layers, nullptr, near.candidate, near.crowded);
         if (near.crowded) near.count = step.colliders->grounds(box, layers, near.candidate);
@@ -93,18 +77,6 @@ ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, c
             ++ground_count_;
         }
     }
-}
-
-Pose ContactGroup::pose_of(uint32_t i) const {
-    const auto value = [&](size_t f) { return arrays_.field[f][i]; };
-    return {{value(field_x), value(field_y), value(field_z)},
-            {value(field_qx), value(field_qy), value(field_qz), value(field_qw)}};
-}
-
-void ContactGroup::set_pose(uint32_t i, const Pose& pose) {
-    const float values[7] = {pose.position.x, pose.position.y, pose.position.z, pose.rotation.x,
-                             pose.rotation.y, pose.rotation.z, pose.rotation.w};
-    for (size_t f = 0; f < 7; ++f) arrays_.field[f][i] = values[f];
 }
 
 // The slot for one more contact of a body: a free one, or that of its shallowest if this one is deeper; else none.
@@ -124,39 +96,28 @@ uint32_t ContactGroup::place(uint32_t i, float gap) {
     return gap < slots_.slot[shallowest].gap[i] ? shallowest : contact_slots;
 }
 
-void ContactGroup::add(uint32_t i, const ContactSlots::Slot& from) {
-    const uint32_t at = place(i, from.gap[i]);
-    if (at == contact_slots) return;
-    ContactSlots::Slot& to = slots_.slot[at];
-    for (size_t k = 0; k < 3; ++k) {
-        to.arm[k][i] = from.arm[k][i];
-        to.normal[k][i] = from.normal[k][i];
-        to.surface[k][i] = from.surface[k][i];
-        to.lag[k][i] = from.lag[k][i];
-    }
-    to.gap[i] = from.gap[i];
-    to.friction[i] = from.friction[i];
-    to.restitution[i] = from.restitution[i];
-    to.collider[i] = from.collider[i];
-}
-
 void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, const Pose& pose,
                        const SurfaceMotion& motion) {
-    const uint32_t at = place(i, contact.gap);
-    if (at == contact_slots) return;
     const Collider& c = step_->colliders->at(collider);
-    ContactSlots::Slot& to = slots_.slot[at];
-    const Vector normal = rotate(pose.rotation, contact.normal);
     const Vector point = to_outer(pose_of(i), contact.arm);
-    const auto put = [&](LaneRow(&rows)[3], Vector v) { rows[0][i] = v.x, rows[1][i] = v.y, rows[2][i] = v.z; };
-    put(to.arm, contact.arm);
-    put(to.normal, normal);
-    put(to.surface, motion.velocity_at(point));
-    put(to.lag, motion.lag_at(point));
-    to.gap[i] = contact.gap;
-    to.friction[i] = friction_of(*step_->settings, c);
-    to.restitution[i] = restitution_of(*step_->settings, c);
-    to.collider[i] = collider;
+    put(i, {contact.arm, rotate(pose.rotation, contact.normal), motion.velocity_at(point), motion.lag_at(point),
+            contact.gap, pair_friction(*step_->settings, c), pair_restitution(*step_->settings, c), collider});
+}
+
+// Returns the slot that it has got, or contact_slots.
+uint32_t ContactGroup::put(uint32_t i, const SlotContact& c) {
+    const uint32_t at = place(i, c.gap);
+    if (at == contact_slots) return at;
+    ContactSlots::Slot& s = slots_.slot[at];
+    put_in(s.arm, 0, i, c.arm);
+    put_in(s.normal, 0, i, c.normal);
+    put_in(s.surface, 0, i, c.surface);
+    put_in(s.lag, 0, i, c.lag);
+    s.gap[i] = c.gap;
+    s.friction[i] = c.friction;
+    s.restitution[i] = c.restitution;
+    s.collider[i] = c.collider;
+    return at;
 }
 
 float ContactGroup::margin_of(uint32_t i, float h) const {
@@ -173,13 +134,12 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
         GroundSurface s{};
         const Vector axes[3] = {rotate(pose.rotation, {1, 0, 0}), rotate(pose.rotation, {0, 1, 0}),
                                 rotate(pose.rotation, {0, 0, 1})};
-        const auto put = [](float* to, Vector v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; };
-        put(s.position, pose.position);
-        for (size_t k = 0; k < 3; ++k) put(s.axes + 3 * k, axes[k]);
-        put(s.velocity, motion.velocity);
-        put(s.spin, motion.spin);
-        s.friction = friction_of(*step_->settings, c);
-        s.restitution = restitution_of(*step_->settings, c);
+        lr::put(pose.position, s.position);
+        for (size_t k = 0; k < 3; ++k) lr::put(axes[k], s.axes + 3 * k);
+        lr::put(motion.velocity, s.velocity);
+        lr::put(motion.spin, s.spin);
+        s.friction = pair_friction(*step_->settings, c);
+        s.restitution = pair_restitution(*step_->settings, c);
         s.collider = grounds_[g];
         if (const HeightfieldGeometry* const f = c.geometry.heightfield) {
             s.heights = f->heights;
@@ -199,7 +159,7 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
             if (!listed) continue;
             if (rough[i] == 0) {
                 for (const ContactSlots::Slot& slot : found)
-                    if (slot.gap[i] < 0.5f * no_contact) add(i, slot);
+                    if (slot.gap[i] < 0.5f * no_contact) put(i, contact_in(slot, i));
                 continue;
             }
             Contact contacts[most_contacts];
@@ -214,8 +174,7 @@ void ContactGroup::touch_grounds(const ContactBodies& bodies, float begin, float
 void ContactGroup::touch_others(uint32_t i, float begin, float end, float h) {
     const float margin = margin_of(i, h), scale = arrays_.field[field_scale][i];
     const Pose at = pose_of(i);
-    const float far = 1.2f * step_->shape->reach * scale + margin;
-    const Vector half{far, far, far};
+    const Box around = grown({at.position, at.position}, 1.2f * step_->shape->reach * scale + margin);
     Contact contacts[most_contacts];
     const auto add_all = [&](uint32_t slot, const Pose& pose, uint32_t count) {
         if (count == 0) return;
@@ -230,7 +189,7 @@ void ContactGroup::touch_others(uint32_t i, float begin, float end, float h) {
         if (mesh) add_all(mesh_slot, mesh_pose, mesh->keep(contacts));
         mesh.reset();
     };
-    each_candidate(i, {at.position - half, at.position + half}, [&](const Candidate& candidate) {
+    each_candidate(i, around, [&](const Candidate& candidate) {
         const Collider& c = step_->colliders->at(candidate.slot);
         if (is_ground(c)) return;
         if (candidate.slot != mesh_slot) finish_mesh();
@@ -253,27 +212,15 @@ void ContactGroup::touch_others(uint32_t i, float begin, float end, float h) {
 
 void ContactGroup::touch_resting(uint32_t i, const LaneRow (&before)[pose_fields], float h) {
     const float margin = margin_of(i, h);
-    const Pose from{{before[0][i], before[1][i], before[2][i]},
-                    {before[3][i], before[4][i], before[5][i], before[6][i]}};
     RestingTouch touches[most_resting];
-    const uint32_t count =
-        step_->resting->touched_by(arrays_.key[i], arrays_.field[field_scale][i], from, pose_of(i), margin, touches);
+    const uint32_t count = step_->resting->touched_by(arrays_.key[i], arrays_.field[field_scale][i], pose_in(before, i),
+                                                      pose_of(i), margin, touches);
     for (uint32_t n = 0; n < count; ++n)
         for (uint32_t k = 0; k < touches[n].count; ++k) {
             const PairContact& c = touches[n].contact[k];
-            const uint32_t at = place(i, c.gap);
-            if (at == contact_slots) continue;
-            ContactSlots::Slot& s = slots_.slot[at];
-            const auto put = [i](LaneRow(&rows)[3], Vector v) { rows[0][i] = v.x, rows[1][i] = v.y, rows[2][i] = v.z; };
-            put(s.arm, c.arm_a);
-            put(s.normal, c.normal);
-            put(s.surface, {});
-            put(s.lag, {});
-            s.gap[i] = c.gap;
-            s.friction[i] = touches[n].friction;
-            s.restitution[i] = touches[n].restitution;
-            s.collider[i] = a_body;
-            at_rest_[at][i] = {touches[n].batch, touches[n].index};
+            const uint32_t at =
+                put(i, {c.arm_a, c.normal, {}, {}, c.gap, touches[n].friction, touches[n].restitution, a_body});
+            if (at != contact_slots) at_rest_[at][i] = {touches[n].batch, touches[n].index};
         }
 }
 
@@ -311,8 +258,17 @@ float rolling_of(const ContactSettings& settings, const BodyShape& shape) {
 }
 
 ContactBodies ContactGroup::bodies(const LaneRow (&before)[pose_fields], float h) const {
+    const BodyShape& s = *step_->shape;
     return {body_,
-            constants_of(*step_->shape, *step_->samples),
+            {s.count,
+             s.sample_count,
+             s.x,
+             s.y,
+             s.z,
+             s.radius,
+             {s.center.x, s.center.y, s.center.z},
+             {s.semi_axes.x, s.semi_axes.y, s.semi_axes.z},
+             s.reach},
             h,
             step_->gravity,
             rolling_of(*step_->settings, *step_->shape),
@@ -338,29 +294,31 @@ void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {
     std::copy_n(list.id, 4, out);
 }
 
+void TouchSum::take(float impulse, Vector arm, Vector normal, Vector surface) {
+    if (!(impulse >= 0.0f)) return;
+    touch_.impulse += impulse;
+    if (!(impulse > strongest_)) return;
+    strongest_ = impulse;
+    put(to_outer(now_, arm), touch_.position);
+    put(normal, touch_.normal);
+    touch_.speed = std::max(dot(normal, surface - rotate(then_, v_ + cross(w_, arm))), 0.0f);
+}
+
+Touch TouchSum::touch(float unit_mass) const {
+    Touch all = touch_;
+    all.impulse *= unit_mass;
+    return all;
+}
+
 Touch ContactGroup::meeting(uint32_t i, uint32_t collider, const LaneRow (&before)[pose_fields]) const {
-    Touch touch{};
-    touch.collider = collider + 1;
-    const Pose pose = pose_of(i);
-    const Rotation turn{before[3][i], before[4][i], before[5][i], before[6][i]};
-    const Vector v{before[7][i], before[8][i], before[9][i]}, w{before[10][i], before[11][i], before[12][i]};
-    const auto put = [](Vector a, float(&to)[3]) { to[0] = a.x, to[1] = a.y, to[2] = a.z; };
-    float strongest = -1.0f, sum = 0.0f;
+    TouchSum sum(collider, pose_of(i), pose_in(before, i).rotation, vector_in(before, field_vx, i),
+                 vector_in(before, field_wx, i));
     for (uint32_t k = 0; k < filled_[i]; ++k) {
-        const ContactSlots::Slot& s = slots_.slot[k];
-        if (s.collider[i] != collider || !(s.impulse[i] >= 0.0f)) continue;
-        sum += s.impulse[i];
-        if (!(s.impulse[i] > strongest)) continue;
-        strongest = s.impulse[i];
-        const auto row = [i](const LaneRow(&rows)[3]) { return Vector{rows[0][i], rows[1][i], rows[2][i]}; };
-        const Vector arm = row(s.arm), normal = row(s.normal);
-        put(to_outer(pose, arm), touch.position);
-        put(normal, touch.normal);
-        touch.speed = std::max(dot(normal, row(s.surface) - rotate(turn, v + cross(w, arm))), 0.0f);
+        const SlotContact c = contact(i, k);
+        if (c.collider == collider) sum.take(slots_.slot[k].impulse[i], c.arm, c.normal, c.surface);
     }
     const float scale = arrays_.field[field_scale][i];
-    touch.impulse = body_->unit_mass * scale * scale * scale * sum;
-    return touch;
+    return sum.touch(body_->unit_mass * scale * scale * scale);
 }
 
 NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin,
@@ -384,10 +342,10 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
             const uint32_t mark = near_[i - begin];
             if (mark == 0) continue;
             const auto reached = [&] {
-                const Vicinity around = vicinity(step, arrays, i, dt);
-                const Box box{around.low, around.high};
+                const Box box = vicinity(step, arrays, i, dt);
                 const bool over_ground = (mark & near_ground) != 0;
-                return around.finite() &&
+                const bool finite = length(box.high - box.low) < 1e10f && dot(box.low, box.low) < 1e20f; // not NaN
+                return finite &&
                        ((over_ground && all_grounds) || step.colliders->any_finite(box, step.settings->layers) ||
                         (over_ground && step.colliders->any_ground(box, step.settings->layers)));
             };

@@ -3,7 +3,7 @@
 
 #include "contact/body_shape.h"
 #include "contact/colliders.h"
-#include "contact/ground_samples.h"
+#include "contact/pose_rows.h"
 #include "contact/resting_bodies.h"
 #include "kernel/contact.h"
 #include "kernel/wind.h"
@@ -23,6 +23,14 @@ struct ContactSettings {
     bool may_rest = true;
     bool operator==(const ContactSettings&) const = default;
 };
+// Geometric mean and the larger: a pair slips as its materials do together, and bounces as the springier one. Of a batch and a
+// collider, or of two batches.
+template <class Other> float pair_friction(const ContactSettings& a, const Other& b) {
+    return std::sqrt(a.friction * b.friction);
+}
+template <class Other> float pair_restitution(const ContactSettings& a, const Other& b) {
+    return std::max(a.restitution, b.restitution);
+}
 // Null when fine, else what is wrong; NaN is.
 const char* wrong_in(const ContactSettings& settings);
 
@@ -34,7 +42,6 @@ struct ContactStep {
     const ContactTarget* target;
     const Colliders* colliders;
     const BodyShape* shape;
-    const GroundSamples* samples;
     const ContactSettings* settings;
     float gravity;                          // m/s^2, magnitude
     float fluid_density;                    // kg/m^3
@@ -43,21 +50,7 @@ struct ContactStep {
     const RestingBodies* resting = nullptr; // that they meet; null: none
 };
 
-static_assert(most_ground_samples == most_ground_points);
-constexpr ShapeConstants constants_of(const BodyShape& s, const GroundSamples& g) {
-    return {s.count,
-            s.x,
-            s.y,
-            s.z,
-            g.count,
-            g.x,
-            g.y,
-            g.z,
-            s.radius,
-            {s.center.x, s.center.y, s.center.z},
-            {s.semi_axes.x, s.semi_axes.y, s.semi_axes.z},
-            s.reach};
-}
+static_assert(most_shape_samples == most_ground_points);
 
 // Where a collider is at a part of the step, 0 to 1.
 Pose pose_at(const Collider& collider, float part);
@@ -79,11 +72,45 @@ inline float contact_margin(float reach, Vector x, float gravity, float h) {
     return 0.005f * reach + 1e-6f * far + gravity * h * h;
 }
 
+// A contact of one body as its slot has it.
+struct SlotContact {
+    Vector arm, normal, surface, lag;
+    float gap, friction, restitution;
+    uint32_t collider;
+};
+inline SlotContact contact_in(const ContactSlots::Slot& s, uint32_t lane) {
+    return {vector_in(s.arm, 0, lane),
+            vector_in(s.normal, 0, lane),
+            vector_in(s.surface, 0, lane),
+            vector_in(s.lag, 0, lane),
+            s.gap[lane],
+            s.friction[lane],
+            s.restitution[lane],
+            s.collider[lane]};
+}
+
 // How a body met a collider.
 struct Touch {
     uint32_t collider; // slot + 1; 0: none
     float position[3], normal[3];
     float speed, impulse; // m/s, N s
+};
+
+// Its contacts with a collider together: where the strongest is, and the impulse of all.
+class TouchSum {
+public:
+    // The body at the end of a substep; then, v, w: its rotation and velocities as that began.
+    TouchSum(uint32_t collider, const Pose& now, Rotation then, Vector v, Vector w)
+        : now_(now), then_(then), v_(v), w_(w), touch_{collider + 1, {}, {}, 0.0f, 0.0f} {}
+    void take(float impulse, Vector arm, Vector normal, Vector surface);
+    Touch touch(float unit_mass) const;
+
+private:
+    Pose now_;
+    Rotation then_;
+    Vector v_, w_;
+    float strongest_ = -1.0f;
+    Touch touch_;
 };
 
 // What a body touches, the strongest first as far as there is room: colliders by slot + 1, bodies at rest by a_body + 1.
@@ -107,7 +134,7 @@ public:
     void collect(const LaneRow (&before)[pose_fields], float begin, float end, float h);
     void solve(const LaneRow (&before)[pose_fields], float h);
     uint32_t contacts(uint32_t lane) const { return filled_[lane]; }
-    const ContactSlots::Slot& contact(uint32_t k) const { return slots_.slot[k]; }
+    SlotContact contact(uint32_t lane, uint32_t k) const { return contact_in(slots_.slot[k], lane); }
     void take_out(uint32_t lane);
 
     // The body at rest that a contact is with, whose collider is then `a_body`.
@@ -144,11 +171,10 @@ private:
     void touch_grounds(const ContactBodies& bodies, float begin, float end, float h);
     void touch_others(uint32_t lane, float begin, float end, float h);
     void touch_resting(uint32_t lane, const LaneRow (&before)[pose_fields], float h);
-    void add(uint32_t lane, const ContactSlots::Slot& from);
+    uint32_t put(uint32_t lane, const SlotContact& contact);
     void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion);
     uint32_t place(uint32_t lane, float gap);
-    Pose pose_of(uint32_t lane) const;
-    void set_pose(uint32_t lane, const Pose& pose);
+    Pose pose_of(uint32_t lane) const { return pose_in(arrays_.field, lane); }
     float margin_of(uint32_t lane, float h) const;
 
     const ContactStep* step_;

@@ -61,12 +61,8 @@ template <class T> bool copy(Allocator& allocator, const T* from, uint64_t count
 }
 
 Box around(const float* points, size_t count) {
-    Box box{{points[0], points[1], points[2]}, {points[0], points[1], points[2]}};
-    for (size_t i = 0; i < count; ++i) {
-        const Vector p{points[3 * i], points[3 * i + 1], points[3 * i + 2]};
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-    }
+    Box box{vector_of(points), vector_of(points)};
+    for (size_t i = 0; i < count; ++i) box = around(box, {vector_of(points + 3 * i), vector_of(points + 3 * i)});
     return box;
 }
 

@@ -10,10 +10,6 @@
 
 namespace lr {
 
-struct Box {
-    Vector low, high; // m
-};
-
 // Triangles that lie close together.
 struct MeshPart {
     Box box;

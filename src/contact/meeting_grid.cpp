@@ -28,21 +28,16 @@ void MeetingGrid::build(uint32_t count) {
     populated_ = 0;
     for (uint32_t i = 0; i < count; ++i) {
         MeetingBox& box = boxes_[i];
-        float extent = 0.0f, far = 0.0f;
-        for (size_t k = 0; k < 3; ++k) {
-            extent = std::max(extent, box.high[k] - box.low[k]);
-            far = std::max(far, std::max(-box.low[k], box.high[k]));
-        }
+        const Vector low = box.box.low, high = box.box.high;
+        const float far = std::max({-low.x, high.x, -low.y, high.y, -low.z, high.z}), size = extent(box.box);
         uint32_t level = 0;
-        while (level < levels && size_of(level) < extent) ++level;
-        bool finite = far < 1e15f && level < levels;
-        for (size_t k = 0; k < 3; ++k) finite = finite && box.high[k] >= box.low[k]; // false for NaN
+        while (level < levels && width_of(level) < size) ++level;
         box.level = level;
         box.cell = nowhere;
-        if (!finite) continue;
-        int32_t at[3];
-        for (size_t k = 0; k < 3; ++k) at[k] = cell(middle(box, k), inverse_size_of(level));
-        box.cell = hash(level, at[0], at[1], at[2]);
+        // False for NaN.
+        const bool there = high.x >= low.x && high.y >= low.y && high.z >= low.z;
+        if (!(there && far < 1e15f && level < levels)) continue;
+        box.cell = hash(level, cell_of(box, level));
         populated_ |= 1u << level;
         ++first_[(box.cell & mask_) + 1];
     }
@@ -53,10 +48,9 @@ void MeetingGrid::build(uint32_t count) {
         // Each bucket is filled from behind: its end moves down to where it begins.
         const uint32_t at = --first_[(box.cell & mask_) + 1];
         index_[at] = i;
-        for (size_t k = 0; k < 3; ++k) {
-            rows_[k * room_ + at] = box.low[k];
-            rows_[(k + 3) * room_ + at] = box.high[k];
-        }
+        const Box& b = box.box;
+        const float numbers[6] = {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z};
+        for (size_t k = 0; k < 6; ++k) rows_[k * room_ + at] = numbers[k];
     }
     // Ends have become beginnings: one place down.
     for (uint32_t b = 0; b <= mask_; ++b) first_[b] = first_[b + 1];

@@ -231,8 +231,8 @@ void set_own_points(MeetingShape& out) {
         const uint32_t at = out.flat ? shape.corners[shape.faces[0].first + i] : i;
         const Vector p = rotate(to_own, {shape.x[at], shape.y[at], shape.z[at]});
         points[i] = p;
-        low = i == 0 ? p : Vector{std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = i == 0 ? p : Vector{std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+        low = i == 0 ? p : low_of(low, p);
+        high = i == 0 ? p : high_of(high, p);
     }
     const Vector middle = 0.5f * (low + high);
     out.origin = rotate(out.frame, middle);
@@ -250,20 +250,14 @@ void set_own_points(MeetingShape& out) {
         }
     }
     out.center = 1.0f / static_cast<float>(count) * sum;
-    for (uint32_t f = 0; f < shape.face_count; ++f) {
-        out.normals[f] = rotate(to_own, shape.faces[f].normal);
-        if (out.flat) out.normals[f] = {0.0f, 0.0f, f == 0 ? 1.0f : -1.0f};
-        float offset = -std::numeric_limits<float>::infinity();
-        for (uint32_t i = 0; i < count; ++i)
-            offset = std::max(offset, dot(out.normals[f], {out.x[i], out.y[i], out.z[i]}));
-        out.offsets[f] = offset;
-    }
     for (uint32_t f = 0; f < most_shape_faces; ++f) {
         const uint32_t from = f < shape.face_count ? f : 0;
-        out.face_x[f] = out.normals[from].x;
-        out.face_y[f] = out.normals[from].y;
-        out.face_z[f] = out.normals[from].z;
-        out.face_offset[f] = out.offsets[from];
+        const Vector n =
+            out.flat ? Vector{0.0f, 0.0f, from == 0 ? 1.0f : -1.0f} : rotate(to_own, shape.faces[from].normal);
+        out.face_x[f] = n.x, out.face_y[f] = n.y, out.face_z[f] = n.z;
+        out.face_offset[f] = -std::numeric_limits<float>::infinity();
+        for (uint32_t i = 0; i < count; ++i)
+            out.face_offset[f] = std::max(out.face_offset[f], dot(n, {out.x[i], out.y[i], out.z[i]}));
     }
     if (!out.flat) return;
     set_coarse_outline(out);
@@ -291,15 +285,15 @@ MeetingShape make_meeting_shape(const BodyShape& shape) {
     set_own_points(out);
     Vector low{s.x[0], s.y[0], s.z[0]}, high = low;
     for (uint32_t i = 1; i < s.count; ++i) {
-        low = {std::min(low.x, s.x[i]), std::min(low.y, s.y[i]), std::min(low.z, s.z[i])};
-        high = {std::max(high.x, s.x[i]), std::max(high.y, s.y[i]), std::max(high.z, s.z[i])};
+        low = low_of(low, {s.x[i], s.y[i], s.z[i]});
+        high = high_of(high, {s.x[i], s.y[i], s.z[i]});
     }
     out.middle = 0.5f * (low + high);
     out.half = 0.5f * (high - low) + Vector{s.radius, s.radius, s.radius};
     return out;
 }
 
-Bounds bounds(const MeetingShape& shape, float scale, const Pose& at) {
+Box bounds(const MeetingShape& shape, float scale, const Pose& at) {
     const Rotation q = at.rotation * shape.frame;
     const Vector x = rotate(q, {scale, 0.0f, 0.0f}), y = rotate(q, {0.0f, scale, 0.0f}),
                  z = rotate(q, {0.0f, 0.0f, scale});
@@ -320,7 +314,7 @@ Bounds bounds(const MeetingShape& shape, float scale, const Pose& at) {
         low = about + least(least_of) - rounding;
         high = about + greatest(greatest_of) + rounding;
     };
-    Bounds box{};
+    Box box{};
     extent(x.x, y.x, z.x, middle.x, box.low.x, box.high.x);
     extent(x.y, y.y, z.y, middle.y, box.low.y, box.high.y);
     extent(x.z, y.z, z.z, middle.z, box.low.z, box.high.z);

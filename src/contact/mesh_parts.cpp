@@ -7,17 +7,6 @@ namespace {
 
 constexpr float large = 8.0f; // times the mean extent
 
-Vector least(Vector a, Vector b) {
-    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
-Vector most(Vector a, Vector b) {
-    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
-float extent(const Box& box) {
-    const Vector e = box.high - box.low;
-    return std::max(e.x, std::max(e.y, e.z));
-}
-
 struct Triangle {
     Box box;
     uint32_t index;
@@ -29,7 +18,7 @@ Vector doubled_middle(const Triangle& t) {
 
 Box around(const Triangle* from, const Triangle* to) {
     Box box = from->box;
-    for (; from != to; ++from) box = {least(box.low, from->box.low), most(box.high, from->box.high)};
+    for (; from != to; ++from) box = around(box, from->box);
     return box;
 }
 
@@ -44,8 +33,8 @@ void split(Triangle* from, Triangle* to, uint32_t first, std::vector<MeshPart>& 
     }
     Vector low = doubled_middle(*from), high = low;
     for (const Triangle* t = from; t != to; ++t) {
-        low = least(low, doubled_middle(*t));
-        high = most(high, doubled_middle(*t));
+        low = low_of(low, doubled_middle(*t));
+        high = high_of(high, doubled_middle(*t));
     }
     const Vector e = high - low;
     const auto key = [&](const Triangle& t) {
@@ -67,11 +56,8 @@ void make_mesh_parts(const float* vertices, uint32_t* indices, uint32_t triangle
     double sum = 0.0;
     for (uint32_t i = 0; i < triangle_count; ++i) {
         Vector p[3];
-        for (size_t k = 0; k < 3; ++k) {
-            const float* const v = vertices + size_t{3} * indices[size_t{3} * i + k];
-            p[k] = {v[0], v[1], v[2]};
-        }
-        triangles[i] = {{least(p[0], least(p[1], p[2])), most(p[0], most(p[1], p[2]))}, i};
+        for (size_t k = 0; k < 3; ++k) p[k] = vector_of(vertices + size_t{3} * indices[size_t{3} * i + k]);
+        triangles[i] = {{low_of(p[0], low_of(p[1], p[2])), high_of(p[0], high_of(p[1], p[2]))}, i};
         sum += static_cast<double>(extent(triangles[i].box));
     }
     const float limit = large * static_cast<float>(sum / triangle_count);

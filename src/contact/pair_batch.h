@@ -9,7 +9,7 @@
 
 namespace lr {
 
-// What is found of a pair is the same in any company, and not to the bit what find_way_contacts() finds.
+// What is found of a pair is the same in any company.
 class PairBatch {
 public:
     explicit PairBatch(PairSearch target) : target_(target) {}

@@ -17,13 +17,7 @@ Vector moved(const PairBody& body, Vector arm) {
 Vector farthest(const PairBody& body, Vector direction) {
     const BodyShape& s = body.shape->shape;
     const Vector d = rotate(inverse(body.to.rotation), direction);
-    uint32_t best = 0;
-    float most = d.x * s.x[0] + d.y * s.y[0] + d.z * s.z[0];
-    for (uint32_t i = 1; i < s.count; ++i) {
-        const float along = d.x * s.x[i] + d.y * s.y[i] + d.z * s.z[i];
-        best = along > most ? i : best;
-        most = along > most ? along : most;
-    }
+    const uint32_t best = farthest_point(s.x, s.y, s.z, s.count, d);
     return body.scale * (Vector{s.x[best], s.y[best], s.z[best]} + s.radius * d);
 }
 
@@ -33,7 +27,8 @@ Vector farthest(const PairBody& body, Vector direction) {
 PairBody pair_body(const MeetingShape& shape, float scale, const Pose& from, const Pose& to) {
     const Rotation turn = to.rotation * inverse(from.rotation);
     const float reach = scale * shape.shape.reach;
-    return {&shape, scale, from, to, to.position - from.position, 2.0f * reach * length({turn.x, turn.y, turn.z})};
+    return {
+        &shape, scale, from, to, to.position - from.position, 2.0f * reach * length(Vector{turn.x, turn.y, turn.z})};
 }
 
 float near_enough(const PairBody& a, const PairBody& b, float margin) {
@@ -77,13 +72,6 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
     }
     out[at] = {{arm_a, arm_b, n, apart - dot(n, moved(a, arm_a) - moved(b, arm_b))}, apart};
     return kept;
-}
-
-uint32_t find_way_contacts(const PairBody& a, const PairBody& b, float margin, WayContact (&out)[most_pair_contacts]) {
-    PairContact found[most_pair_contacts];
-    const uint32_t count =
-        find_pair_contacts(*a.shape, a.scale, a.from, *b.shape, b.scale, b.from, near_enough(a, b, margin), found);
-    return keep_way_contacts(a, b, margin, found, count, out);
 }
 
 } // namespace lr

@@ -24,12 +24,11 @@ struct WayContact {
     float end; // m, the gap at the end of the way
 };
 
-// Those that end nearer than `margin` (m). Returns how many. The same in two parts: how near they must be as the substep begins (m),
-// and which of those that are near then count.
+// Of those that end nearer than `margin` (m): how near they must be as the substep begins (m), and which of those that are near then
+// count. Returns how many.
 float near_enough(const PairBody& a, const PairBody& b, float margin);
 uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
                            const PairContact (&found)[most_pair_contacts], uint32_t count,
                            WayContact (&out)[most_pair_contacts]);
-uint32_t find_way_contacts(const PairBody& a, const PairBody& b, float margin, WayContact (&out)[most_pair_contacts]);
 
 } // namespace lr

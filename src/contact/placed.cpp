@@ -37,15 +37,7 @@ Double3 PlacedBody::support(Double3 direction) const {
         for (uint32_t i = 0; i < 3; ++i) sum = sum + s * along[i] * to_double(axes[i]);
         return sum;
     }
-    const Vector d = to_float(direction);
-    uint32_t best = 0;
-    float most = d.x * x[0] + d.y * y[0] + d.z * z[0];
-    for (uint32_t i = 1; i < count; ++i) {
-        const float along = d.x * x[i] + d.y * y[i] + d.z * z[i];
-        best = along > most ? i : best;
-        most = along > most ? along : most;
-    }
-    return to_double(point(best));
+    return to_double(point(farthest_point(x, y, z, count, to_float(direction))));
 }
 
 PlacedCollider::PlacedCollider(const Geometry& geometry, Vector body_position) : origin(-to_double(body_position)) {

@@ -11,38 +11,6 @@
 
 namespace lr {
 
-// In double: differences of large colliders' corners leave nothing of a small body in single precision.
-struct Double3 {
-    double x, y, z;
-};
-constexpr Double3 operator+(Double3 a, Double3 b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-constexpr Double3 operator-(Double3 a, Double3 b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-constexpr Double3 operator-(Double3 a) {
-    return {-a.x, -a.y, -a.z};
-}
-constexpr Double3 operator*(double s, Double3 a) {
-    return {s * a.x, s * a.y, s * a.z};
-}
-constexpr double dot(Double3 a, Double3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-constexpr Double3 cross(Double3 a, Double3 b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline double length(Double3 a) {
-    return std::sqrt(dot(a, a));
-}
-constexpr Double3 to_double(Vector a) {
-    return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
-}
-constexpr Vector to_float(Double3 a) {
-    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
-
 inline Vector hull_corner(const HullGeometry& hull, uint32_t i) {
     const float* v = hull.vertices + size_t{3} * i;
     return {v[0], v[1], v[2]};

@@ -93,9 +93,6 @@ struct Closest {
     Vector on_a, on_b; // of a with its shift
 };
 
-// With a moved by `shift`. enough: cores farther apart are `beyond`. tolerance: of the distance. start: a guess of the normal.
-Closest closest_points(const PlacedPair& pair, Vector shift, float enough, float tolerance, Vector start);
-
 // What holds the pair: points on both cores, up to most_pair_contacts of them.
 struct PairPoint {
     Vector on_a, on_b; // of the cores, of a without the shift

@@ -1,34 +1,82 @@
-// Positions and orientations of single things, in single precision: what the scalar part of contact computes with.
+// Vectors, positions and orientations of single things: what the scalar part of contact computes with.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace lr {
 
-struct Vector {
-    float x, y, z;
-};
-constexpr Vector operator+(Vector a, Vector b) {
+template <class T> struct Vector3 { T x, y, z; };
+template <class T> constexpr Vector3<T> operator+(Vector3<T> a, Vector3<T> b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-constexpr Vector operator-(Vector a, Vector b) {
+template <class T> constexpr Vector3<T> operator-(Vector3<T> a, Vector3<T> b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-constexpr Vector operator-(Vector a) {
+template <class T> constexpr Vector3<T> operator-(Vector3<T> a) {
     return {-a.x, -a.y, -a.z};
 }
-constexpr Vector operator*(float s, Vector a) {
+template <class T> constexpr Vector3<T> operator*(std::type_identity_t<T> s, Vector3<T> a) {
     return {s * a.x, s * a.y, s * a.z};
 }
-constexpr float dot(Vector a, Vector b) {
+template <class T> constexpr T dot(Vector3<T> a, Vector3<T> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-constexpr Vector cross(Vector a, Vector b) {
+template <class T> constexpr Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline float length(Vector a) {
+template <class T> inline T length(Vector3<T> a) {
     return std::sqrt(dot(a, a));
+}
+// Of each coordinate.
+template <class T> constexpr Vector3<T> low_of(Vector3<T> a, Vector3<T> b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+template <class T> constexpr Vector3<T> high_of(Vector3<T> a, Vector3<T> b) {
+    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+using Vector = Vector3<float>;
+// Where differences of large things' corners would leave nothing of a small one in single precision.
+using Double3 = Vector3<double>;
+
+constexpr Double3 to_double(Vector a) {
+    return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+}
+constexpr Vector to_float(Double3 a) {
+    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+constexpr double wide(float x) {
+    return static_cast<double>(x);
+}
+constexpr void put(Vector v, float* to) {
+    to[0] = v.x, to[1] = v.y, to[2] = v.z;
+}
+constexpr Vector vector_of(const float* v) {
+    return {v[0], v[1], v[2]};
+}
+
+struct Box {
+    Vector low, high; // m
+};
+constexpr Box around(const Box& a, const Box& b) {
+    return {low_of(a.low, b.low), high_of(a.high, b.high)};
+}
+constexpr Box grown(const Box& box, float by) {
+    const Vector more{by, by, by};
+    return {box.low - more, box.high + more};
+}
+constexpr float extent(const Box& box) {
+    const Vector e = box.high - box.low;
+    return std::max(e.x, std::max(e.y, e.z));
+}
+constexpr Vector middle_of(const Box& box) {
+    return 0.5f * (box.low + box.high);
+}
+constexpr bool overlap(const Box& a, const Box& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+           a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
 // Unit quaternion, x y z w: R(q) takes vectors from the thing's own frame to the outer one.

@@ -1,5 +1,6 @@
 // The cushion of air between a sheet and the ground (docs/maintainers/contact.md, "Ground effect").
 #include "contact/contact_group.h"
+#include "contact/terrain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,14 +36,10 @@ float inertia_along(const BodyConstants& c, Vector n) {
 float height_over(const Geometry& g, Vector at) {
     const HeightfieldGeometry* const f = g.heightfield;
     if (!f) return at.y;
-    const float u = at.x / f->spacing[0], w = at.z / f->spacing[1];
-    const auto last = [&](int k) { return static_cast<float>(f->counts[k] - 1); };
-    if (!(u >= 0.0f && u < last(0) && w >= 0.0f && w < last(1))) return -1.0f;
-    const auto i = static_cast<uint32_t>(u), k = static_cast<uint32_t>(w);
-    const float a = u - static_cast<float>(i), b = w - static_cast<float>(k);
-    const float* const h = f->heights + uint64_t{k} * f->counts[0] + i;
-    const float* const next = h + f->counts[0];
-    return at.y - ((1.0f - b) * ((1.0f - a) * h[0] + a * h[1]) + b * ((1.0f - a) * next[0] + a * next[1]));
+    const auto within = [&](float x, int k) {
+        return x >= 0.0f && x < static_cast<float>(f->counts[k] - 1) * f->spacing[k];
+    };
+    return within(at.x, 0) && within(at.z, 1) ? at.y - height_at(*f, at.x, at.z).height : -1.0f;
 }
 
 } // namespace
@@ -62,8 +59,7 @@ void ContactGroup::press_air(const LaneRow (&before)[pose_fields], float begin, 
     for (uint32_t i = 0; i < count_; ++i) {
         const float scale = arrays_.field[field_scale][i];
         Pose pose = pose_of(i);
-        const Pose was{{before[0][i], before[1][i], before[2][i]},
-                       {before[3][i], before[4][i], before[5][i], before[6][i]}};
+        const Pose was = pose_in(before, i);
         for (uint32_t k = 0; k < near_[i].count; ++k) {
             const Collider& c = step_->colliders->at(near_[i].candidate[k].slot);
             const bool plane = c.geometry.kind == ColliderKind::plane;
@@ -78,20 +74,17 @@ void ContactGroup::press_air(const LaneRow (&before)[pose_fields], float begin, 
             const float l = share * scale * squared * squared;
             const float kept = std::sqrt((1.0f + l / first) / (1.0f + l / last));
             const Vector n = rotate(inverse(pose.rotation), up);
-            const Vector v{arrays_.field[field_vx][i], arrays_.field[field_vy][i], arrays_.field[field_vz][i]};
+            const Vector v = vector_in(arrays_.field, field_vx, i);
             const float speed = dot(n, v);
-            const Vector v0 = rotate(was.rotation, {before[7][i], before[8][i], before[9][i]});
+            const Vector v0 = rotate(was.rotation, vector_in(before, field_vx, i));
             const float began = dot(up, v0);
             if (!(speed < 0.0f && began <= 0.0f)) continue;
             // What the substep's forces gave moves the air as well.
             const float slow = kept * (began + (speed - began) / (1.0f + 2.0f * l / (first + last)));
-            const Vector slower = v - (speed - slow) * n;
-            arrays_.field[field_vx][i] = slower.x;
-            arrays_.field[field_vy][i] = slower.y;
-            arrays_.field[field_vz][i] = slower.z;
+            put_in(arrays_.field, field_vx, i, v - (speed - slow) * n);
             // The way goes with the mean of both ends.
             pose.position = pose.position + ((first - last) * (speed - slow) / (began + speed)) * up;
-            set_pose(i, pose);
+            put_in(arrays_.field, field_x, i, pose.position);
         }
     }
 }

@@ -10,11 +10,6 @@ constexpr uint64_t spare_words = uint64_t{8} * most_occupancy_levels;
 
 constexpr uint64_t few = 1u << 12; // proxies
 
-float extent(const Box& box) {
-    const Vector e = box.high - box.low;
-    return std::max(e.x, std::max(e.y, e.z));
-}
-
 } // namespace
 
 // For the bits of `count` proxies, never fewer for more: a few bits in a hundred are set, one in ten or twenty where there are so many
@@ -171,43 +166,6 @@ uint32_t ProxyGrid::levels_about(const Box& box) const {
         levels |= (half <= level.dilation ? bit : 1u) << l;
     }
     return levels;
-}
-
-bool maybe_near(const NearColliders& near, Vector position, float reach) {
-    if (near.everywhere) return true;
-    for (uint32_t l = 0; l < near.level_count; ++l) {
-        const OccupancyLevel& level = near.levels[l];
-        if (!(reach <= level.dilation)) return true;
-        const uint32_t h =
-            cell_hash(cell_number(position.x, level.inverse_cell), cell_number(position.y, level.inverse_cell),
-                      cell_number(position.z, level.inverse_cell));
-        if (level.bits[(h >> 5) & level.mask] >> (h & 31) & 1u) return true;
-    }
-    // What rounding may take from a scalar product.
-    const auto slack = [](Vector d) { return 4e-7f * (std::abs(d.x) + std::abs(d.y) + std::abs(d.z)); };
-    for (uint32_t i = 0; i < near.plane_count; ++i) {
-        const NearPlane& plane = near.planes[i];
-        const Vector d = position - Vector{plane.point[0], plane.point[1], plane.point[2]};
-        const Vector n{plane.normal[0], plane.normal[1], plane.normal[2]};
-        if (!(dot(n, d) > reach + slack(d))) return true;
-    }
-    for (uint32_t i = 0; i < near.heightfield_count; ++i) {
-        const NearHeightfield& field = near.heightfields[i];
-        const Vector d = position - Vector{field.position[0], field.position[1], field.position[2]};
-        const float* const a = field.axes;
-        const float x = a[0] * d.x + a[1] * d.y + a[2] * d.z, y = a[3] * d.x + a[4] * d.y + a[5] * d.z,
-                    z = a[6] * d.x + a[7] * d.y + a[8] * d.z;
-        const float r = reach + field.travel + slack(d);
-        if (y > field.highest + r || x < -r || z < -r || x > field.extent[0] + r || z > field.extent[1] + r) continue;
-        if (!(r <= field.coarse_size)) return true;
-        const auto square = [](float at, float inverse, uint32_t count) {
-            return static_cast<uint32_t>(std::clamp(at * inverse, 0.0f, static_cast<float>(count - 1)));
-        };
-        const uint32_t column = square(x, field.inverse_coarse[0], field.counts[0]),
-                       row = square(z, field.inverse_coarse[1], field.counts[1]);
-        if (!(y > field.coarse[column + size_t{field.counts[0]} * row] + r)) return true;
-    }
-    return false;
 }
 
 } // namespace lr

@@ -1,6 +1,7 @@
 // Broad phase: boxes in hashed grids of several cell sizes, and the bits that tell the kernel which cells they reach into.
 #pragma once
 
+#include "contact/cells.h"
 #include "contact/geometry_store.h"
 #include "kernel/contact.h"
 
@@ -16,18 +17,6 @@ struct Proxy {
     uint32_t slot;
     ColliderPart part;
 };
-
-inline bool overlap(const Box& a, const Box& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
-// floor(x inverse_cell), clamped. Rises with x, so that a box's cells lie between those of its corners.
-inline int32_t cell_number(float x, float inverse_cell) {
-    const float cell = std::floor(x * inverse_cell);
-    if (!(cell > -most_cells)) return static_cast<int32_t>(-most_cells); // also what is no number
-    return static_cast<int32_t>(cell < most_cells ? cell : most_cells);
-}
 
 class ProxyGrid {
 public:
@@ -83,10 +72,6 @@ private:
     Level levels_[most_occupancy_levels] = {};
 };
 
-inline Vector middle_of(const Box& box) {
-    return 0.5f * (box.low + box.high);
-}
-
 template <class Found> void ProxyGrid::query(const Box& box, Found&& found) const {
     const uint32_t levels = levels_about(box);
     if (levels == 0) return;
@@ -127,9 +112,5 @@ template <class Found> void ProxyGrid::query(const Box& box, Found&& found) cons
                 }
     }
 }
-
-// Whether a body about `position` that reaches no farther than `reach` (m) can touch anything; where this says no, the
-// kernel does so too.
-bool maybe_near(const NearColliders& near, Vector position, float reach);
 
 } // namespace lr

@@ -14,10 +14,6 @@ constexpr uint32_t most_advances = 100;
 // Of a body's reach: where a ray has come so near it has met it.
 constexpr double met = 1e-6;
 
-double wide(float x) {
-    return static_cast<double>(x);
-}
-
 // Where |a + t d|^2 = 1 first. With d and a in units of the semi-axes.
 bool enters_unit_sphere(Double3 a, Double3 d, double& t) {
     const double dd = dot(d, d), ad = dot(a, d);
@@ -78,12 +74,11 @@ bool meets_rounded(const BodyShape& shape, float scale, const Ray& ray, double m
 }
 
 bool meets_hull(const BodyShape& shape, double scale, const Ray& ray, double most, RayHit& hit) {
-    RayPart part;
-    part.last = most;
-    for (uint32_t f = 0; f < shape.face_count; ++f)
-        if (!part.clip(ray, to_double(shape.faces[f].normal), scale * wide(shape.faces[f].offset))) return false;
-    hit = {part.first, part.first > 0.0 ? part.normal : -ray.direction};
-    return true;
+    const auto plane = [&](uint32_t f, Double3& outward, double& offset) {
+        outward = to_double(shape.faces[f].normal);
+        offset = scale * wide(shape.faces[f].offset);
+    };
+    return ray_meets_planes(shape.face_count, plane, ray, most, hit);
 }
 
 // The part of a ray within so far of the origin.

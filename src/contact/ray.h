@@ -23,7 +23,23 @@ struct RayPart {
 
     // Keeps what is in normal . x <= offset. False when nothing is left.
     bool clip(const Ray& ray, Double3 outward, double offset);
+    RayHit hit(const Ray& ray) const { return {first, first > 0.0 ? normal : -ray.direction}; }
 };
+
+// Whether a ray meets, within `most` (m), what is behind `count` planes: plane(i, outward, offset).
+template <class Plane>
+bool ray_meets_planes(uint32_t count, const Plane& plane, const Ray& ray, double most, RayHit& hit) {
+    RayPart part;
+    part.last = most;
+    for (uint32_t i = 0; i < count; ++i) {
+        Double3 outward;
+        double offset = 0.0;
+        plane(i, outward, offset);
+        if (!part.clip(ray, outward, offset)) return false;
+    }
+    hit = part.hit(ray);
+    return true;
+}
 
 // What of the shape, `scale` times, at `at`, a ray meets first within `most` (m). False: nothing.
 bool ray_meets_body(const BodyShape& shape, float scale, const Pose& at, const Ray& ray, double most, RayHit& hit);

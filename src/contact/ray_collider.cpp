@@ -8,10 +8,6 @@
 namespace lr {
 namespace {
 
-double wide(float x) {
-    return static_cast<double>(x);
-}
-
 bool inside(const Ray& ray, RayHit& hit) {
     hit = {0.0, -ray.direction};
     return true;
@@ -61,31 +57,21 @@ bool meets_capsule(double radius, double half, const Ray& ray, double most, RayH
     return any;
 }
 
-bool entered(const Ray& ray, const RayPart& part, RayHit& hit) {
-    if (!(part.first > 0.0)) return inside(ray, hit);
-    hit = {part.first, part.normal};
-    return true;
-}
-
 bool meets_box(const float (&size)[3], const Ray& ray, double most, RayHit& hit) {
-    RayPart part;
-    part.last = most;
-    for (uint32_t k = 0; k < 3; ++k)
-        for (const double side : {-1.0, 1.0}) {
-            const Double3 out{k == 0 ? side : 0.0, k == 1 ? side : 0.0, k == 2 ? side : 0.0};
-            if (!part.clip(ray, out, wide(size[k]))) return false;
-        }
-    return entered(ray, part, hit);
+    const auto plane = [&](uint32_t i, Double3& outward, double& offset) {
+        const double side = i % 2 == 0 ? -1.0 : 1.0;
+        outward = {i / 2 == 0 ? side : 0.0, i / 2 == 1 ? side : 0.0, i / 2 == 2 ? side : 0.0};
+        offset = wide(size[i / 2]);
+    };
+    return ray_meets_planes(6, plane, ray, most, hit);
 }
 
 bool meets_hull(const HullGeometry& hull, const Ray& ray, double most, RayHit& hit) {
-    RayPart part;
-    part.last = most;
-    for (uint32_t f = 0; f < hull.face_count; ++f) {
-        const float* const face = hull.faces + size_t{4} * f;
-        if (!part.clip(ray, to_double({face[0], face[1], face[2]}), wide(face[3]))) return false;
-    }
-    return entered(ray, part, hit);
+    const auto plane = [&](uint32_t f, Double3& outward, double& offset) {
+        outward = to_double(vector_of(hull.faces + size_t{4} * f));
+        offset = wide(hull.faces[size_t{4} * f + 3]);
+    };
+    return ray_meets_planes(hull.face_count, plane, ray, most, hit);
 }
 
 // By the signs of three volumes (Plücker coordinates), so that no ray slips through an edge between two triangles.
@@ -163,7 +149,10 @@ bool meets_heightfield(const HeightfieldGeometry& field, const Ray& ray, double 
         }
     // Solid below: what comes in from the side, or begins there, has met it.
     const Double3 entry = ray.origin + part.first * ray.direction;
-    if (entry.y <= ground(field, entry)) return entered(ray, part, hit);
+    if (entry.y <= ground(field, entry)) {
+        hit = part.hit(ray);
+        return true;
+    }
     if (!part.clip(ray, {0.0, 1.0, 0.0}, wide(field.highest))) return false;
     const Double3 from = ray.origin + part.first * ray.direction;
     const double at[2] = {from.x, from.z}, along[2] = {ray.direction.x, ray.direction.z};

@@ -10,8 +10,8 @@ bool RestGrid::create(Allocator& allocator, uint32_t capacity, double reach) {
         return false;
     mask_ = buckets - 1;
     reach_ = reach;
-    double size = 2.0 * reach * 1e-3; // of bodies of the least scale
-    for (double& s : size_) s = size, size *= 4.0;
+    double width = 2.0 * reach * 1e-3; // of bodies of the least scale
+    for (float& w : width_) w = static_cast<float>(width * 1.000001), width *= 4.0;
     clear();
     return true;
 }
@@ -19,15 +19,13 @@ bool RestGrid::create(Allocator& allocator, uint32_t capacity, double reach) {
 uint32_t RestGrid::level_of(float scale) const {
     const double width = 2.0 * reach_ * static_cast<double>(scale);
     uint32_t level = 0;
-    while (level + 1 < level_count && size_[level] < width) ++level;
+    while (level + 1 < level_count && wide(width_[level]) < width) ++level;
     return level;
 }
 
-void RestGrid::insert(uint32_t slot, const float (&position)[3], float scale) {
+void RestGrid::insert(uint32_t slot, Vector position, float scale) {
     const uint32_t level = level_of(scale);
-    int32_t at[3];
-    for (size_t k = 0; k < 3; ++k) at[k] = cell(static_cast<double>(position[k]), size_[level]);
-    const uint32_t to = bucket(level, at[0], at[1], at[2]);
+    const uint32_t to = cell_hash(cell_at(position, 1.0f / width_[level]), level) & mask_;
     const uint32_t first = heads_[to];
     next_[slot] = first;
     previous_[slot] = head_bit | to;

@@ -34,8 +34,8 @@ uint32_t face_at(const MeetingShape& shape, Vector point, Vector direction) {
     uint32_t best = shape.shape.face_count;
     float most = -1.0f;
     for (uint32_t f = 0; f < shape.shape.face_count; ++f) {
-        const float along = dot(shape.normals[f], direction);
-        if (along > most && dot(shape.normals[f], point) > shape.offsets[f] - slack) {
+        const float along = dot(shape.face_normal(f), direction);
+        if (along > most && dot(shape.face_normal(f), point) > shape.face_offset[f] - slack) {
             most = along;
             best = f;
         }
@@ -56,7 +56,7 @@ bool set_side(const MeetingShape& shape, float scale, Vector point, Vector direc
     } else {
         const uint32_t f = face_at(shape, point, direction);
         if (f == shape.shape.face_count) return false;
-        const Vector n = shape.normals[f];
+        const Vector n = shape.face_normal(f);
         side.normal = n.x * side.axes[0] + n.y * side.axes[1] + n.z * side.axes[2];
         side.faces = dot(n, direction) > edge_on;
         if (!side.faces) return true;

@@ -46,6 +46,8 @@ struct Way {
         farthest = length(move) + turn * reach;
     }
 
+    // Around all of it.
+    Box box() const { return grown({low_of(from.position, to.position), high_of(from.position, to.position)}, reach); }
     Pose at(float t) const {
         const Rotation a = from.rotation, b = to.rotation;
         const float s = 1.0f - t;
@@ -160,14 +162,7 @@ bool near_hull(const Way& way, const HullGeometry& hull) {
 bool near_triangle(const Way& way, const Triangle& t) {
     const float a = dot(t.normal, way.from.position - t.corners[0]), b = dot(t.normal, way.to.position - t.corners[0]);
     if (std::min(a, b) > way.reach || std::max(a, b) < -way.reach) return false;
-    for (uint32_t axis = 0; axis < 3; ++axis) {
-        const auto of = [&](Vector v) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; };
-        const float p = of(way.from.position), q = of(way.to.position);
-        if (std::min(p, q) - way.reach > std::max({of(t.corners[0]), of(t.corners[1]), of(t.corners[2])}) ||
-            std::max(p, q) + way.reach < std::min({of(t.corners[0]), of(t.corners[1]), of(t.corners[2])}))
-            return false;
-    }
-    return true;
+    return reaches(way.box(), t);
 }
 
 float sweep_triangle(const Way& way, const Triangle& t) {
@@ -189,7 +184,7 @@ void columns_under(const Way& way, const HeightfieldGeometry& field, uint32_t ro
     const float low = a.x + (d.x < 0.0f ? end : begin) * d.x, high = a.x + (d.x < 0.0f ? begin : end) * d.x;
     // What rounding may take from both ends.
     const float more = way.reach + field.spacing[0] + 1e-5f * (std::abs(a.x) + std::abs(d.x));
-    const Cells cells = cells_between(field, low - more, high + more, z, z);
+    const Cells cells = cells_between(field, {{low - more, 0.0f, z}, {high + more, 0.0f, z}});
     first = std::max(first, cells.first[0]);
     last = std::min(last, cells.last[0]);
 }
@@ -198,8 +193,7 @@ float sweep_heightfield(const Way& way, const HeightfieldGeometry& field) {
     const Vector a = way.from.position, b = way.to.position;
     const float lowest = std::min(a.y, b.y) - way.reach;
     if (lowest > field.highest) return 1.0f;
-    const Cells cells = cells_between(field, std::min(a.x, b.x) - way.reach, std::max(a.x, b.x) + way.reach,
-                                      std::min(a.z, b.z) - way.reach, std::max(a.z, b.z) + way.reach);
+    const Cells cells = cells_between(field, way.box());
     if (cells.first[0] == cells.last[0] || cells.first[1] == cells.last[1]) return 1.0f;
     // From below the surface there is only the way up.
     const float width = static_cast<float>(field.counts[0] - 1) * field.spacing[0];

@@ -50,12 +50,7 @@ void add_triangle(const PlacedBody& body, const Triangle& t, float margin, Conta
     const Vector position = body.at.position;
     const float off = dot(t.normal, position - t.corners[0]);
     if (off > far || (!t.one_sided && off < -far)) return;
-    for (uint32_t axis = 0; axis < 3; ++axis) {
-        const auto of = [&](Vector a) { return axis == 0 ? a.x : axis == 1 ? a.y : a.z; };
-        const float low = std::min({of(t.corners[0]), of(t.corners[1]), of(t.corners[2])});
-        const float high = std::max({of(t.corners[0]), of(t.corners[1]), of(t.corners[2])});
-        if (of(position) + far < low || of(position) - far > high) return;
-    }
+    if (!reaches(grown({position, position}, far), t)) return;
     const PlacedCollider collider(t.corners, position);
     const Double3 normal = to_double(t.normal);
     const double enough = static_cast<double>(margin + body.radius);
@@ -147,12 +142,9 @@ void add_points(const PlacedBody& body, const HeightfieldGeometry& field, float 
 
 Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index) {
     Triangle t{};
-    for (uint32_t k = 0; k < 3; ++k) {
-        const float* v = mesh.vertices + size_t{3} * mesh.indices[size_t{3} * index + k];
-        t.corners[k] = {v[0], v[1], v[2]};
-    }
-    const float* n = mesh.normals + size_t{3} * index;
-    t.normal = {n[0], n[1], n[2]};
+    for (uint32_t k = 0; k < 3; ++k)
+        t.corners[k] = vector_of(mesh.vertices + size_t{3} * mesh.indices[size_t{3} * index + k]);
+    t.normal = vector_of(mesh.normals + size_t{3} * index);
     t.hidden = mesh.hidden_edges[index];
     return t;
 }
@@ -184,9 +176,19 @@ HeightPoint height_at(const HeightfieldGeometry& field, float x, float z) {
     return {h00 + dx * fx + dz * fz, {-sx * up, up, -sz * up}};
 }
 
-Cells cells_between(const HeightfieldGeometry& field, float low_x, float high_x, float low_z, float high_z) {
+bool reaches(const Box& box, const Triangle& t) {
+    const auto apart = [](float low, float high, float a, float b, float c) {
+        return low > std::max({a, b, c}) || high < std::min({a, b, c});
+    };
+    const Vector(&c)[3] = t.corners;
+    return !apart(box.low.x, box.high.x, c[0].x, c[1].x, c[2].x) &&
+           !apart(box.low.y, box.high.y, c[0].y, c[1].y, c[2].y) &&
+           !apart(box.low.z, box.high.z, c[0].z, c[1].z, c[2].z);
+}
+
+Cells cells_between(const HeightfieldGeometry& field, const Box& box) {
     Cells out{};
-    const float low[2] = {low_x, low_z}, high[2] = {high_x, high_z};
+    const float low[2] = {box.low.x, box.low.z}, high[2] = {box.high.x, box.high.z};
     for (uint32_t a = 0; a < 2; ++a) {
         const float cells = static_cast<float>(field.counts[a] - 1);
         const float from = std::floor(low[a] / field.spacing[a]), to = std::floor(high[a] / field.spacing[a]) + 1.0f;
@@ -221,7 +223,7 @@ void add_heightfield(const PlacedBody& body, const HeightfieldGeometry& field, f
     const float far = body.reach + body.radius + margin;
     if (p.y - far > field.highest) return;
     add_points(body, field, margin, set);
-    const Cells cells = cells_between(field, p.x - far, p.x + far, p.z - far, p.z + far);
+    const Cells cells = cells_between(field, grown({p, p}, far));
     const float enough = margin + body.radius;
     for (uint32_t k = cells.first[1]; k < cells.last[1]; ++k)
         for (uint32_t i = cells.first[0]; i < cells.last[0]; ++i) {

@@ -13,6 +13,8 @@ struct Triangle {
 };
 
 Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index);
+// Whether a box reaches into that around a triangle.
+bool reaches(const Box& box, const Triangle& t);
 
 struct HeightPoint {
     float height; // m
@@ -21,11 +23,11 @@ struct HeightPoint {
 // The triangle of a heightfield below or above a place within its outline.
 HeightPoint height_at(const HeightfieldGeometry& field, float x, float z);
 
-// Cells of a heightfield that an interval reaches into, [first, last); none where it is outside.
+// Cells of a heightfield that a box reaches into, [first, last); none where it is outside.
 struct Cells {
     uint32_t first[2], last[2];
 };
-Cells cells_between(const HeightfieldGeometry& field, float low_x, float high_x, float low_z, float high_z);
+Cells cells_between(const HeightfieldGeometry& field, const Box& box);
 // One of the two triangles of a cell; `hidden` is not set.
 Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k, bool second);
 

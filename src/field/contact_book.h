@@ -52,6 +52,11 @@ inline float farthest(Vector extent, Vector turn) {
     return length(Vector{y * extent.z + z * extent.y, z * extent.x + x * extent.z, x * extent.y + y * extent.x});
 }
 
+// Of its fastest point, at most, m/s.
+inline float fastest(Vector extent, Vector v, Vector w) {
+    return length(v) + farthest(extent, w);
+}
+
 // All but what it touches. still_speed: m/s over the square root of the reach in m. v, w: body frame.
 inline BodyAfter body_moved(uint32_t index, const BodyShape& shape, float scale, float still_speed, Vector v, Vector w,
                             const Pose& before, const Pose& now) {
@@ -61,7 +66,7 @@ inline BodyAfter body_moved(uint32_t index, const BodyShape& shape, float scale,
     body.extent = scale * shape.extent;
     body.still = still_speed * std::sqrt(body.reach);
     body.moving = trembling * body.still;
-    body.speed = length(v) + farthest(body.extent, w);
+    body.speed = fastest(body.extent, v, w);
     body.way = now.position - before.position;
     const Rotation by = inverse(before.rotation) * now.rotation;
     body.turn = (by.w < 0.0f ? -2.0f : 2.0f) * Vector{by.x, by.y, by.z};

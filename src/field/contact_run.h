@@ -20,15 +20,12 @@ struct ContactRun {
     float still; // m/s over sqrt(reach in m): slower bodies that touch something lie still
 };
 
-// value(field): of the body after the substep; before: as it was before it.
-template <class Value>
-BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t lane, uint32_t index,
-                     const Value& value, const LaneRow (&before)[pose_fields]) {
-    const auto now = [&](size_t f) { return Vector{value(f), value(f + 1), value(f + 2)}; };
-    BodyAfter body = body_moved(index, *run.step.shape, value(field_scale), run.still, now(field_vx), now(field_wx),
-                                {{before[0][lane], before[1][lane], before[2][lane]},
-                                 {before[3][lane], before[4][lane], before[5][lane], before[6][lane]}},
-                                {now(field_x), {value(field_qx), value(field_qy), value(field_qz), value(field_qw)}});
+// rows, at: of the body after the substep; before: as it was before it.
+template <class Rows>
+BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t lane, uint32_t index, const Rows& rows,
+                     uint32_t at, const LaneRow (&before)[pose_fields]) {
+    BodyAfter body = body_moved(index, *run.step.shape, rows[field_scale][at], run.still, vector_in(rows, field_vx, at),
+                                vector_in(rows, field_wx, at), pose_in(before, lane), pose_in(rows, at));
     body.touches = group.touches(lane);
     group.touched(lane, body.now);
     return body;

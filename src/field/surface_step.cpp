@@ -13,28 +13,14 @@ constexpr auto lanes = static_cast<uint32_t>(lane_block), most = static_cast<uin
 NearBodies::NearBodies(const SurfaceStep& step, const StepInput& in, const BatchArrays& from, uint32_t live,
                        uint32_t begin, uint32_t end, double dt, bool forget)
     : step_(&step), begin_(begin), live_(live) {
-    const float* const g = step.gravity;
-    const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     step.target->surface.near(step.surface->at(step.time.begin), step.surface->highest(), *in.water,
-                              static_cast<float>(dt), gravity, from, begin, end, near_);
+                              static_cast<float>(dt), length(vector_of(step.gravity)), from, begin, end, near_);
     for (uint32_t i = begin; i < std::min(end, live); ++i)
         if (near_[i - begin] != 0) index_[count_++] = i;
     if (count_ == 0) return;
-    padded_ = (count_ + lanes - 1) / lanes * lanes;
-    // The last body fills up the lanes.
-    const auto gather = [&](const auto* source, auto* to) {
-        for (uint32_t i = 0; i < padded_; ++i) to[i] = source[index_[std::min(i, count_ - 1)]];
-    };
-    for (size_t f = 0; f < field_count; ++f)
-        if (from.field[f]) gather(from.field[f], field_[f]);
-    gather(from.key, key_);
-    if (in.external.used == 0) return;
-    for (size_t c = 0; c < force_components; ++c) {
-        float* const source = in.external.bodies + c * in.external.stride;
-        gather(source, force_[c]);
-        if (!forget) continue;
-        for (uint32_t i = 0; i < count_; ++i) source[index_[i]] = 0.0f;
-    }
+    copies_.take(from, count_, [this](uint32_t i) { return index_[i]; });
+    copies_.take_forces(
+        in.external, [this](uint32_t i) { return index_[i]; }, forget);
 }
 
 bool NearBodies::others(uint32_t begin) const {
@@ -46,56 +32,58 @@ bool NearBodies::others(uint32_t begin) const {
 void NearBodies::set_wind(const float (&wind)[3][field_block]) {
     windy_ = true;
     for (size_t k = 0; k < 3; ++k)
-        for (uint32_t i = 0; i < padded_; ++i) wind_[k][i] = wind[k][index_[std::min(i, count_ - 1)] - begin_];
+        copies_.gather(
+            wind[k], [this](uint32_t i) { return index_[i] - begin_; }, wind_[k]);
 }
 
 void NearBodies::sample(double time, lr_batch batch, SurfaceInstant& plane, SurfaceBlock& block) {
     plane = step_->surface->at(time);
-    step_->target->surface.surface(plane, padded_, block);
+    step_->target->surface.surface(plane, copies_.padded, block);
     if (step_->surface->has_callback()) step_->surface->ask(time, batch, count_, plane, block);
 }
 
 void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32_t count) {
     const SurfaceTarget& kernel = step_->target->surface;
-    BatchArrays bodies{};
-    for (size_t f = 0; f < field_count; ++f) bodies.field[f] = field_[f];
-    bodies.key = key_;
+    const BatchArrays bodies = copies_.arrays();
     StepInput one = in;
     one.substeps = 1;
-    one.external.bodies = force_[0];
-    one.external.stride = field_block;
-    one.external.clear = false;
+    copies_.lend_forces(one.external);
     SurfaceInstant plane;
     SurfaceBlock blocks[3];
     SurfaceBlock *begin = blocks, *const middle = blocks + 1, *end = blocks + 2;
     const auto h = static_cast<float>(step_->time.h);
-    kernel.ahead(bodies, padded_, 0.0f, *begin);
+    kernel.ahead(bodies, copies_.padded, 0.0f, *begin);
     sample(step_->time.begin + first * step_->time.h, batch, plane, *begin);
     for (uint32_t i = first; i < first + count; ++i) {
         one.first_substep = in.first_substep + i;
         if (!windy_) {
             const float part = (static_cast<float>(i) + 0.5f) / static_cast<float>(step_->time.substeps);
             for (size_t k = 0; k < 3; ++k)
-                std::fill_n(wind_[k], padded_, in.wind_begin[k] + part * (in.wind[k] - in.wind_begin[k]));
+                std::fill_n(wind_[k], copies_.padded, in.wind_begin[k] + part * (in.wind[k] - in.wind_begin[k]));
         }
-        kernel.ahead(bodies, padded_, 0.5f * h, *middle);
+        kernel.ahead(bodies, copies_.padded, 0.5f * h, *middle);
         sample(step_->time.begin + (i + 0.5) * step_->time.h, batch, plane, *middle);
         const WetSubstep wet{in.water, &plane, begin, middle, end, wind_, step_->gravity, fraction_};
-        kernel.step(one, wet, bodies, padded_);
-        kernel.ahead(bodies, padded_, 0.0f, *end);
+        kernel.step(one, wet, bodies, copies_.padded);
+        kernel.ahead(bodies, copies_.padded, 0.0f, *end);
         sample(step_->time.begin + (i + 1.0) * step_->time.h, batch, plane, *end);
-        kernel.settle(one, wet, bodies, padded_);
+        kernel.settle(one, wet, bodies, copies_.padded);
         std::swap(begin, end);
     }
 }
 
 void NearBodies::put_back(const BatchArrays& to) const {
-    for (size_t f = 0; f < field_count; ++f)
-        for (uint32_t i = 0; i < count_ && to.field[f]; ++i) to.field[f][index_[i]] = field_[f][i];
+    copies_.put_back(to, [this](uint32_t i) { return index_[i]; });
 }
 
-void step_at_surface(const SurfaceStep& step, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
-                     uint32_t live, uint32_t begin, uint32_t end) {
+void step_lanes(const KernelTarget& target, const SurfaceStep* surface, const StepTime& time, const StepInput& in,
+                const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end) {
+    if (!surface || !in.water) {
+        target.step(in, arrays, begin, end);
+        return;
+    }
+    SurfaceStep step = *surface;
+    step.time = time;
     for (uint32_t at = begin; at < end; at += most) {
         const uint32_t last = std::min(at + most, end);
         NearBodies near(step, in, arrays, live, at, last, step.time.h * step.time.substeps, true);

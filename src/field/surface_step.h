@@ -1,6 +1,7 @@
 // Bodies that may touch the lower fluid: taken out of a block, stepped by themselves, and put back.
 #pragma once
 
+#include "field/body_copies.h"
 #include "field/surface.h"
 #include "field/wind_field.h"
 #include "kernel/step.h"
@@ -36,19 +37,17 @@ private:
 
     const SurfaceStep* step_;
     uint32_t begin_, live_;
-    uint32_t count_ = 0, padded_ = 0;
+    uint32_t count_ = 0;
     bool windy_ = false;
     alignas(64) uint32_t near_[field_block];
     uint32_t index_[field_block];
-    alignas(64) float field_[field_count][field_block];
-    alignas(64) uint32_t key_[field_block];
-    alignas(64) float force_[force_components][field_block];
+    BodyCopies<field_block> copies_;
     alignas(64) float wind_[3][field_block];
     alignas(64) float fraction_[field_block];
 };
 
-// [begin, end) through all substeps of a step in a uniform wind.
-void step_at_surface(const SurfaceStep& step, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
-                     uint32_t live, uint32_t begin, uint32_t end);
+// [begin, end) through all substeps of a step in a uniform wind. surface: null without one; its time is not read.
+void step_lanes(const KernelTarget& target, const SurfaceStep* surface, const StepTime& time, const StepInput& in,
+                const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end);
 
 } // namespace lr

@@ -59,10 +59,8 @@ struct NearColliders {
 
 // What of a body can touch, at scale 1 (contact/body_shape.h).
 struct ShapeConstants {
-    uint32_t count; // of points; 0: an ellipsoid
+    uint32_t count, sample_count; // of points, 0: an ellipsoid; against heightfields, of which the first are the points
     const float *x, *y, *z;
-    uint32_t sample_count; // against heightfields: these, of which the first are the points
-    const float *sample_x, *sample_y, *sample_z;
     float radius;
     float center[3], semi_axes[3];
     float reach;

@@ -259,8 +259,6 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
     const bool ellipsoid = b.shape.count == 0;
     const uint32_t points_there = g.heights ? b.shape.sample_count : b.shape.count;
     const uint32_t count = ellipsoid ? ellipsoid_points(b.shape, g) : points_there;
-    const float* const core[3] = {g.heights ? b.shape.sample_x : b.shape.x, g.heights ? b.shape.sample_y : b.shape.y,
-                                  g.heights ? b.shape.sample_z : b.shape.z};
     bool any = false;
     const VF empty = constant(no_contact), zero = hn::Zero(d), one = constant(1.0f);
     GroundPoint points[most_ground_points];
@@ -281,7 +279,8 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         Vec3 first_normal = deepest;
         for (uint32_t k = 0; k < count; ++k) {
             GroundSample sample;
-            points[k] = ellipsoid ? all.of_ellipsoid(k, sample) : all.get(core[0][k], core[1][k], core[2][k], sample);
+            points[k] =
+                ellipsoid ? all.of_ellipsoid(k, sample) : all.get(b.shape.x[k], b.shape.y[k], b.shape.z[k], sample);
             const auto deeper = hn::Lt(points[k].gap, least);
             least = hn::IfThenElse(deeper, points[k].gap, least);
             deepest = select(deeper, points[k].at, deepest);

@@ -14,11 +14,10 @@ namespace lr::HWY_NAMESPACE {
 
 void crowd_begin(const CrowdInput& in, uint32_t kind, uint32_t begin) {
     const DF d;
-    alignas(64) LaneRow row[fields_of_body];
-    const auto index = [&](size_t lane) { return begin + lane; };
-    gather<body_floats, fields_of_body>(floats(in.bodies), index, row);
+    GatheredBodies bodies(in, begin);
+    auto& row = bodies.row;
+    auto& twist = bodies.twist;
     const VF zero = hn::Zero(d), one = constant(1.0f);
-    alignas(64) LaneRow twist[twist_floats];
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
         const VF length = hn::Mul(hn::Load(d, row[at_scale] + at), constant(in.kinds[kind].body->length));
         const Quaternion q = load4(row + at_q, at), q0 = load4(row + at_q0, at);
@@ -37,8 +36,7 @@ void crowd_begin(const CrowdInput& in, uint32_t kind, uint32_t begin) {
         hn::Store(hn::Mul(constant(1e-4f), size.slop), d, row[at_dust] + at);
         for (size_t f = 6; f < twist_floats; ++f) hn::Store(zero, d, twist[f] + at);
     }
-    scatter<body_floats, fields_of_body>(row, index, floats(in.bodies));
-    scatter<twist_floats, twist_floats>(twist, index, floats(in.twists));
+    bodies.put_back(in, begin);
 }
 
 // A pair's sides as its first projection sees them, and how its contacts have come about.
@@ -176,11 +174,7 @@ HWY_INLINE void let_go(PairBlock& block, size_t at, hn::Mask<DF> fine) {
 bool crowd_sweep(const CrowdInput& in, PairBlock& block) {
     const DF d;
     const VF zero = hn::Zero(d);
-    alignas(64) LaneRow twist_a[twist_floats], twist_b[twist_floats];
-    gather<twist_floats, twist_floats>(
-        floats(in.twists), [&](size_t lane) { return block.a[lane]; }, twist_a);
-    gather<twist_floats, twist_floats>(
-        floats(in.twists), [&](size_t lane) { return block.b[lane]; }, twist_b);
+    GatheredTwists twists(in, block);
     const float* const mass_a = in.kinds[block.kind_a].body->full_inverse;
     const float* const mass_b = in.kinds[block.kind_b].body->full_inverse;
     bool changed = false;
@@ -188,7 +182,7 @@ bool crowd_sweep(const CrowdInput& in, PairBlock& block) {
         const Side a{mass_a, load_matrix(block.turn_a, at), constant(1.0f)};
         const Side b{mass_b, load_matrix(block.turn_b, at), hn::Load(d, block.ratio + at)};
         const VF dust = hn::Load(d, block.dust + at);
-        Twist ta = load6(twist_a, at), tb = load6(twist_b, at);
+        Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
         VF change = zero, load = zero, squares = zero;
         for (uint32_t k = 0; k < block.used; ++k) {
             PairContacts& c = block.contact[k];
@@ -224,19 +218,19 @@ bool crowd_sweep(const CrowdInput& in, PairBlock& block) {
         const auto fine = hn::Le(squares, constant(most_change));
         if (HWY_UNLIKELY(!hn::AllTrue(d, fine))) {
             let_go(block, at, fine);
-            ta = {select(fine, ta.v, load6(twist_a, at).v), select(fine, ta.u, load6(twist_a, at).u)};
-            tb = {select(fine, tb.v, load6(twist_b, at).v), select(fine, tb.u, load6(twist_b, at).u)};
+            ta = {select(fine, ta.v, load6(twists.a, at).v), select(fine, ta.u, load6(twists.a, at).u)};
+            tb = {select(fine, tb.v, load6(twists.b, at).v), select(fine, tb.u, load6(twists.b, at).u)};
             squares = hn::IfThenElseZero(fine, squares);
             load = hn::IfThenElseZero(fine, load);
             change = hn::IfThenElseZero(fine, change);
         }
-        store6(twist_a, at, ta);
-        store6(twist_b, at, tb);
+        store6(twists.a, at, ta);
+        store6(twists.b, at, tb);
         hn::Store(squares, d, block.changed + at);
-        hn::Store(hn::Add(hn::Load(d, twist_a[6] + at), load), d, twist_a[6] + at);
+        hn::Store(hn::Add(hn::Load(d, twists.a[6] + at), load), d, twists.a[6] + at);
         changed = changed || !hn::AllTrue(d, hn::Eq(change, zero));
     }
-    if (changed) put_back(in, block, twist_a, twist_b);
+    if (changed) twists.put_back(in, block);
     return changed;
 }
 
@@ -249,17 +243,13 @@ void crowd_follow(const CrowdInput& in, PairBlock& block, float part) {
                 store3(block.contact[k].search, at, load3(block.contact[k].change, at));
         return;
     }
-    alignas(64) LaneRow twist_a[twist_floats], twist_b[twist_floats];
-    gather<twist_floats, twist_floats>(
-        floats(in.twists), [&](size_t lane) { return block.a[lane]; }, twist_a);
-    gather<twist_floats, twist_floats>(
-        floats(in.twists), [&](size_t lane) { return block.b[lane]; }, twist_b);
+    GatheredTwists twists(in, block);
     const float* const mass_a = in.kinds[block.kind_a].body->full_inverse;
     const float* const mass_b = in.kinds[block.kind_b].body->full_inverse;
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
         const Side a{mass_a, load_matrix(block.turn_a, at), constant(1.0f)};
         const Side b{mass_b, load_matrix(block.turn_b, at), hn::Load(d, block.ratio + at)};
-        Twist ta = load6(twist_a, at), tb = load6(twist_b, at);
+        Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
         VF load = hn::Zero(d);
         for (uint32_t k = 0; k < block.used; ++k) {
             PairContacts& c = block.contact[k];
@@ -277,11 +267,11 @@ void crowd_follow(const CrowdInput& in, PairBlock& block, float part) {
             put(c.dragged[1], more.z);
             load = hn::Add(load, hn::IfThenElseZero(hn::Gt(hn::Load(d, c.solid + at), hn::Zero(d)), more.x));
         }
-        store6(twist_a, at, ta);
-        store6(twist_b, at, tb);
-        hn::Store(hn::Add(hn::Load(d, twist_a[6] + at), load), d, twist_a[6] + at);
+        store6(twists.a, at, ta);
+        store6(twists.b, at, tb);
+        hn::Store(hn::Add(hn::Load(d, twists.a[6] + at), load), d, twists.a[6] + at);
     }
-    put_back(in, block, twist_a, twist_b);
+    twists.put_back(in, block);
 }
 
 // The couple against rolling and spinning, from the loads on colliders.
@@ -289,13 +279,12 @@ bool crowd_roll(const CrowdInput& in, uint32_t kind, uint32_t begin) {
     const DF d;
     const CrowdKind& k = in.kinds[kind];
     if (k.rolling == 0.0f) return false;
-    const auto index = [&](size_t lane) { return begin + lane; };
     bool loaded = false;
     for (size_t lane = 0; lane < contact_lanes; ++lane) loaded = loaded || in.twists[begin + lane].load > 0.0f;
     if (!loaded) return false;
-    alignas(64) LaneRow row[fields_of_body], twist[twist_floats];
-    gather<body_floats, fields_of_body>(floats(in.bodies), index, row);
-    gather<twist_floats, twist_floats>(floats(in.twists), index, twist);
+    GatheredBodies bodies(in, begin);
+    auto& row = bodies.row;
+    auto& twist = bodies.twist;
     const VF zero = hn::Zero(d), spin_hold = constant(1.0f / most_turned<true>(*k.body));
     bool changed = false;
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
@@ -316,17 +305,15 @@ bool crowd_roll(const CrowdInput& in, uint32_t kind, uint32_t begin) {
         changed = changed || !hn::AllTrue(d, hn::Eq(greatest(step), zero));
     }
     if (!changed) return false;
-    scatter<body_floats, fields_of_body>(row, index, floats(in.bodies));
-    scatter<twist_floats, twist_floats>(twist, index, floats(in.twists));
+    bodies.put_back(in, begin);
     return true;
 }
 
 void crowd_move(const CrowdInput& in, uint32_t kind, uint32_t begin) {
     const DF d;
-    const auto index = [&](size_t lane) { return begin + lane; };
-    alignas(64) LaneRow row[fields_of_body], twist[twist_floats];
-    gather<body_floats, fields_of_body>(floats(in.bodies), index, row);
-    gather<twist_floats, twist_floats>(floats(in.twists), index, twist);
+    GatheredBodies bodies(in, begin);
+    auto& row = bodies.row;
+    auto& twist = bodies.twist;
     const VF zero = hn::Zero(d), half = constant(0.5f), one = constant(1.0f);
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
         const Size size = size_of(in.kinds[kind], row, at);
@@ -352,8 +339,7 @@ void crowd_move(const CrowdInput& in, uint32_t kind, uint32_t begin) {
         hn::Store(constant(2e-5f * in.gravity * in.h), d, row[at_dust] + at);
         hn::Store(zero, d, twist[6] + at);
     }
-    scatter<body_floats, fields_of_body>(row, index, floats(in.bodies));
-    scatter<twist_floats, twist_floats>(twist, index, floats(in.twists));
+    bodies.put_back(in, begin);
 }
 
 void crowd_touch(const CrowdInput& in, PairBlock& block) {
@@ -419,11 +405,7 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
     const bool pairs = block.ratio[0] != 0.0f; // of all lanes or of none
     bool bouncing = false;
     const Gathered g(in, block);
-    alignas(64) LaneRow twist_a[twist_floats], twist_b[twist_floats];
-    gather<twist_floats, twist_floats>(
-        floats(in.twists), [&](size_t lane) { return block.a[lane]; }, twist_a);
-    gather<twist_floats, twist_floats>(
-        floats(in.twists), [&](size_t lane) { return block.b[lane]; }, twist_b);
+    GatheredTwists twists(in, block);
     const CrowdKind &kind_a = in.kinds[block.kind_a], &kind_b = in.kinds[block.kind_b];
     // Of the shortest steps it would not be finite.
     const float frequency = 1.0f / HWY_MAX(in.h, 1e-30f);
@@ -443,7 +425,7 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
         const VF guess = hn::IfThenElseZero(hn::And(rests_a, rests_b), constant(2.0f * frequency));
         const Vec3 apart = sub(load3(g.a + at_x, at), load3(g.b + at_x, at));
         const auto any = hn::Gt(hn::Max(load(g.a, at_touches), load(g.b, at_touches)), zero);
-        Twist ta = load6(twist_a, at), tb = load6(twist_b, at);
+        Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
         VF more = zero;
         const Twist met_a = load6(g.a + at_way, at), met_b = load6(g.b + at_way, at);
         for (uint32_t k = 0; k < block.used; ++k) {
@@ -485,11 +467,11 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
             tb = {sub(tb.v, other.v), sub(tb.u, other.u)};
             more = hn::Add(more, hn::IfThenElseZero(hn::Gt(hn::Load(d, c.solid + at), zero), impulses[0]));
         }
-        store6(twist_a, at, ta);
-        store6(twist_b, at, tb);
-        hn::Store(hn::Add(hn::Load(d, twist_a[6] + at), more), d, twist_a[6] + at);
+        store6(twists.a, at, ta);
+        store6(twists.b, at, tb);
+        hn::Store(hn::Add(hn::Load(d, twists.a[6] + at), more), d, twists.a[6] + at);
     }
-    put_back(in, block, twist_a, twist_b);
+    twists.put_back(in, block);
     block.bounces = bouncing ? 1 : 0;
 }
 
@@ -497,16 +479,12 @@ void crowd_velocity(const CrowdInput& in, PairBlock& block) {
 bool crowd_restrain(const CrowdInput& in, PairBlock& block) {
     if (block.bounces == 0) return false;
     const DF d;
-    alignas(64) LaneRow twist_a[twist_floats], twist_b[twist_floats];
-    gather<twist_floats, twist_floats>(
-        floats(in.twists), [&](size_t lane) { return block.a[lane]; }, twist_a);
-    gather<twist_floats, twist_floats>(
-        floats(in.twists), [&](size_t lane) { return block.b[lane]; }, twist_b);
+    GatheredTwists twists(in, block);
     const VF zero = hn::Zero(d), most_gain = constant(1.01f);
     bool restrained = false;
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
         const Matrix turn_a = load_matrix(block.turn_a, at), turn_b = load_matrix(block.turn_b, at);
-        const Twist ta = load6(twist_a, at), tb = load6(twist_b, at);
+        const Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
         for (uint32_t k = 0; k < block.used; ++k) {
             PairContacts& c = block.contact[k];
             const auto load = [&](const float* row) LR_LAMBDA { return hn::Load(d, row + at); };
@@ -535,10 +513,9 @@ bool crowd_restrain(const CrowdInput& in, PairBlock& block) {
 // Velocities, and the static lock: as for a body alone.
 void crowd_finish(const CrowdInput& in, uint32_t kind, uint32_t begin) {
     const DF d;
-    const auto index = [&](size_t lane) { return begin + lane; };
-    alignas(64) LaneRow row[fields_of_body], twist[twist_floats];
-    gather<body_floats, fields_of_body>(floats(in.bodies), index, row);
-    gather<twist_floats, twist_floats>(floats(in.twists), index, twist);
+    GatheredBodies bodies(in, begin);
+    auto& row = bodies.row;
+    auto& twist = bodies.twist;
     const VF zero = hn::Zero(d), creep = constant(0.01f * in.gravity * in.h);
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(d)) {
         const Size size = size_of(in.kinds[kind], row, at);
@@ -563,7 +540,7 @@ void crowd_finish(const CrowdInput& in, uint32_t kind, uint32_t begin) {
         store3(row + at_v, at, dustless(t.v));
         store3(row + at_w, at, dustless(scale(size.inverse, t.u)));
     }
-    scatter<body_floats, fields_of_body>(row, index, floats(in.bodies));
+    bodies.put_back(in, begin);
 }
 
 } // namespace lr::HWY_NAMESPACE

@@ -157,17 +157,40 @@ struct Gathered {
             floats(in.bodies), [&](size_t lane) { return block.b[lane]; }, b);
     }
 };
-// Nobody's values are read by many and must not change.
-HWY_INLINE void put_back(const CrowdInput& in, const PairBlock& block, const LaneRow* a, const LaneRow* b) {
-    float* const to = floats(in.twists);
-    for (size_t lane = 0; lane < block.lanes; ++lane) {
-        float* const p = to + twist_floats * block.a[lane];
-        for (size_t f = 0; f < twist_floats; ++f) p[f] = a[f][lane];
-        if (block.ratio[lane] == 0.0f) continue;
-        float* const other = to + twist_floats * block.b[lane];
-        for (size_t f = 0; f < twist_floats; ++f) other[f] = b[f][lane];
+struct GatheredTwists {
+    alignas(64) LaneRow a[twist_floats], b[twist_floats];
+    GatheredTwists(const CrowdInput& in, const PairBlock& block) {
+        gather<twist_floats, twist_floats>(
+            floats(in.twists), [&](size_t lane) { return block.a[lane]; }, a);
+        gather<twist_floats, twist_floats>(
+            floats(in.twists), [&](size_t lane) { return block.b[lane]; }, b);
     }
-}
+    // Nobody's values are read by many and must not change.
+    void put_back(const CrowdInput& in, const PairBlock& block) const {
+        float* const to = floats(in.twists);
+        for (size_t lane = 0; lane < block.lanes; ++lane) {
+            float* const p = to + twist_floats * block.a[lane];
+            for (size_t f = 0; f < twist_floats; ++f) p[f] = a[f][lane];
+            if (block.ratio[lane] == 0.0f) continue;
+            float* const other = to + twist_floats * block.b[lane];
+            for (size_t f = 0; f < twist_floats; ++f) other[f] = b[f][lane];
+        }
+    }
+};
+// Bodies [begin, begin + contact_lanes) and what sweeps change of them.
+struct GatheredBodies {
+    alignas(64) LaneRow row[fields_of_body], twist[twist_floats];
+    GatheredBodies(const CrowdInput& in, uint32_t begin) {
+        const auto index = [begin](size_t lane) { return begin + lane; };
+        gather<body_floats, fields_of_body>(floats(in.bodies), index, row);
+        gather<twist_floats, twist_floats>(floats(in.twists), index, twist);
+    }
+    void put_back(const CrowdInput& in, uint32_t begin) const {
+        const auto index = [begin](size_t lane) { return begin + lane; };
+        scatter<body_floats, fields_of_body>(row, index, floats(in.bodies));
+        scatter<twist_floats, twist_floats>(twist, index, floats(in.twists));
+    }
+};
 
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -52,7 +52,6 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->reach_ = reach_of(asset.data);
     retain(asset);
     batch->shape = make_body_shape(asset.data, asset.extents);
-    batch->ground = make_ground_samples(batch->shape);
     batch->meeting = make_meeting_shape(batch->shape);
     batch->step = StepInput{};
     batch->step.loads = settings.loads;
@@ -209,16 +208,11 @@ void Batch::lie_down(uint32_t index, double birth) {
     external.clear(index);
     const uint32_t slot = unpack(ids_[index]).slot;
     resting_->set_box(slot, resting_box(index));
-    const float position[3] = {arrays_.field[field_x][index], arrays_.field[field_y][index],
-                               arrays_.field[field_z][index]};
-    resting_->enter(index, slot, position, arrays_.field[field_scale][index], birth);
+    resting_->enter(index, slot, vector_in(arrays_.field, field_x, index), arrays_.field[field_scale][index], birth);
 }
 
-Bounds Batch::resting_box(uint32_t index) const {
-    const Pose pose{{arrays_.field[field_x][index], arrays_.field[field_y][index], arrays_.field[field_z][index]},
-                    {arrays_.field[field_qx][index], arrays_.field[field_qy][index], arrays_.field[field_qz][index],
-                     arrays_.field[field_qw][index]}};
-    return bounds(meeting, arrays_.field[field_scale][index], pose);
+Box Batch::resting_box(uint32_t index) const {
+    return bounds(meeting, arrays_.field[field_scale][index], pose_of(arrays_, index));
 }
 
 uint32_t Batch::wake(uint32_t index) {
@@ -237,14 +231,12 @@ void Batch::wake_all() {
     while (awake_ < count_) wake(awake_);
 }
 
-bool Batch::reaches_into(uint32_t index, const float (&low)[3], const float (&high)[3]) const {
-    const double reach = reach_ * static_cast<double>(arrays_.field[field_scale][index]);
-    bool in = true;
-    for (size_t k = 0; k < 3; ++k) {
-        const auto x = static_cast<double>(arrays_.field[field_x + k][index]);
-        in = in && x + reach >= static_cast<double>(low[k]) && x - reach <= static_cast<double>(high[k]);
-    }
-    return in;
+bool Batch::reaches_into(uint32_t index, const Box& box) const {
+    const double reach = reach_ * wide(arrays_.field[field_scale][index]);
+    const Double3 x = to_double(vector_in(arrays_.field, field_x, index)), low = to_double(box.low),
+                  high = to_double(box.high);
+    return x.x + reach >= low.x && x.x - reach <= high.x && x.y + reach >= low.y && x.y - reach <= high.y &&
+           x.z + reach >= low.z && x.z - reach <= high.z;
 }
 
 bool Batch::reserve_rest() {
@@ -265,16 +257,12 @@ void Batch::restore_rest(const unsigned char* from, uint32_t before) {
     for (size_t f : {field_vx, field_vy, field_vz, field_wx, field_wy, field_wz})
         std::fill(arrays_.field[f] + awake_, arrays_.field[f] + count_, 0.0f);
     external.clear(awake_, count_);
-    const float* const x = arrays_.field[field_x];
-    const float* const y = arrays_.field[field_y];
-    const float* const z = arrays_.field[field_z];
     for (uint32_t i = awake_; from && i < count_; ++i) {
         double birth = 0.0;
         std::memcpy(&birth, from + sizeof record + 8 * uint64_t{i}, sizeof birth);
         const uint32_t slot = unpack(ids_[i]).slot;
         if (!resting_->has_box(slot)) resting_->set_box(slot, resting_box(i));
-        const float position[3] = {x[i], y[i], z[i]};
-        resting_->enter(i, slot, position, arrays_.field[field_scale][i], birth);
+        resting_->enter(i, slot, vector_in(arrays_.field, field_x, i), arrays_.field[field_scale][i], birth);
     }
     resting_->restore_turns(record);
 }

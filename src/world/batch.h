@@ -92,26 +92,22 @@ public:
     void wake_all();
     // Calls fn(index) for bodies at rest whose boxes, position +- reach() times scale, reach into [low, high] (m): for some more
     // than once, in no order. fn may wake the body.
-    template <class Function> void visit_resting(const float (&low)[3], const float (&high)[3], Function&& function) {
+    template <class Function> void visit_resting(const Box& box, Function&& function) {
         if (awake_ == count_) return;
         const auto look_at = [&](uint32_t index) {
-            if (reaches_into(index, low, high)) function(index);
+            if (reaches_into(index, box)) function(index);
         };
-        if (resting_->grid.visit(low, high, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
+        if (resting_->grid.visit(box, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
         // One that wakes changes places with one that has been looked at.
         for (uint32_t i = awake_; i < count_; ++i) look_at(i);
     }
     // For those of which the box of what others can touch reaches into [low, high]. Any thread, while no body comes to rest or wakes.
-    template <class Function>
-    void look_at_resting(const float (&low)[3], const float (&high)[3], Function&& function) const {
+    template <class Function> void look_at_resting(const Box& box, Function&& function) const {
         if (awake_ == count_) return;
         const auto look_at = [&](uint32_t slot) {
-            const Bounds& box = resting_->box(slot);
-            const bool near = box.low.x <= high[0] && box.high.x >= low[0] && box.low.y <= high[1] &&
-                              box.high.y >= low[1] && box.low.z <= high[2] && box.high.z >= low[2];
-            if (near) function(dense_[slot]);
+            if (overlap(resting_->box(slot), box)) function(dense_[slot]);
         };
-        if (resting_->grid.visit(low, high, count_ - awake_, look_at)) return;
+        if (resting_->grid.visit(box, count_ - awake_, look_at)) return;
         for (uint32_t i = awake_; i < count_; ++i) look_at(unpack(ids_[i]).slot);
     }
     bool reserve_rest();                          // false when out of memory
@@ -150,8 +146,7 @@ public:
     bool reserve_lifecycle();                           // false when out of memory
 
     ContactSettings contact;
-    BodyShape shape{}; // what of its bodies can touch
-    GroundSamples ground{};
+    BodyShape shape{};      // what of its bodies can touch
     MeetingShape meeting{}; // what of them others can touch
     ContactBook contact_book();
 
@@ -174,9 +169,9 @@ private:
     void clear_lane(uint32_t index);
     void swap(uint32_t a, uint32_t b);
     void lie_down(uint32_t index, double birth);
-    Bounds resting_box(uint32_t index) const;
+    Box resting_box(uint32_t index) const;
     void clear_lanes(uint32_t begin, uint32_t end);
-    bool reaches_into(uint32_t index, const float (&low)[3], const float (&high)[3]) const;
+    bool reaches_into(uint32_t index, const Box& box) const;
     void move(uint32_t from, uint32_t to);
     bool fill_table(const TableView& table);
     bool is_diagonal_with(const AerodynamicData& loads) const;

@@ -14,26 +14,12 @@ constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 // What sweeps leave of the motion in a heap is some times what a body alone lies still at.
 constexpr float heap_still = 3.0f;
 
-void put(float (&to)[3], Vector v) {
-    to[0] = v.x, to[1] = v.y, to[2] = v.z;
-}
-Vector vector_of(const float (&v)[3]) {
-    return {v[0], v[1], v[2]};
-}
-Vector row_of(const LaneRow (&rows)[3], uint32_t lane) {
-    return {rows[0][lane], rows[1][lane], rows[2][lane]};
-}
-
-// Of a body's fastest point, at most, m/s.
-float speed_of(Vector extent, Vector v, Vector w) {
-    return length(v) + farthest(extent, w);
-}
 // A body in a heap falls through what sweeps leave of gaps, is stopped in the next substep, and rocks back: what does not last for
 // two, and is no more than restitution counts (2 g h), is no motion.
 float lasting_speed(const BodyAfter& body, Vector v0, Vector w0, Vector v, Vector w, float fall) {
-    const float before = speed_of(body.extent, v0, w0), now = speed_of(body.extent, v, w);
+    const float before = fastest(body.extent, v0, w0), now = fastest(body.extent, v, w);
     if (std::max(before, now) > 2.0f * fall) return std::max(before, now);
-    return std::min({before, now, speed_of(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
+    return std::min({before, now, fastest(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
 }
 
 } // namespace
@@ -59,20 +45,14 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
     const BatchArrays& from = member.item.batch->arrays();
     const uint32_t count = std::min(lanes, member.count - first);
     // Copies: behind the last there are bodies at rest, or none.
-    alignas(64) float field[field_count][contact_lanes];
-    alignas(64) uint32_t key[contact_lanes];
+    BodyCopies<contact_lanes> copies;
+    copies.take(from, count, [first](uint32_t i) { return first + i; });
+    const BatchArrays arrays = copies.arrays();
+    const auto& field = copies.field;
     alignas(64) LaneRow began_rows[pose_fields];
-    BatchArrays arrays{};
-    for (size_t f = 0; f < field_count; ++f) {
-        if (!from.field[f]) continue;
-        for (uint32_t i = 0; i < lanes; ++i) field[f][i] = from.field[f][first + std::min(i, count - 1)];
-        arrays.field[f] = field[f];
-    }
-    for (uint32_t i = 0; i < lanes; ++i) key[i] = from.key[first + std::min(i, count - 1)];
-    arrays.key = key;
     for (size_t f = 0; f < pose_fields; ++f)
-        for (uint32_t i = 0; i < lanes; ++i)
-            began_rows[f][i] = *before(member.first + first + std::min(i, count - 1), f);
+        copies.gather(
+            before(member.first + first, f), [](uint32_t i) { return i; }, began_rows[f]);
 
     const auto n = static_cast<float>(time_.substeps), h = static_cast<float>(time_.h);
     const float begin = static_cast<float>(substep) / n, end = static_cast<float>(substep + 1) / n;
@@ -90,16 +70,11 @@ void CrowdStep::hold_group(const CrowdMember& member, uint32_t first, uint32_t s
     }
     for (uint32_t i = 0; i < count; ++i) {
         if (touches(i) != (which == Held::touching) || is_held(field[field_age_rest][i])) continue;
-        BodyAfter body = body_after(
-            member.run, group, i, first + i, [&](size_t f) { return field[f][i]; }, began_rows);
-        if (std::count(body.now, body.now + most_touches, touching_body) != 0) {
-            const auto began = [&](size_t f) {
-                return Vector{began_rows[f][i], began_rows[f + 1][i], began_rows[f + 2][i]};
-            };
-            const auto now = [&](size_t f) { return Vector{field[f][i], field[f + 1][i], field[f + 2][i]}; };
-            body.speed = lasting_speed(body, began(field_vx), began(field_wx), now(field_vx), now(field_wx),
+        BodyAfter body = body_after(member.run, group, i, first + i, field, i, began_rows);
+        if (std::count(body.now, body.now + most_touches, touching_body) != 0)
+            body.speed = lasting_speed(body, vector_in(began_rows, field_vx, i), vector_in(began_rows, field_wx, i),
+                                       vector_in(field, field_vx, i), vector_in(field, field_wx, i),
                                        member.run.step.gravity * h);
-        }
         enter_body(member.run.book, body, member.run.step.settings->may_rest, h, last(substep),
                    [&](uint32_t collider) { return group.meeting(i, collider, began_rows); });
         group.visit_at_rest(i, [&](const ContactGroup::AtRest& other) { wake(body, other); });
@@ -113,18 +88,10 @@ void CrowdStep::take_out(ContactGroup& group, uint32_t lane, uint32_t place) {
     c.first_held[place] = first;
     c.held_count[place] = count;
     for (uint32_t k = 0; k < count; ++k) {
-        const ContactSlots::Slot& s = group.contact(k);
-        const bool solid = s.collider[lane] != ContactGroup::a_body;
-        c.held[first + k] = {s.collider[lane], solid ? ContactGroup::AtRest{} : group.at_rest(lane, k)};
-        c.held_contacts[first + k] = {row_of(s.arm, lane),
-                                      {},
-                                      row_of(s.normal, lane),
-                                      s.gap[lane],
-                                      row_of(s.surface, lane),
-                                      row_of(s.lag, lane),
-                                      s.friction[lane],
-                                      s.restitution[lane],
-                                      solid};
+        const SlotContact s = group.contact(lane, k);
+        const bool solid = s.collider != ContactGroup::a_body;
+        c.held[first + k] = {s.collider, solid ? ContactGroup::AtRest{} : group.at_rest(lane, k)};
+        c.held_contacts[first + k] = {s.arm, {}, s.normal, s.gap, s.surface, s.lag, s.friction, s.restitution, solid};
     }
     group.take_out(lane);
 }
@@ -216,30 +183,17 @@ float CrowdStep::pressed(uint32_t place, uint32_t k) const {
     return crowd_->solver.pressed(crowd_->units[crowd_->first_unit[place] + k / block_contacts], k % block_contacts);
 }
 
-// As ContactGroup::meeting.
 Touch CrowdStep::meeting(uint32_t place, uint32_t collider) const {
     const Crowd& c = *crowd_;
     const CrowdBody& body = crowd_->solver.bodies()[place];
-    const CrowdMember& member = member_of(c.body_at[place]);
-    Touch touch{};
-    touch.collider = collider + 1;
-    const Pose now{vector_of(body.x), {body.q[0], body.q[1], body.q[2], body.q[3]}};
-    const Rotation then{body.q0[0], body.q0[1], body.q0[2], body.q0[3]};
-    float strongest = -1.0f, sum = 0.0f;
+    TouchSum sum(collider, {vector_of(body.x), {body.q[0], body.q[1], body.q[2], body.q[3]}},
+                 {body.q0[0], body.q0[1], body.q0[2], body.q0[3]}, vector_of(body.v0), vector_of(body.w0));
     for (uint32_t k = 0; k < c.held_count[place]; ++k) {
-        const float impulse = pressed(place, k);
-        if (c.held[c.first_held[place] + k].collider != collider || !(impulse >= 0.0f)) continue;
-        sum += impulse;
-        if (!(impulse > strongest)) continue;
-        strongest = impulse;
         const CrowdContact& contact = c.held_contacts[c.first_held[place] + k];
-        put(touch.position, to_outer(now, contact.arm_a));
-        put(touch.normal, contact.normal);
-        const Vector speed = vector_of(body.v0) + cross(vector_of(body.w0), contact.arm_a);
-        touch.speed = std::max(dot(contact.normal, contact.surface - rotate(then, speed)), 0.0f);
+        if (c.held[c.first_held[place] + k].collider == collider)
+            sum.take(pressed(place, k), contact.arm_a, contact.normal, contact.surface);
     }
-    touch.impulse = member.kind.body->unit_mass * body.scale * body.scale * body.scale * sum;
-    return touch;
+    return sum.touch(member_of(c.body_at[place]).kind.body->unit_mass * body.scale * body.scale * body.scale);
 }
 
 void CrowdStep::put_back(uint32_t place, uint32_t substep) {

@@ -28,16 +28,8 @@ void CrowdStep::set_box(const CrowdMember& member, uint32_t index) {
     const Pose began_at = began(body), now = pose_of(batch.arrays(), index);
     crowd_->moved[body] = {pair_body(batch.meeting, scale, began_at, now), margin,
                            static_cast<uint32_t>(&member - crowd_->members.data())};
-    const Bounds from = bounds(batch.meeting, scale, began_at), to = bounds(batch.meeting, scale, now);
-    MeetingBox& box = crowd_->grid.boxes()[body];
-    const auto put = [&](size_t k, float low0, float low1, float high0, float high1) {
-        box.low[k] = std::min(low0, low1) - margin;
-        box.high[k] = std::max(high0, high1) + margin;
-    };
-    put(0, from.low.x, to.low.x, from.high.x, to.high.x);
-    put(1, from.low.y, to.low.y, from.high.y, to.high.y);
-    put(2, from.low.z, to.low.z, from.high.z, to.high.z);
-    box.body = body;
+    const Box way = around(bounds(batch.meeting, scale, began_at), bounds(batch.meeting, scale, now));
+    crowd_->grid.boxes()[body] = {grown(way, margin), body, 0, 0};
 }
 
 // Of a pair that both find it counts for the first by batch and key. Where callers give keys twice, it is the place that tells.
@@ -128,10 +120,8 @@ bool CrowdStep::find_pairs() {
             if (index < member.count && !is_held(member.item.batch->arrays().field[field_age_rest][index])) {
                 set_box(member, index);
             } else {
-                MeetingBox& box = c.grid.boxes()[body]; // padding and what is held meet nothing
-                std::fill_n(box.low, 3, 1.0f);
-                std::fill_n(box.high, 3, -1.0f);
-                box.body = body;
+                // Padding and what is held meet nothing.
+                c.grid.boxes()[body] = {{{1.0f, 1.0f, 1.0f}, {-1.0f, -1.0f, -1.0f}}, body, 0, 0};
             }
         }
     });
@@ -143,7 +133,7 @@ bool CrowdStep::find_pairs() {
             const MeetingBox& one = c.grid.box(body);
             uint32_t count = 0;
             uint32_t* const seen = c.seen.data() + size_t{Crowd::most_seen} * body;
-            c.grid.visit_onward(one, [&](const MeetingBox& other, bool mutual) {
+            c.grid.visit(one, [&](const MeetingBox& other, bool mutual) {
                 if (!finds(one, other, mutual)) return;
                 if (count < Crowd::most_seen)
                     seen[count++] = other.body;

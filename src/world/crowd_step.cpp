@@ -90,39 +90,15 @@ void CrowdStep::move_cut(const CrowdMember& member, uint32_t begin, uint32_t end
         step_in_field(slice, batch.step, nullptr, arrays, member.item.handle, batch.awake(), begin, end);
         return;
     }
-    StepInput one = batch.step;
-    one.substeps = 1;
-    one.first_substep += substep;
-    one.external.clear = last(substep);
-    const auto n = static_cast<float>(time_.substeps);
-    const float from = static_cast<float>(substep) / n, to = static_cast<float>(substep + 1) / n;
-    for (size_t k = 0; k < 3 && one.wind_changes; ++k) {
-        const float change = one.wind[k] - one.wind_begin[k], whole = one.wind[k];
-        one.wind[k] = last(substep) ? whole : one.wind_begin[k] + to * change;
-        one.wind_begin[k] += from * change;
-    }
-    if (wet_ && one.water) {
-        SurfaceStep here = surface_;
-        here.time = {time_.begin + substep * time_.h, time_.h, 1};
-        step_at_surface(here, one, arrays, member.item.handle, batch.awake(), begin, end);
-    } else {
-        world_->target->step(one, arrays, begin, end);
-    }
+    step_lanes(*world_->target, wet_ ? &surface_ : nullptr, {time_.begin + substep * time_.h, time_.h, 1},
+               substep_of(batch.step, substep), arrays, member.item.handle, batch.awake(), begin, end);
 }
 
 void CrowdStep::move_alone(uint32_t substep) {
     if (world_->wind.active())
         world_->wind.prepare(time_, items_[0].batch->pace.wind(world_->wind.uniform), substep, 1, world_->seed);
     each_cut([&](const CrowdMember& member, uint32_t begin, uint32_t end) {
-        const Batch& batch = *member.item.batch;
-        const uint32_t first = std::max(begin, batch.awake()), past = std::min(end, batch.count());
-        if (first < past) {
-            const KeptLanes kept(batch, first, past);
-            move_cut(member, begin, end, substep);
-            kept.put_back(batch);
-        } else {
-            move_cut(member, begin, end, substep);
-        }
+        move_awake(*member.item.batch, begin, end, [&] { move_cut(member, begin, end, substep); });
     });
 }
 

@@ -1,5 +1,6 @@
 #include "world/emitter.h"
 
+#include "contact/pose.h"
 #include "kernel/limits.h"
 #include "world/counter_random.h"
 
@@ -8,10 +9,6 @@
 
 namespace lr {
 namespace {
-
-double wide(float x) {
-    return static_cast<double>(x);
-}
 
 template <size_t N> double squared(const float (&v)[N]) {
     double sum = 0.0;

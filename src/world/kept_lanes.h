@@ -1,25 +1,22 @@
 // Lanes that vectors step along with those of bodies that move.
 #pragma once
 
+#include "field/body_copies.h"
 #include "world/batch.h"
 
 #include <algorithm>
 
 namespace lr {
 
-// Bodies at rest in the lanes behind the last that moves, which vectors step along with it.
-class KeptLanes {
-public:
-    KeptLanes(const Batch& batch, uint32_t first, uint32_t last) : first_(first), count_(last - first) {
-        for (size_t f = 0; f < batch.fields(); ++f) std::copy_n(batch.arrays().field[f] + first, count_, lanes_[f]);
-    }
-    void put_back(const Batch& batch) const {
-        for (size_t f = 0; f < batch.fields(); ++f) std::copy_n(lanes_[f], count_, batch.arrays().field[f] + first_);
-    }
-
-private:
-    uint32_t first_, count_;
-    float lanes_[field_count][lane_block];
-};
+// Calls move(), which steps lanes [begin, end): bodies at rest behind the last that moves stay as they are.
+template <class Move> void move_awake(const Batch& batch, uint32_t begin, uint32_t end, const Move& move) {
+    const uint32_t first = std::max(begin, batch.awake()), past = std::min(end, batch.count());
+    if (first >= past) return move();
+    const auto index = [first](uint32_t i) { return first + i; };
+    BodyCopies<lane_block> kept;
+    kept.take(batch.arrays(), past - first, index);
+    move();
+    kept.put_back(batch.arrays(), index);
+}
 
 } // namespace lr

@@ -9,38 +9,11 @@ namespace lr {
 namespace {
 
 constexpr uint32_t chunk_bodies = 8 * cut_bodies; // at rest; few of them have their turn
-constexpr auto most = static_cast<uint32_t>(field_block), lanes = static_cast<uint32_t>(lane_block);
+constexpr auto most = static_cast<uint32_t>(field_block);
 
 // What goes is what gains this much of gravity over the substep, in spite of what it touches: more than what lets a body at
 // rest stay where it is to the bit, so that nothing wakes only to lie still again.
 constexpr float going = 0.05f;
-
-// Copies of bodies at rest.
-struct Copies {
-    alignas(64) float field[field_count][field_block];
-    alignas(64) uint32_t key[field_block];
-    alignas(64) float wind[size_t{3} * field_block]; // m/s, x y z of each
-
-    uint32_t take(const BatchArrays& from, const uint32_t* index, uint32_t count) {
-        const uint32_t padded = (count + lanes - 1) / lanes * lanes;
-        for (size_t f = 0; f < field_count; ++f)
-            for (uint32_t i = 0; i < padded && from.field[f]; ++i)
-                field[f][i] = from.field[f][index[std::min(i, count - 1)]];
-        for (uint32_t i = 0; i < padded; ++i) key[i] = from.key[index[std::min(i, count - 1)]];
-        return padded;
-    }
-    BatchArrays arrays() {
-        BatchArrays a{};
-        for (size_t f = 0; f < field_count; ++f) a.field[f] = field[f];
-        a.key = key;
-        return a;
-    }
-};
-
-Vector wind_of(const Copies& c, uint32_t i) {
-    const float* const w = c.wind + size_t{3} * i;
-    return {w[0], w[1], w[2]};
-}
 
 } // namespace
 
@@ -119,47 +92,40 @@ void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t c
     Batch& batch = *item.batch;
     const StepInput& in = batch.step;
     const bool field = world_->wind.active(), remembers = in.loads == Loads::aerodynamic;
-    Copies copies;
-    uint32_t padded = copies.take(batch.arrays(), index, count);
+    BodyCopies<field_block> copies;
+    copies.take(batch.arrays(), count, [&](uint32_t i) { return index[i]; });
     BatchArrays arrays = copies.arrays();
-    if (field) {
-        for (uint32_t i = 0; i < count; ++i)
-            for (size_t k = 0; k < 3; ++k) copies.wind[size_t{3} * i + k] = copies.field[field_x + k][i];
-        sample_field(*world_->target, world_->wind, time_.begin + 0.5 * time_.h, item.handle, copies.wind, count,
-                     copies.wind);
-    } else {
-        for (uint32_t i = 0; i < count; ++i) std::copy(in.wind, in.wind + 3, copies.wind + size_t{3} * i);
-    }
+    float winds[3 * field_block]; // m/s, x y z of each
+    for (uint32_t i = 0; i < count; ++i)
+        put(field ? vector_in(copies.field, field_x, i) : vector_of(in.wind), winds + 3 * i);
+    if (field)
+        sample_field(*world_->target, world_->wind, time_.begin + 0.5 * time_.h, item.handle, winds, count, winds);
     alignas(64) uint32_t wet[most] = {};
     if (in.water) {
-        const float* const g = world_->gravity;
         world_->target->surface.near(world_->surface.at(time_.begin), world_->surface.highest(), *in.water,
-                                     static_cast<float>(time_.h), std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]),
-                                     arrays, 0, padded, wet);
+                                     static_cast<float>(time_.h), length(vector_of(world_->gravity)), arrays, 0,
+                                     copies.padded, wet);
     }
     // The velocity of the fluid around a body has no meaning while it lies: there the wind is kept that it has withstood.
     uint32_t tried[most], tried_count = 0;
     Vector wind[most];
     for (uint32_t i = 0; i < count; ++i) {
-        const Vector w = wind_of(copies, i);
-        const Vector held{copies.field[field_gust_x][i], copies.field[field_gust_y][i], copies.field[field_gust_z][i]};
+        const Vector w = vector_of(winds + 3 * i), held = vector_in(copies.field, field_gust_x, i);
         if (wet[i] == 0 && (remembers ? withstands(held, w) : dot(w, w) == 0.0f)) continue;
         wind[tried_count] = w;
         tried[tried_count++] = index[i];
     }
     if (tried_count == 0) return;
-    padded = copies.take(batch.arrays(), tried, tried_count);
+    copies.take(batch.arrays(), tried_count, [&](uint32_t i) { return tried[i]; });
+    const uint32_t padded = copies.padded;
     // In the arrays they are some earlier ones.
     for (uint32_t i = 0; i < padded; ++i)
         batch.resting()->age_of(tried[std::min(i, tried_count - 1)], copies.field[field_age][i],
                                 copies.field[field_age_rest][i]);
     for (size_t f = field_gust_x; f <= field_gust_z; ++f) std::fill_n(copies.field[f], padded, 0.0f);
     if (!remembers) arrays.field[field_gust_x] = arrays.field[field_gust_y] = arrays.field[field_gust_z] = nullptr;
-    const StepInput one = [&] {
-        StepInput s = in;
-        s.external.used = 0;
-        return s;
-    }();
+    StepInput one = in;
+    one.external.used = 0;
     const SurfaceStep* const surface = world_->surface.present() ? &surface_ : nullptr;
     ContactRun run = contact_run(*world_, batch, surface, time_, static_cast<float>(time_.h));
     const RestingNeighbours neighbours(*world_, unpack_batch(item.handle).index);
@@ -171,17 +137,12 @@ void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t c
         step_near_colliders(run, one, arrays, item.handle, tried_count, 0, padded);
     const float limit = going * run.step.gravity * in.h;
     for (uint32_t i = 0; i < tried_count; ++i) {
-        const auto size = [&](size_t f) {
-            const Vector v{copies.field[f][i], copies.field[f + 1][i], copies.field[f + 2][i]};
-            return length(v);
-        };
+        const auto size = [&](size_t f) { return length(vector_in(copies.field, f, i)); };
         const float reach = batch.shape.reach * copies.field[field_scale][i];
         if (size(field_vx) + reach * size(field_wx) > limit) {
             batch.note_rest(tried[i]);
         } else if (remembers) {
-            batch.arrays().field[field_gust_x][tried[i]] = wind[i].x;
-            batch.arrays().field[field_gust_y][tried[i]] = wind[i].y;
-            batch.arrays().field[field_gust_z][tried[i]] = wind[i].z;
+            put_in(batch.arrays().field, field_gust_x, tried[i], wind[i]);
         }
     }
 }

@@ -1,8 +1,8 @@
 #include "world/queries.h"
 
 #include "contact/distance.h"
+#include "contact/pose_rows.h"
 #include "contact/ray.h"
-#include "contact/sphere_filter.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -14,18 +14,43 @@ namespace {
 
 constexpr uint32_t nothing = UINT32_MAX;
 
-double wide(float x) {
-    return static_cast<double>(x);
-}
+constexpr uint32_t filter_block = 256;
+// Of the distance: more than what single precision takes from it here.
+constexpr float rounding = 2e-6f;
 
-Pose pose_of(const Batch& batch, uint32_t index) {
-    const auto value = [&](size_t f) { return batch.arrays().field[f][index]; };
-    return {{value(field_x), value(field_y), value(field_z)},
-            {value(field_qx), value(field_qy), value(field_qz), value(field_qw)}};
+// Bodies whose spheres a ray may meet, or one without length, a sphere.
+struct RayFilter {
+    Vector origin, direction; // m; unit
+    float radius, reach;      // m, of the ray; of a body of scale 1
+    float most;               // m, along the ray
+};
+
+// Of bodies [begin, end), filter_block at most: a loop over arrays that compilers make vectors of. It lets pass some that are not met,
+// never the other way round. Returns whether any is marked.
+bool filter_bodies(const RayFilter& f, const BatchArrays& arrays, uint32_t begin, uint32_t end,
+                   uint32_t (&marks)[filter_block]) {
+    const float *const x = arrays.field[field_x] + begin, *const y = arrays.field[field_y] + begin,
+                       *const z = arrays.field[field_z] + begin, *const scale = arrays.field[field_scale] + begin;
+    const auto size_of = [](float a) { return a < 0.0f ? -a : a; };
+    const Vector o = f.origin, d = f.direction;
+    const float radius = f.radius * (1.0f + rounding), most = f.most;
+    uint32_t any = 0;
+    for (uint32_t i = 0; i < end - begin; ++i) {
+        const float px = x[i] - o.x, py = y[i] - o.y, pz = z[i] - o.z;
+        const float reach = radius + f.reach * scale[i] + rounding * (size_of(px) + size_of(py) + size_of(pz));
+        const float along = px * d.x + py * d.y + pz * d.z;
+        const float cx = py * d.z - pz * d.y, cy = pz * d.x - px * d.z, cz = px * d.y - py * d.x;
+        const bool near = cx * cx + cy * cy + cz * cz <= reach * reach;
+        const uint32_t mark = static_cast<uint32_t>(near) & static_cast<uint32_t>(along >= -reach) &
+                              static_cast<uint32_t>(along <= most + reach);
+        marks[i] = mark;
+        any |= mark;
+    }
+    return any != 0;
 }
 
 // Calls fn(index) for bodies of the batch that pass the filter, which fn may narrow.
-template <class Filter, class Function> void for_passing(const Batch& batch, const Filter& filter, Function&& fn) {
+template <class Function> void for_passing(const Batch& batch, const RayFilter& filter, Function&& fn) {
     uint32_t marks[filter_block];
     for (uint32_t at = 0; at < batch.count(); at += filter_block) {
         const uint32_t end = std::min(at + filter_block, batch.count());
@@ -43,21 +68,15 @@ struct FirstHit {
 };
 
 void cast_at_bodies(const Batch& batch, const Ray& ray, double most, FirstHit& nearest) {
-    RayFilter filter{};
-    for (size_t k = 0; k < 3; ++k) {
-        const double from[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
-        const double along[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
-        filter.origin[k] = static_cast<float>(from[k]);
-        filter.direction[k] = static_cast<float>(along[k]);
-    }
     // A little more, for rounding.
-    filter.reach = 1.001f * batch.shape.reach;
+    RayFilter filter{to_float(ray.origin), to_float(ray.direction), 0.0f, 1.001f * batch.shape.reach, 0.0f};
     const auto shorten = [&] { filter.most = 1.000001f * static_cast<float>(std::min(most, nearest.hit.distance)); };
     shorten();
     for_passing(batch, filter, [&](uint32_t i) {
         RayHit hit{};
         const float scale = batch.arrays().field[field_scale][i];
-        if (!ray_meets_body(batch.shape, scale, pose_of(batch, i), ray, std::min(most, nearest.hit.distance), hit))
+        if (!ray_meets_body(batch.shape, scale, pose_of(batch.arrays(), i), ray, std::min(most, nearest.hit.distance),
+                            hit))
             return;
         const bool alike = hit.distance == nearest.hit.distance;
         if (hit.distance > nearest.hit.distance || (alike && nearest.batch != &batch)) return;
@@ -84,11 +103,6 @@ void cast_at_colliders(const Colliders& colliders, uint32_t layers, const Ray& r
     }
 }
 
-void put(Double3 from, float (&to)[3]) {
-    const Vector v = to_float(from);
-    to[0] = v.x, to[1] = v.y, to[2] = v.z;
-}
-
 // A sphere or box, and a body that may overlap it.
 class OverlapTest {
 public:
@@ -105,13 +119,13 @@ public:
         const float(&s)[3] = desc.size;
         reach_ = sphere ? s[0] : 1.000001f * length(Vector{s[0], s[1], s[2]});
     }
-    SphereFilter filter(const Batch& batch) const {
-        const Vector& p = frame_.position;
-        return {{p.x, p.y, p.z}, reach_, 1.001f * batch.shape.reach};
+    // A ray without length, as thick as the sphere around it.
+    RayFilter filter(const Batch& batch) const {
+        return {frame_.position, {1.0f, 0.0f, 0.0f}, reach_, 1.001f * batch.shape.reach, 0.0f};
     }
     bool holds(const Batch& batch, uint32_t i) const {
         const float scale = batch.arrays().field[field_scale][i];
-        const Pose at = relative(frame_, pose_of(batch, i));
+        const Pose at = relative(frame_, pose_of(batch.arrays(), i));
         // Most of what is in a large box has its middle there, and most of what is not is far.
         const Vector middle = at.position + rotate(at.rotation, scale * batch.shape.center);
         if (depth(middle) <= 0.0) return true;
@@ -140,8 +154,8 @@ private:
 } // namespace
 
 lr_ray_hit cast_ray(const lr_world& world, const lr_ray& given, const Batch* only) {
-    const Double3 direction = to_double({given.direction[0], given.direction[1], given.direction[2]});
-    const Ray ray{to_double({given.origin[0], given.origin[1], given.origin[2]}), 1.0 / length(direction) * direction};
+    const Double3 direction = to_double(vector_of(given.direction));
+    const Ray ray{to_double(vector_of(given.origin)), 1.0 / length(direction) * direction};
     const double most = wide(given.max_distance);
     FirstHit nearest;
     for (uint32_t b = 0; b < world.batch_slots && (given.flags & LR_RAY_BODIES) != 0; ++b) {
@@ -156,8 +170,8 @@ lr_ray_hit cast_ray(const lr_world& world, const lr_ray& given, const Batch* onl
     else
         out.collider = world.colliders.id(nearest.collider);
     out.distance = static_cast<float>(nearest.hit.distance);
-    put(ray.origin + nearest.hit.distance * ray.direction, out.position);
-    put(1.0 / length(nearest.hit.normal) * nearest.hit.normal, out.normal);
+    put(to_float(ray.origin + nearest.hit.distance * ray.direction), out.position);
+    put(to_float(1.0 / length(nearest.hit.normal) * nearest.hit.normal), out.normal);
     return out;
 }
 

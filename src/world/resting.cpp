@@ -89,7 +89,7 @@ void Resting::forget_box(uint32_t slot) {
     boxes_[slot].low.x = std::numeric_limits<float>::quiet_NaN();
 }
 
-void Resting::enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth) {
+void Resting::enter(uint32_t index, uint32_t slot, Vector position, float scale, double birth) {
     birth_[index] = birth;
     tried_ = 0;
     earliest_ = std::min(earliest_, birth);

@@ -38,11 +38,11 @@ public:
     // The first body comes to rest.
     void begin();
     // A body comes to rest that was born then, on the clock. It has a box.
-    void enter(uint32_t index, uint32_t slot, const float (&position)[3], float scale, double birth);
+    void enter(uint32_t index, uint32_t slot, Vector position, float scale, double birth);
     // What others can touch of it: made when it comes to rest, and forgotten when it leaves.
-    const Bounds& box(uint32_t slot) const { return boxes_[slot]; }
+    const Box& box(uint32_t slot) const { return boxes_[slot]; }
     bool has_box(uint32_t slot) const { return boxes_[slot].low.x == boxes_[slot].low.x; }
-    void set_box(uint32_t slot, const Bounds& box) { boxes_[slot] = box; }
+    void set_box(uint32_t slot, const Box& box) { boxes_[slot] = box; }
     void forget_box(uint32_t slot);
     double birth_of(float age, float age_rest) const {
         return clock_ - (static_cast<double>(age) - static_cast<double>(age_rest));
@@ -120,7 +120,7 @@ private:
     double clock_ = 0.0;    // s, of the batch since the first came to rest
     double earliest_ = 0.0; // s: no birth is before it
     Buffer<double> birth_;  // s, by dense index, of bodies at rest
-    Buffer<Bounds> boxes_;  // by slot; NaN for none
+    Buffer<Box> boxes_;     // by slot; NaN for none
     Buffer<float> rest_time_, stay_;
     Buffer<uint32_t> touching_;
     Buffer<uint8_t> noted_, cut_noted_;

@@ -38,18 +38,6 @@ struct Neighbours {
 
 } // namespace
 
-float pair_friction(const ContactSettings& a, const ContactSettings& b) {
-    return std::sqrt(a.friction * b.friction);
-}
-float pair_restitution(const ContactSettings& a, const ContactSettings& b) {
-    return std::max(a.restitution, b.restitution);
-}
-
-Pose pose_of(const BatchArrays& a, uint32_t i) {
-    return {{a.field[field_x][i], a.field[field_y][i], a.field[field_z][i]},
-            {a.field[field_qx][i], a.field[field_qy][i], a.field[field_qz][i], a.field[field_qw][i]}};
-}
-
 RestingNeighbours::RestingNeighbours(const lr_world& world, uint32_t slot) : world_(&world), slot_(slot) {
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         const Batch& batch = *world.batches[other].batch;
@@ -62,13 +50,11 @@ uint32_t RestingNeighbours::touched_by(uint32_t key, float scale, const Pose& fr
     const Batch& own = *world_->batches[slot_].batch;
     const PairBody moving = pair_body(own.meeting, scale, from, to);
     const float within = margin + moving.way();
-    const Bounds box = bounds(own.meeting, scale, from);
-    const float low[3] = {box.low.x - within, box.low.y - within, box.low.z - within};
-    const float high[3] = {box.high.x + within, box.high.y + within, box.high.z + within};
+    const Box box = grown(bounds(own.meeting, scale, from), within);
     Neighbours near;
     world_->pairs.visit_partners(slot_, [&](uint32_t other) {
         const Batch& batch = *world_->batches[other].batch;
-        batch.look_at_resting(low, high, [&](uint32_t index) {
+        batch.look_at_resting(box, [&](uint32_t index) {
             const uint32_t its = batch.arrays().key[index];
             // A copy of a body at rest does not meet that.
             if (other == slot_ && its == key && equal(pose_of(batch.arrays(), index).position, from.position)) return;

@@ -24,10 +24,4 @@ private:
     bool any_ = false;
 };
 
-// Geometric mean and the larger: as with colliders.
-float pair_friction(const ContactSettings& a, const ContactSettings& b);
-float pair_restitution(const ContactSettings& a, const ContactSettings& b);
-
-Pose pose_of(const BatchArrays& arrays, uint32_t index);
-
 } // namespace lr

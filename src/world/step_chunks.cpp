@@ -52,30 +52,17 @@ void StepChunks::run(void* context, uint32_t chunk) {
 
 ContactRun contact_run(const lr_world& world, Batch& batch, const SurfaceStep* water, const StepTime& time,
                        float seconds) {
-    const float* const g = world.gravity;
-    const float gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    const ContactStep step{world.contact,
-                           &world.colliders,
-                           &batch.shape,
-                           &batch.ground,
-                           &batch.contact,
-                           gravity,
-                           static_cast<float>(batch.settings().fluid_density),
-                           seconds,
-                           world.contact_gain(batch, seconds)};
+    const float gravity = length(vector_of(world.gravity));
+    const ContactStep step{world.contact, &world.colliders,
+                           &batch.shape,  &batch.contact,
+                           gravity,       static_cast<float>(batch.settings().fluid_density),
+                           seconds,       world.contact_gain(batch, seconds)};
     return {step, world.target, water, time, {}, still_speed(gravity)};
 }
 
 void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const {
     Batch& batch = *item.batch;
-    const uint32_t first = batch.awake(), last = std::min(end, batch.count());
-    if (first < last) {
-        const KeptLanes kept(batch, first, last);
-        move_bodies(item, begin, end);
-        kept.put_back(batch);
-    } else {
-        move_bodies(item, begin, end);
-    }
+    move_awake(batch, begin, end, [&] { move_bodies(item, begin, end); });
     // While the bodies are still in the cache.
     if (batch.lifecycle() && (!slice || slice->first + slice->count == slice->time.substeps))
         batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
@@ -96,9 +83,8 @@ void StepChunks::move_bodies(const StepItem& item, uint32_t begin, uint32_t end)
     } else if (touching) {
         step_near_colliders(contact_here(surface), batch.step, arrays, item.handle, batch.awake(), begin, end);
     } else if (surface && batch.step.water) {
-        SurfaceStep here = *surface;
-        here.time = batch.pace.time();
-        step_at_surface(here, batch.step, arrays, item.handle, batch.awake(), begin, end);
+        step_lanes(*world_->target, surface, batch.pace.time(), batch.step, arrays, item.handle, batch.awake(), begin,
+                   end);
     } else {
         const uint32_t alive = std::min(end, batch.awake()), whole = alive - alive % uint32_t{lane_block};
         const bool few = world_->narrow && alive > whole && alive - whole <= narrow_lanes;

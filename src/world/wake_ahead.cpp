@@ -15,34 +15,22 @@ constexpr uint32_t grain = 256; // bodies
 // than wake what they touch.
 constexpr float hits = 100.0f;
 
-// The box of a body's way in the step, if it is fast.
-bool way_box(const Batch& batch, uint32_t i, float dt, float still, float (&low)[3], float (&high)[3]) {
-    const BatchArrays& a = batch.arrays();
-    const auto vector = [&](size_t f) { return Vector{a.field[f][i], a.field[f + 1][i], a.field[f + 2][i]}; };
-    const float scale = a.field[field_scale][i], reach = batch.shape.reach * scale;
-    const Vector v = vector(field_vx);
-    const float turns = reach * length(vector(field_wx));
-    if (!(length(v) + turns > hits * still * std::sqrt(reach))) return false;
-    const Pose pose = pose_of(a, i);
-    const Bounds box = bounds(batch.meeting, scale, pose);
-    const Vector way = dt * rotate(pose.rotation, v);
-    const float more = std::min(dt * turns, 2.0f * reach) + 0.005f * reach;
-    const auto put = [&](size_t k, float from, float to, float by) {
-        low[k] = from + std::min(by, 0.0f) - more;
-        high[k] = to + std::max(by, 0.0f) + more;
-    };
-    put(0, box.low.x, box.high.x, way.x);
-    put(1, box.low.y, box.high.y, way.y);
-    put(2, box.low.z, box.high.z, way.z);
-    return true;
-}
-
 void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float still) {
-    float low[3], high[3];
-    if (!way_box(*world.batches[slot].batch, i, dt, still, low, high)) return;
+    const Batch& batch = *world.batches[slot].batch;
+    const BatchArrays& a = batch.arrays();
+    const float scale = a.field[field_scale][i], reach = batch.shape.reach * scale;
+    const Vector v = vector_in(a.field, field_vx, i);
+    const float turns = reach * length(vector_in(a.field, field_wx, i));
+    if (!(length(v) + turns > hits * still * std::sqrt(reach))) return;
+    // Of its way in the step.
+    const Pose pose = pose_of(a, i);
+    const Box box = bounds(batch.meeting, scale, pose);
+    const Vector way = dt * rotate(pose.rotation, v), none{0.0f, 0.0f, 0.0f};
+    const Box around = grown({box.low + low_of(way, none), box.high + high_of(way, none)},
+                             std::min(dt * turns, 2.0f * reach) + 0.005f * reach);
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         Batch& partner = *world.batches[other].batch;
-        partner.look_at_resting(low, high, [&](uint32_t index) { partner.note_rest(index); });
+        partner.look_at_resting(around, [&](uint32_t index) { partner.note_rest(index); });
     });
 }
 
@@ -50,8 +38,7 @@ void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float stil
 
 void wake_ahead(lr_world& world, float dt, const FloatMode& mode) {
     const Workers workers(world.crew, mode);
-    const float* const g = world.gravity;
-    const float still = still_speed(std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]));
+    const float still = still_speed(length(vector_of(world.gravity)));
     bool any = false;
     for (uint32_t slot = 0; slot < world.batch_slots; ++slot) {
         const Batch* const batch = world.batches[slot].batch;

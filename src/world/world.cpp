@@ -4,6 +4,7 @@
 #include "world/crowd_step.h"
 #include "world/lifecycle.h"
 #include "world/lift_off.h"
+#include "world/mix.h"
 #include "world/wake_ahead.h"
 
 #include <algorithm>
@@ -196,13 +197,13 @@ lr_status lr_world::set_rest(const lr_body* bodies, uint32_t count, bool rest) {
     return LR_OK;
 }
 
-uint32_t lr_world::wake_box(const float (&low)[3], const float (&high)[3]) {
+uint32_t lr_world::wake_box(const lr::Box& box) {
     uint32_t woken = 0;
     for (uint32_t i = 0; i < batch_slots; ++i) {
         Batch* const batch = batches[i].batch;
         if (!batch) continue;
         woken -= batch->awake();
-        batch->visit_resting(low, high, [&](uint32_t index) { batch->wake(index); });
+        batch->visit_resting(box, [&](uint32_t index) { batch->wake(index); });
         woken += batch->awake();
     }
     return woken;
@@ -212,20 +213,15 @@ void lr_world::leave(const Batch& batch, uint32_t index) {
     const uint32_t slot = lr::unpack(batch.ids()[index]).batch;
     if (!pairs.meets(slot)) return;
     const double reach = 1.01 * batch.reach() * static_cast<double>(batch.arrays().field[lr::field_scale][index]);
-    Left& one = left[left_count++];
-    one.slot = slot;
-    for (size_t k = 0; k < 3; ++k) {
-        const auto x = static_cast<double>(batch.arrays().field[lr::field_x + k][index]);
-        one.low[k] = static_cast<float>(x - reach);
-        one.high[k] = static_cast<float>(x + reach);
-    }
+    const lr::Double3 x = to_double(lr::vector_in(batch.arrays().field, lr::field_x, index)), half{reach, reach, reach};
+    left[left_count++] = {slot, {to_float(x - half), to_float(x + half)}};
 }
 
 void lr_world::wake_left() {
     for (uint32_t i = 0; i < left_count; ++i)
         pairs.visit_partners(left[i].slot, [&](uint32_t other) {
             Batch& partner = *batches[other].batch;
-            partner.visit_resting(left[i].low, left[i].high, [&](uint32_t index) { partner.wake(index); });
+            partner.visit_resting(left[i].box, [&](uint32_t index) { partner.wake(index); });
         });
     left_count = 0;
 }
@@ -418,8 +414,7 @@ float lr_world::contact_reach(float dt) const {
 }
 
 void lr_world::wake_at(uint32_t collider) {
-    const lr::Box box = colliders.box_of(collider);
-    wake_box({box.low.x, box.low.y, box.low.z}, {box.high.x, box.high.y, box.high.z});
+    wake_box(colliders.box_of(collider));
 }
 
 bool lr_world::any_resting() const {
@@ -480,19 +475,8 @@ void lr_world::sample_wind(const float* positions, uint32_t count, float* veloci
     lr::sample_field(*target, wind, time, 0, positions, count, velocities);
 }
 
-namespace {
-
-// A bijection of 64 bits with good avalanche (Steele, Lea, Flood 2014, the finaliser of SplitMix64).
-uint64_t mix(uint64_t v) {
-    v = (v ^ v >> 30) * 0xbf58476d1ce4e5b9ull;
-    v = (v ^ v >> 27) * 0x94d049bb133111ebull;
-    return v ^ v >> 31;
-}
-
-} // namespace
-
 uint64_t lr_world::hash() const {
-    uint64_t result = mix(substep_count + 0x9e3779b97f4a7c15ull);
+    uint64_t result = lr::mix64(substep_count + 0x9e3779b97f4a7c15ull);
     bool paced = false;
     for (uint32_t b = 0; b < batch_slots; ++b) {
         if (!batches[b].batch) continue;
@@ -501,20 +485,21 @@ uint64_t lr_world::hash() const {
         uint64_t sum = 0;
         for (uint32_t i = 0; i < batch.count(); ++i) {
             const bool rests = batch.rests(i);
-            uint64_t body = mix(batch.arrays().key[i] + 1ull);
+            uint64_t body = lr::mix64(batch.arrays().key[i] + 1ull);
             for (size_t f = 0; f < (rests ? lr::field_age : lr::field_age_rest); ++f)
-                body = mix(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
+                body = lr::mix64(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
             // What most bodies do not have goes in only where it is.
             const auto rare = [&](uint64_t tag, uint32_t bits) {
-                if (bits != 0) body = mix(body ^ (bits + (tag << 32)));
+                if (bits != 0) body = lr::mix64(body ^ (bits + (tag << 32)));
             };
             if (rests)
-                body = mix(body ^ mix(std::bit_cast<uint64_t>(batch.resting()->birth(i)) + 1ull));
+                body = lr::mix64(body ^ lr::mix64(std::bit_cast<uint64_t>(batch.resting()->birth(i)) + 1ull));
             else
                 rare(lr::field_age_rest, std::bit_cast<uint32_t>(batch.arrays().field[lr::field_age_rest][i]));
             if (batch.step.loads == lr::Loads::aerodynamic)
                 for (size_t f : {lr::field_gust_x, lr::field_gust_y, lr::field_gust_z})
-                    body = mix(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
+                    body =
+                        lr::mix64(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
             if (batch.lifecycle()) rare(lr::field_count, batch.lifecycle()->life(i));
             if (batch.external.pending())
                 for (size_t c = 0; c < lr::force_components; ++c)
@@ -526,33 +511,34 @@ uint64_t lr_world::hash() const {
             }
             sum += body;
         }
-        result = mix(result ^ mix(b)) + sum;
+        result = lr::mix64(result ^ lr::mix64(b)) + sum;
         if (const lr::ContactSettings& c = batch.contact; !(c == lr::ContactSettings{}))
             for (uint32_t word :
                  {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
                   std::bit_cast<uint32_t>(c.rolling), std::bit_cast<uint32_t>(c.ground_effect), c.may_rest ? 1u : 0u})
-                result = mix(result ^ word);
-        if (batch.faults.policy != LR_FAULT_AUTO) result = mix(result ^ static_cast<uint32_t>(batch.faults.policy));
+                result = lr::mix64(result ^ word);
+        if (batch.faults.policy != LR_FAULT_AUTO)
+            result = lr::mix64(result ^ static_cast<uint32_t>(batch.faults.policy));
         if (batch.awake() < batch.count()) {
             const lr::Resting::Record rest = batch.resting()->record(batch.awake());
             for (uint64_t word : {std::bit_cast<uint64_t>(rest.clock), rest.steps | uint64_t{rest.unjudged} << 32})
-                result = mix(result ^ word);
+                result = lr::mix64(result ^ word);
         }
-        batch.pace.hash([&](uint64_t word) { result = mix(result ^ word); });
+        batch.pace.hash([&](uint64_t word) { result = lr::mix64(result ^ word); });
         paced = paced || !batch.pace.plain();
         if (batch.lifecycle() && batch.lifecycle()->has_emitter())
             for (uint64_t word : {uint64_t{next_key}, std::bit_cast<uint64_t>(batch.lifecycle()->due()),
                                   std::bit_cast<uint64_t>(batch.lifecycle()->burst_clock())})
-                result = mix(result ^ word);
+                result = lr::mix64(result ^ word);
     }
     // Whose turn it is to be tried by the wind.
     if (paced || pacing.limited() || ((colliders.any() || pairs.any()) && any_resting()))
-        result = mix(result ^ step_count);
-    pacing.hash([&](uint64_t word) { result = mix(result ^ word); });
-    if (const uint64_t sources = wind.hash(time)) result = mix(result ^ sources);
-    if (const uint64_t water = surface.hash()) result = mix(result ^ water);
-    if (const uint64_t solid = colliders.hash()) result = mix(result ^ solid);
-    pairs.visit([&](uint32_t low, uint32_t high) { result = mix(result ^ (low | uint64_t{high} << 32)); });
+        result = lr::mix64(result ^ step_count);
+    pacing.hash([&](uint64_t word) { result = lr::mix64(result ^ word); });
+    if (const uint64_t sources = wind.hash(time)) result = lr::mix64(result ^ sources);
+    if (const uint64_t water = surface.hash()) result = lr::mix64(result ^ water);
+    if (const uint64_t solid = colliders.hash()) result = lr::mix64(result ^ solid);
+    pairs.visit([&](uint32_t low, uint32_t high) { result = lr::mix64(result ^ (low | uint64_t{high} << 32)); });
     return result;
 }
 

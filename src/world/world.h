@@ -37,7 +37,7 @@ struct lr_world {
 
     // All or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
     lr_status set_rest(const lr_body* bodies, uint32_t count, bool rest);
-    uint32_t wake_box(const float (&low)[3], const float (&high)[3]); // m; how many
+    uint32_t wake_box(const lr::Box& box); // how many
     // A body goes away or elsewhere: what may lie on it is woken by wake_left().
     void leave(const lr::Batch& batch, uint32_t index);
     void wake_left();
@@ -98,8 +98,8 @@ struct lr_world {
 
     // Where bodies were that others may have lain on. Room for each of those that meet others: one leaves once in a call.
     struct Left {
-        uint32_t slot;         // of the batch
-        float low[3], high[3]; // m
+        uint32_t slot; // of the batch
+        lr::Box box;
     };
     lr::Buffer<Left> left;
     uint32_t left_count = 0;

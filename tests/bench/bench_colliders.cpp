@@ -2,6 +2,7 @@
 // `near` is the share of bodies in free places that the bits do not know to be far.
 //     bench_colliders --benchmark_counters_tabular=true
 #include "contact/colliders.h"
+#include "contact/marked.h"
 #include "support/random.h"
 
 #include <benchmark/benchmark.h>
@@ -90,14 +91,14 @@ void asking(benchmark::State& state) {
             found += colliders.candidates({p - e, p + e}, 1, nullptr, out, more);
             ++asked;
         }
-    for (const lr::Vector& p : places) near += lr::maybe_near(colliders.near(), p, 0.2f);
+    for (const lr::Vector& p : places) near += test::marked(colliders.near(), p, 0.2f);
     rate(state, "candidates", 65536.0);
     state.counters["found"] = static_cast<double>(found) / static_cast<double>(asked);
     state.counters["near"] = static_cast<double>(near) / 65536.0;
     // The same among empty places: what false bits cost.
     near = 0;
     for (const lr::Vector& p : places)
-        near += lr::maybe_near(colliders.near(), p + lr::Vector{static_cast<float>(2.0 * side), 0.0f, 0.0f}, 0.2f);
+        near += test::marked(colliders.near(), p + lr::Vector{static_cast<float>(2.0 * side), 0.0f, 0.0f}, 0.2f);
     state.counters["near, away"] = static_cast<double>(near) / 65536.0;
 }
 

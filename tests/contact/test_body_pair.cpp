@@ -421,7 +421,7 @@ TEST_CASE("bounds hold the body and no more; ellipsoids keep their volume") {
     for (uint32_t i = 0; i < test::rounds(3000); ++i) {
         const Placed body(pool[random.below(60)], random.real(0.1, 5.0),
                           {10.0f * test::any_direction(random), test::any_rotation(random)});
-        const Bounds box = bounds(body.shape, body.scale, body.at);
+        const Box box = bounds(body.shape, body.scale, body.at);
         const double slack = 1e-5 * (10.0 + body.reach());
         const float low[3] = {box.low.x, box.low.y, box.low.z}, high[3] = {box.high.x, box.high.y, box.high.z};
         for (uint32_t k = 0; k < 3; ++k) {

@@ -9,6 +9,7 @@ using namespace test;
 using lr::Pose;
 using lr::Rotation;
 using lr::Vector;
+using lr::wide;
 
 namespace {
 
@@ -26,9 +27,6 @@ Rotation random_rotation(Random& random) {
 struct Point {
     double v[3];
 };
-double wide(float x) {
-    return static_cast<double>(x);
-}
 
 // Where a point of the collider is at the fraction t of the step.
 Point interpolated(const Pose& begin, const Pose& end, Vector p, double t) {

@@ -2,7 +2,7 @@
 #include "contact/collider_motion.h"
 #include "contact/colliders.h"
 #include "contact/mesh_parts.h"
-#include "kernel/step.h"
+#include "marked.h"
 #include "support/colliders.h"
 
 #include <algorithm>
@@ -13,21 +13,6 @@ using lr::Colliders;
 using lr::Vector;
 
 namespace {
-
-// Whether the kernel marks a body about `at` that lies still and reaches, with half of that again, so far.
-bool marked(const lr::NearColliders& near, Vector at, float reach) {
-    alignas(64) static float fields[lr::field_count][lr::lane_block];
-    lr::BatchArrays arrays{};
-    for (size_t f = 0; f < lr::field_count; ++f) {
-        std::fill_n(fields[f], lr::lane_block, f == lr::field_scale ? 1.0f : 0.0f);
-        arrays.field[f] = fields[f];
-    }
-    fields[lr::field_x][0] = at.x, fields[lr::field_x + 1][0] = at.y, fields[lr::field_x + 2][0] = at.z;
-    alignas(64) uint32_t mark[lr::lane_block];
-    static const lr::ContactTarget& target = lr::contact_target(lr::find_target(LR_SIMD_AUTO)->simd);
-    target.near(near, reach / 1.5f, 1.0f / 60.0f, 0.0f, arrays, 0, lr::lane_block, mark);
-    return (mark[0] & lr::near_ground) != 0;
-}
 
 lr_collider add(Colliders& c, const lr_collider_desc& d) {
     REQUIRE(c.begin_create(1) == LR_OK);
@@ -138,7 +123,7 @@ TEST_CASE("candidates are those that going through all gives, whatever is made, 
                 if (listed != expected.size()) FAIL(listed, " for ", expected.size());
                 full_lists += listed > lr::most_candidates;
                 found_in_all += static_cast<uint32_t>(listed);
-                if (layers == 7 && r <= reach && !expected.empty() && !lr::maybe_near(colliders.near(), at, r))
+                if (layers == 7 && r <= reach && !expected.empty() && !marked(colliders.near(), at, r))
                     FAIL("told to be far");
             }
             colliders.end_step();
@@ -150,7 +135,7 @@ TEST_CASE("candidates are those that going through all gives, whatever is made, 
 
 TEST_CASE("planes and heightfields are near where bodies can touch them, also while they move") {
     Random random(5);
-    uint32_t touching = 0, far = 0, unmarked = 0;
+    uint32_t touching = 0, far = 0;
     for (int scene = 0; scene < 300; ++scene) {
         lr::Allocator allocator;
         Colliders colliders(allocator);
@@ -198,18 +183,15 @@ TEST_CASE("planes and heightfields are near where bodies can touch them, also wh
             bool more = false;
             const Vector e{reach, reach, reach};
             const uint32_t count = colliders.candidates({at - e, at + e}, 1, nullptr, out, more);
-            const bool told = lr::maybe_near(near, at, reach);
-            if (touches && (!told || count != 1)) FAIL("missed");
+            if (touches && count != 1) FAIL("missed");
             const bool seen = marked(near, at, reach);
             if (within && !seen) FAIL("missed by the kernel");
             touching += within;
-            far += !told;
-            unmarked += told && !seen;
+            far += !seen;
         }
     }
     CHECK(touching > 1000);
     CHECK(far > 10000);
-    CHECK(unmarked > 20); // by slopes
 }
 
 TEST_CASE("more planes than the kernel holds, and planes that turn, keep all bodies from being far") {
@@ -231,7 +213,7 @@ TEST_CASE("more planes than the kernel holds, and planes that turn, keep all bod
     colliders.begin_step(0.01, 0.25f);
     CHECK_FALSE(colliders.near().everywhere);
     CHECK(colliders.near().plane_count == 16);
-    CHECK_FALSE(lr::maybe_near(colliders.near(), {0.0f, 1.0f, 0.0f}, 0.25f));
+    CHECK_FALSE(marked(colliders.near(), {0.0f, 1.0f, 0.0f}, 0.25f));
     colliders.end_step();
     lr_collider_motion m{};
     m.mode = LR_MOVE_VELOCITY;

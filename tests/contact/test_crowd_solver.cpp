@@ -26,9 +26,6 @@ constexpr int rounds = 20;
 constexpr int rounds = 300;
 #endif
 
-double wide(float x) {
-    return static_cast<double>(x);
-}
 float narrow(double x) {
     return static_cast<float>(x);
 }

@@ -129,7 +129,10 @@ TEST_CASE("side by side as much is found as one by one") {
     for (size_t i = 0; i < pairs.size(); ++i) {
         const Pair& pair = pairs[i];
         Found one;
-        one.count = find_way_contacts(pair.a, pair.b, pair.margin, one.contacts);
+        PairContact begin[most_pair_contacts];
+        const uint32_t near = find_pair_contacts(*pair.a.shape, pair.a.scale, pair.a.from, *pair.b.shape, pair.b.scale,
+                                                 pair.b.from, near_enough(pair.a, pair.b, pair.margin), begin);
+        one.count = keep_way_contacts(pair.a, pair.b, pair.margin, begin, near, one.contacts);
         touching += one.count > 0 ? 1u : 0u;
         const float radii = pair.a.shape->shape.radius + pair.b.scale * pair.b.shape->shape.radius;
         CAPTURE(i);

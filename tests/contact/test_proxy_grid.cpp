@@ -1,4 +1,6 @@
 #include "contact/proxy_grid.h"
+
+#include "marked.h"
 #include "support/random.h"
 
 #include <doctest/doctest.h>
@@ -84,7 +86,7 @@ TEST_CASE("no body that can touch a box is missed by the bits, at any size and a
                                                 random_vector(random, 2.0 * static_cast<double>(dilation));
                     const bool touches =
                         std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return meets(b, at, reach); });
-                    const bool near = lr::maybe_near(g.near, at, reach);
+                    const bool near = marked(g.near, at, reach);
                     if (touches && !near) FAIL("missed a body at ", at.x, " ", at.y, " ", at.z);
                     touching += touches;
                     far += i % 4 == 0 && !near;
@@ -109,15 +111,15 @@ TEST_CASE("bodies at the very edge of a box's reach are found") {
             x = std::nextafter(x, boxes[0].low.x);
         const Vector at{x, 0.5f * (boxes[0].low.y + boxes[0].high.y), boxes[0].high.z};
         if (!meets(boxes[0], at, dilation)) FAIL("not at the edge");
-        if (!lr::maybe_near(g.near, at, dilation)) FAIL("missed at ", center);
+        if (!marked(g.near, at, dilation)) FAIL("missed at ", center);
     }
 }
 
 TEST_CASE("a body that reaches farther than boxes were dilated may always be near") {
     const Grid g({{{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}}, 0.25f, 5);
-    CHECK_FALSE(lr::maybe_near(g.near, {500.0f, 0.0f, 0.0f}, 0.25f));
-    CHECK(lr::maybe_near(g.near, {500.0f, 0.0f, 0.0f}, 0.26f));
-    CHECK_FALSE(lr::maybe_near(lr::NearColliders{}, {0.0f, 0.0f, 0.0f}, 1e9f)); // nothing at all
+    CHECK_FALSE(marked(g.near, {500.0f, 0.0f, 0.0f}, 0.25f));
+    CHECK(marked(g.near, {500.0f, 0.0f, 0.0f}, 0.26f));
+    CHECK_FALSE(marked(lr::NearColliders{}, {0.0f, 0.0f, 0.0f}, 1e9f)); // nothing at all
 }
 
 TEST_CASE("a query finds what going through all boxes finds, each once") {
@@ -155,7 +157,7 @@ TEST_CASE("hostile boxes and queries end") {
     g.grid.query({{nan, nan, nan}, {nan, nan, nan}}, count);
     CHECK(found == 0);
     g.grid.query({{1.0f, 1.0f, 1.0f}, {-1.0f, -1.0f, -1.0f}}, count); // inside out: whatever, but at once
-    CHECK(lr::maybe_near(g.near, {0.0f, 0.0f, 0.0f}, 0.1f));
-    CHECK(lr::maybe_near(g.near, {0.0f, 0.0f, 0.0f}, nan));
-    (void)lr::maybe_near(g.near, {nan, huge, -huge}, 0.1f);
+    CHECK(marked(g.near, {0.0f, 0.0f, 0.0f}, 0.1f));
+    CHECK(marked(g.near, {0.0f, 0.0f, 0.0f}, nan));
+    (void)marked(g.near, {nan, huge, -huge}, 0.1f);
 }

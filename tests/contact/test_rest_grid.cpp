@@ -18,13 +18,12 @@ struct Body {
     float position[3] = {}, scale = 1.0f;
 };
 
-bool overlaps(const Body& b, double reach, const float (&low)[3], const float (&high)[3]) {
-    const double r = reach * static_cast<double>(b.scale);
+bool overlaps(const Body& b, double reach, const Box& box) {
+    const double r = reach * wide(b.scale);
+    const float low[3] = {box.low.x, box.low.y, box.low.z}, high[3] = {box.high.x, box.high.y, box.high.z};
     bool yes = b.in;
-    for (size_t k = 0; k < 3; ++k) {
-        const auto x = static_cast<double>(b.position[k]);
-        yes = yes && x + r >= static_cast<double>(low[k]) && x - r <= static_cast<double>(high[k]);
-    }
+    for (size_t k = 0; k < 3; ++k)
+        yes = yes && wide(b.position[k]) + r >= wide(low[k]) && wide(b.position[k]) - r <= wide(high[k]);
     return yes;
 }
 
@@ -51,7 +50,7 @@ TEST_CASE("the grid of bodies at rest misses none, and has only those that lie i
                     for (float& x : b.position) x = random.real(-extent, extent);
                     b.scale = mixed ? static_cast<float>(random.logarithmic(1e-3, 1e3)) : random.real(0.5, 2.0);
                     if (round % 50 == 0) b.position[round % 3] = 3e38f; // far beyond the last cell
-                    grid.insert(slot, b.position, b.scale);
+                    grid.insert(slot, vector_of(b.position), b.scale);
                     b.in = true, ++inside;
                 }
                 if (round % 4 != 0) continue;
@@ -62,9 +61,10 @@ TEST_CASE("the grid of bodies at rest misses none, and has only those that lie i
                     // Exactly at the end of a body, now and then.
                     if (b.in && round % 8 == 0) low[k] = high[k] = b.position[k];
                 }
+                const Box box{vector_of(low), vector_of(high)};
                 std::set<uint32_t> found;
                 bool lost = false;
-                if (!grid.visit(low, high, 1000000, [&](uint32_t s) {
+                if (!grid.visit(box, 1000000, [&](uint32_t s) {
                         lost = lost || !bodies[s].in;
                         found.insert(s);
                     }))
@@ -73,7 +73,7 @@ TEST_CASE("the grid of bodies at rest misses none, and has only those that lie i
                 CHECK_FALSE(lost);
                 found_in_all += static_cast<uint32_t>(found.size());
                 for (uint32_t s = 0; s < capacity; ++s)
-                    if (overlaps(bodies[s], reach, low, high)) CHECK(found.count(s) == 1);
+                    if (overlaps(bodies[s], reach, box)) CHECK(found.count(s) == 1);
             }
             CHECK(looked_up > (mixed ? 100u : 900u));
             CHECK(inside > 250);
@@ -89,14 +89,12 @@ TEST_CASE(
     RestGrid grid;
     REQUIRE(grid.create(allocator, 64, 0.01));
     for (uint32_t slot = 0; slot < 64; ++slot) {
-        const float at[3] = {0.001f * static_cast<float>(slot), 0.0f, 0.0f};
-        grid.insert(slot, at, 1.0f);
+        grid.insert(slot, {0.001f * static_cast<float>(slot), 0.0f, 0.0f}, 1.0f);
     }
-    const float low[3] = {-1e9f, -1e9f, -1e9f}, high[3] = {1e9f, 1e9f, 1e9f};
-    CHECK_FALSE(grid.visit(low, high, 64, [](uint32_t) { FAIL("asked"); }));
-    const float from[3] = {-0.01f, 0.0f, 0.0f}, to[3] = {0.08f, 0.0f, 0.0f};
+    const Box everywhere{{-1e9f, -1e9f, -1e9f}, {1e9f, 1e9f, 1e9f}}, some{{-0.01f, 0.0f, 0.0f}, {0.08f, 0.0f, 0.0f}};
+    CHECK_FALSE(grid.visit(everywhere, 64, [](uint32_t) { FAIL("asked"); }));
     uint32_t seen = 0;
-    CHECK(grid.visit(from, to, 1000, [&](uint32_t slot) { ++seen, grid.remove(slot); }));
+    CHECK(grid.visit(some, 1000, [&](uint32_t slot) { ++seen, grid.remove(slot); }));
     CHECK(seen == 64);
-    CHECK(grid.visit(from, to, 1000, [&](uint32_t) { FAIL("taken out"); }));
+    CHECK(grid.visit(some, 1000, [&](uint32_t) { FAIL("taken out"); }));
 }

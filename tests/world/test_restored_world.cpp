@@ -54,9 +54,9 @@ struct Place {
         REQUIRE(lr_body_set_state(world.get(), ids[body], &s) == LR_OK);
     }
     // By slot; of those that move 0.
-    std::vector<lr::Bounds> boxes() const {
+    std::vector<lr::Box> boxes() const {
         const lr::Batch& b = *world->batches[0].batch;
-        std::vector<lr::Bounds> out(b.capacity(), lr::Bounds{});
+        std::vector<lr::Box> out(b.capacity(), lr::Box{});
         for (uint32_t i = b.awake(); i < b.count(); ++i) {
             const uint32_t slot = lr::unpack(b.ids()[i]).slot;
             out[slot] = b.resting()->box(slot);
@@ -68,7 +68,7 @@ struct Place {
     }
 };
 
-bool same_bits(const std::vector<lr::Bounds>& a, const std::vector<lr::Bounds>& b) {
+bool same_bits(const std::vector<lr::Box>& a, const std::vector<lr::Box>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("what was in a world before a restore does not matter, to the byte") {
     };
     const Place fresh(false);
     fresh.restore(snapshot);
-    const std::vector<lr::Bounds> boxes = fresh.boxes();
+    const std::vector<lr::Box> boxes = fresh.boxes();
     const Bytes later = go_on(fresh);
     REQUIRE(same_bits(boxes, lived.boxes()));
     for (const auto& [name, change] : ways) {
