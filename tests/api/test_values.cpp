@@ -385,15 +385,15 @@ TEST_CASE("gravity, wind, batches and tables refuse impossible values and leave 
     for (size_t i = 0; i < 3; ++i)
         fields.push_back(
             {"roll damping", offsetof(lr_aerodynamics, roll_damping) + 8 * i, Field::f64, {-1e-9, huge}, {0.0, 1.0}});
-    for (size_t i = 0; i < 9;
-         ++i) // still unit vectors, but not orthogonal ones; or the body's, turned on a diagonal body
+    for (size_t i = 0; i < 9; ++i) // still unit vectors, but not orthogonal ones
         fields.push_back({"axes", offsetof(lr_aerodynamics, axes) + 8 * i, Field::f64, {0.5, -1.0}, {}});
     fields.push_back({"intensity", offsetof(lr_aerodynamics, intensity), Field::f64, {-0.1, 10.1}, {0.0, 10.0}});
     fields.push_back({"length", offsetof(lr_aerodynamics, length), Field::f64, {0.0, -1.0, huge}, {1e-3, 1.0}});
     fields.push_back({"wake_reynolds", offsetof(lr_aerodynamics, wake_reynolds), Field::f64, {-1.0, huge}, {0.0, 1e3}});
     fields.push_back({"lift_stall", offsetof(lr_aerodynamics, lift_stall), Field::f64, {-10.1, 10.1}, {-1.0, 1.0}});
-    for (size_t i = 0; i < 3; ++i) // on a diagonal body
-        fields.push_back({"center", offsetof(lr_aerodynamics, center) + 8 * i, Field::f64, {1e-3, -1e-3, huge}, {}});
+    for (size_t i = 0; i < 3; ++i)
+        fields.push_back(
+            {"center", offsetof(lr_aerodynamics, center) + 8 * i, Field::f64, {huge, -huge}, {1e-3, -1e-3}});
     fields.push_back({"reserved", offsetof(lr_aerodynamics, reserved), Field::u32, {1.0}, {0.0}});
     check_fields<lr_aerodynamics>(
         a, fields, [&](const lr_aerodynamics* d) { return lr_batch_set_aerodynamics(w, batch, d); },

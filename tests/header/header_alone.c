@@ -9,7 +9,7 @@ typedef char body_desc_size[sizeof(lr_body_desc) == 72 ? 1 : -1];
 typedef char body_state_size[sizeof(lr_body_state) == 76 ? 1 : -1];
 typedef char world_desc_size[sizeof(lr_world_desc) == 24 + 24 + 24 + 8 + 24 + 8 ? 1 : -1];
 typedef char wind_desc_size[sizeof(lr_wind_desc) == 24 ? 1 : -1];
-typedef char batch_desc_size[sizeof(lr_batch_desc) == 48 ? 1 : -1];
+typedef char batch_desc_size[sizeof(lr_batch_desc) == 40 ? 1 : -1];
 typedef char ellipsoid_desc_size[sizeof(lr_ellipsoid_desc) == 88 ? 1 : -1];
 typedef char table_size[sizeof(lr_turbulence_table) == 48 ? 1 : -1];
 typedef char view_size[sizeof(lr_batch_view) == 8 + 13 * 8 + 4 * 8 + 8 + 16 ? 1 : -1];

@@ -129,7 +129,7 @@ std::vector<PlayedScene> played_scenes() {
     landing_in_everything.sources = {LR_WIND_SOURCE_GUSTS, LR_WIND_SOURCE_RANKINE, LR_WIND_SOURCE_GROUND};
     landing_in_everything.afloat = landing_in_everything.called_back = true;
     landing_in_everything.divisors[0] = 3, landing_in_everything.divisors[1] = 2;
-    landing_in_everything.dt = 0.0125f, landing_in_everything.frames = 90;
+    landing_in_everything.substeps = 12;
     PlayedScene& landing_on_edges = landing("landing_on_edges", Solids::edges);
     landing_on_edges.born_and_dying = true, landing_on_edges.dt = 0.1f, landing_on_edges.substeps = 6;
 
@@ -161,7 +161,7 @@ std::vector<PlayedScene> played_scenes() {
     PlayedScene& unstable = faulty(with("faults_rk4", LR_LOADS_AERODYNAMIC));
     rk4(unstable, 1), unstable.dt = 0.2f, unstable.windy = true;
     PlayedScene& faults_in_field = faulty(blown("faults_in_a_field", every));
-    rk4(faults_in_field, 2), faults_in_field.afloat = faults_in_field.called_back = true;
+    rk4(faults_in_field, 2), faults_in_field.afloat = faults_in_field.called_back = true, faults_in_field.bodies = 200;
     PlayedScene& faults_in_landing = faulty(landing("faults_in_landing", Solids::ground));
     rk4(faults_in_landing, 2), faults_in_landing.governed = true;
     PlayedScene& faults_in_pile = faulty(pile("faults_in_a_pile", Solids::ground));
