@@ -103,8 +103,7 @@ TEST_CASE("what is found of a pair is the same in any company and on every instr
     for (const Found& one : alone) touching += one.count > 0 ? 1u : 0u;
     CHECK(touching > pairs.size() / 5);
     CHECK(touching < pairs.size() * 4 / 5);
-    for (const int32_t simd :
-         {LR_SIMD_SSE4, LR_SIMD_AVX2, LR_SIMD_AVX512, LR_SIMD_NEON, LR_SIMD_PLAIN}) {
+    for (const int32_t simd : {LR_SIMD_SSE4, LR_SIMD_AVX2, LR_SIMD_AVX512, LR_SIMD_NEON, LR_SIMD_PLAIN}) {
         if (!find_target(simd)) continue;
         CAPTURE(simd);
         for (const uint32_t together : {5u, 1000u}) {

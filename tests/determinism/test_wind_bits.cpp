@@ -84,7 +84,8 @@ TEST_CASE("wind of every kind gives the same bits everywhere") {
     for (uint32_t workers : {1u, 3u}) CHECK(outcome({.workers = workers}) == expected);
     CHECK(outcome({.reversed = true}) == expected);
     CHECK(outcome({.through_snapshot = true}) == expected);
-    CHECK(outcome({.simd = simd_targets().back(), .workers = 2, .reversed = true, .through_snapshot = true}) == expected);
+    CHECK(outcome({.simd = simd_targets().back(), .workers = 2, .reversed = true, .through_snapshot = true}) ==
+          expected);
     CHECK(outcome({.callback = false}) != expected);
 }
 

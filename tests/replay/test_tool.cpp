@@ -30,7 +30,8 @@ TEST_CASE("lr_replay ends with 0, 1, 2 or 3") {
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     };
     CHECK(run(recording.bytes, "") == 0);
-    CHECK(run(recording.bytes, std::string("--workers 2 --print --simd ") + lr_simd_target_name(simd_targets().back())) == 0);
+    CHECK(run(recording.bytes,
+              std::string("--workers 2 --print --simd ") + lr_simd_target_name(simd_targets().back())) == 0);
     CHECK(run(recording.bytes, "--until 2 --csv '" + table + "' --body " + std::to_string(body)) == 0);
     CHECK(std::filesystem::file_size(table) > 30);
     std::vector<unsigned char> damaged = recording.bytes;

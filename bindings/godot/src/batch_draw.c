@@ -161,7 +161,7 @@ void batch_draw(batch_node* self) {
             float* rows = gd_data(&self->buffer);
             uint32_t written = 0;
             lr_batch_write_transforms(self->world->world, self->batch, LR_TRANSFORM_3X4_ROW_MAJOR, rows, 0, write,
-                                            &written);
+                                      &written);
             if (!self->local_is_identity) transform_apply(rows, written, self->local);
             gd_call(gd.rendering_server, GD_N_multimesh_set_buffer, NULL, 2, gd_rid(self->multimesh),
                     gd_copy(&self->buffer));

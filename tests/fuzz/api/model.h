@@ -30,9 +30,8 @@ struct Past {
     bool operator==(const Past& o) const {
         return created.asset == o.created.asset && created.capacity == o.created.capacity && destroyed == o.destroyed &&
                created.load_model == o.created.load_model && created.integrator == o.created.integrator &&
-               created.clock == o.created.clock &&
-               created.table_end == o.created.table_end && created.damping_gain == o.created.damping_gain &&
-               created.noise_gain == o.created.noise_gain;
+               created.clock == o.created.clock && created.table_end == o.created.table_end &&
+               created.damping_gain == o.created.damping_gain && created.noise_gain == o.created.noise_gain;
     }
 };
 

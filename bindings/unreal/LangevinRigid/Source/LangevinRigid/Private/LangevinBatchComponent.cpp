@@ -75,8 +75,8 @@ bool ULangevinBatchComponent::BeginBatch() {
     Gains.turbulence = TurbulenceGain;
     const uint32 Divisor = static_cast<uint32>(FMath::Clamp(RateDivisor, 1, 1024));
     const bool bGood = Check(lr_batch_set_load_gains(World, Batch, &Gains), TEXT("Gains")) &&
-                       Check(lr_batch_set_rate(World, Batch, Divisor), TEXT("Rate")) && ApplyEmitter() && ApplyRules() &&
-                       ApplyContact();
+                       Check(lr_batch_set_rate(World, Batch, Divisor), TEXT("Rate")) && ApplyEmitter() &&
+                       ApplyRules() && ApplyContact();
     if (!bGood) {
         lr_batch_destroy(World, Batch);
         Batch = 0;

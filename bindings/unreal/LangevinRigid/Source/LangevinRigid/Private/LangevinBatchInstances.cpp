@@ -55,8 +55,7 @@ void ULangevinBatchComponent::WriteInstances(double AheadSeconds) {
     Records.SetNumUninitialized(Written * RecordFloats);
     Transforms.SetNumUninitialized(FMath::Max(Transforms.Num(), Count));
     if (!LangevinHost::Check(lr_batch_write_transforms(World, Batch, LR_TRANSFORM_POSITION_QUATERNION_SCALE,
-                                                             Records.GetData(), 0, static_cast<uint32>(Written),
-                                                             nullptr),
+                                                       Records.GetData(), 0, static_cast<uint32>(Written), nullptr),
                              TEXT("Transforms"))) {
         return;
     }
