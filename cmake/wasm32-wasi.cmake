@@ -1,4 +1,4 @@
-# WebAssembly with 128-bit SIMD, by clang and Debian's wasi-libc (scripts/setup.sh test). docs/guide/web.md
+# WebAssembly with 128-bit SIMD, by clang and Debian's wasi-libc (scripts/setup.sh test). docs/guide/languages.md
 #   cmake -B build/wasm -G Ninja -DCMAKE_TOOLCHAIN_FILE=cmake/wasm32-wasi.cmake -DCMAKE_BUILD_TYPE=Release
 #   cmake --build build/wasm --target langevin_rigid_wasm
 set(CMAKE_SYSTEM_NAME WASI)

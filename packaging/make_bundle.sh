@@ -81,10 +81,7 @@ if [ "$platform" = linux-x64 ]; then
         { cat "$folder/wheel.log" >&2; exit 1; }
 fi
 mkdir -p "$stage/docs/guide" "$stage/docs/images"
-for binding in "$stage"/bindings/*/; do # C# has its page with Unity's
-    page=$(basename "$binding")
-    cp "docs/guide/${page/csharp/unity}.md" "$stage/docs/guide/"
-done
+cp docs/guide/{engines,languages}.md "$stage/docs/guide/"
 grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|^\.\./|docs/|' | xargs -r cp -t "$stage/docs/images"
 
 cp LICENSE "$stage/"

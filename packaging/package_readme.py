@@ -43,7 +43,7 @@ def read_me(options) -> str:
              ("assets", "baked meshes (.lrb) and what they were made of (.obj)"),
              ("samples/hello.c", "the first falling bodies")]
     if bindings:
-        rows.append(("bindings", ", ".join(bindings) + ": each has its page in `docs/guide`, from zero to falling leaves"))
+        rows.append(("bindings", ", ".join(bindings) + ": `docs/guide` has a chapter for each, from zero to falling leaves"))
     rows += [("LICENSE, THIRD_PARTY.md, licences", "terms, of this and of what of others is inside"),
              ("SHA256SUMS", "`sha256sum -c SHA256SUMS` checks every file")]
     table = "\n".join(f"| `{name}` | {what} |" for name, what in rows)

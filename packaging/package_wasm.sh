@@ -22,8 +22,8 @@ for file in langevin_rigid.wasm langevin_rigid.mjs package.json; do
 done
 cp LICENSE include/langevin_rigid.h bindings/web/sample.mjs "$stage/$name/"
 mkdir -p "$stage/$name/docs/guide" "$stage/$name/docs/images"
-cp docs/guide/web.md "$stage/$name/docs/guide/"
-cp docs/images/web_storm.png "$stage/$name/docs/images/"
+cp docs/guide/languages.md "$stage/$name/docs/guide/"
+cp docs/images/{web,blender}_storm.png "$stage/$name/docs/images/"
 # The page with its leaves, for any server of static files. They are baked by the package for this machine.
 native=$PWD/build/packaging/linux-x64/stage/langevin_rigid-$version-linux-x64
 if [ -x "$native/bin/lr_bake" ]; then

@@ -9,7 +9,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Name, -O, chunk (0: the library's own), instruction sets left out. The emulated one is in each but ARM's; with GCC 12 it
+# Name, -O, chunk (0: the library's own), instruction sets left out. Plain C++ is in those without SSSE3 and SSE4; with GCC 12 it
 # has one lane, with clang four. Between them the six have every other at least twice.
 builds=(
     "gcc-O1   1 64   HWY_SSE4;HWY_AVX3"

@@ -129,7 +129,7 @@ guide() {
     {
         echo 'using System; using LangevinRigid; static class Guide { static float lowest; static void Splash(Float3 p) { lowest = Math.Min(lowest, p.Y); }'
         echo 'static void Main() { var matrices = new float[16 * 10000];'
-        sed -n '/^```csharp$/,/^```$/{/^```/!p}' "$root/docs/guide/unity.md"
+        sed -n '/^```csharp$/,/^```$/{/^```/!p}' "$root/docs/guide/languages.md"
         echo 'Console.WriteLine(matrices[13] + " " + view.Count); world.Dispose(); } }'
     } > Guide.cs
     mcs -langversion:latest -warnaserror -r:LangevinRigid.dll -out:Guide.exe Guide.cs
@@ -159,7 +159,7 @@ step "a newer library" wrong_library newer "unsigned lr_version(void) { return 2
 step "an older library" wrong_library older "unsigned lr_version(void) { return 0u << 12; }"
 step "a program that ends without Dispose" leave
 step "sample Hello: same bits as in C" hello
-step "the lines of docs/guide/unity.md" guide
+step "the lines of docs/guide/languages.md" guide
 
 echo "csharp: $passed passed, $failed failed$([ $skipped -eq 0 ] || echo ", $skipped skipped")"
 [ $failed -eq 0 ]

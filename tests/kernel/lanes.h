@@ -26,7 +26,7 @@ struct Lanes {
     void (*three_gaussians)(const uint32_t* keys, uint64_t substep, uint64_t seed, float* out, size_t n);
 };
 
-// Of this processor and build, best first; the emulated one last.
+// Of this processor and build, best first; plain C++ last.
 std::vector<Lanes> lanes();
 
 template <class T> struct LaneAllocator {
