@@ -1,4 +1,4 @@
-// A snapshot that goes from one process to another, also of another processor: check_snapshot_file.sh.
+// A snapshot that goes from one process to another, also of another processor: tests/travel/check.sh.
 //     snapshot_file targets                instruction sets that this processor can run, by number
 //     snapshot_file save FILE [TARGET]     of the scene; prints its hash, and that after it has gone on
 //     snapshot_file resume FILE [TARGET]   prints the same two of what is restored
