@@ -319,7 +319,7 @@ LR_API lr_status lr_asset_info_init(lr_asset_info* info, uint32_t struct_size);
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
 LR_API lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info);
 
-/* The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/reference/asset_format.md.
+/* The coefficients of an asset, as baked.
  * aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
 LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics);

@@ -97,7 +97,7 @@ void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t c
     BatchArrays arrays = copies.arrays();
     float winds[3 * field_block]; // m/s, x y z of each
     for (uint32_t i = 0; i < count; ++i)
-        put(field ? vector_in(copies.field, field_x, i) : vector_of(in.wind), winds + 3 * i);
+        put(field ? vector_in(copies.field, field_x, i) : vector_of(in.wind), winds + size_t{3} * i);
     if (field)
         sample_field(*world_->target, world_->wind, time_.begin + 0.5 * time_.h, item.handle, winds, count, winds);
     alignas(64) uint32_t wet[most] = {};
@@ -110,7 +110,7 @@ void LiftOff::try_bodies(const StepItem& item, const uint32_t* index, uint32_t c
     uint32_t tried[most], tried_count = 0;
     Vector wind[most];
     for (uint32_t i = 0; i < count; ++i) {
-        const Vector w = vector_of(winds + 3 * i), held = vector_in(copies.field, field_gust_x, i);
+        const Vector w = vector_of(winds + size_t{3} * i), held = vector_in(copies.field, field_gust_x, i);
         if (wet[i] == 0 && (remembers ? withstands(held, w) : dot(w, w) == 0.0f)) continue;
         wind[tried_count] = w;
         tried[tried_count++] = index[i];

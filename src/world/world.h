@@ -58,7 +58,6 @@ struct lr_world {
     void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
 
-    // m/s that the bodies of a batch may gain in so long beside what they have: how far they look for what they may touch.
     // Bodies at rest at a collider, over its way in the step.
     void wake_at(uint32_t collider);
     bool any_resting() const;
@@ -68,6 +67,7 @@ struct lr_world {
     void resume_contact_events();        // what there is has been restored: no events
     bool reserve_contact();              // of all batches; false when out of memory
     float contact_reach(float dt) const; // m, for the broad phase
+    // m/s that the bodies of a batch may gain in so long beside what they have: how far they look for what they may touch.
     float contact_gain(const lr::Batch& batch, float dt) const;
 
     void log(int32_t level, const char* function, const char* message) const;
@@ -102,7 +102,6 @@ struct lr_world {
         lr::Box box;
     };
     lr::Buffer<Left> left;
-    uint32_t left_count = 0;
 
     mutable lr::Use use;
     lr::record::Recorder* recorder = nullptr; // while there is a recording
@@ -115,6 +114,7 @@ struct lr_world {
     float fluid_viscosity = 0.0f;          // m^2/s; 0: each asset's own
     uint32_t next_key = 1;
     uint32_t batch_slots = 0; // used part of `batches`
+    uint32_t left_count = 0;  // and of `left`
 
 private:
     // Of the last substep's length: a few per cent of the step of one body.

@@ -1523,7 +1523,7 @@ PROTOTYPES = {
         ('asset', 'aerodynamics'),
         """lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics)
 
-        The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/reference/asset_format.md.
+        The coefficients of an asset, as baked.
 
         asset: the asset
         aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.

@@ -132,8 +132,7 @@ namespace LangevinRigid
         public static extern Status lr_asset_get_info(IntPtr asset, AssetInfo* info);
 
         /// <summary>
-        /// <para>The coefficients of an asset, as baked. A file from before they were stored has them from its hull:
-        /// docs/reference/asset_format.md.</para>
+        /// <para>The coefficients of an asset, as baked.</para>
         /// <para>Any thread.</para>
         /// </summary>
         /// <param name="asset">the asset</param>

@@ -1128,7 +1128,7 @@ export interface RawFunctions {
   /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
   lr_asset_get_info(asset: number, info: number): number;
   /**
-   * The coefficients of an asset, as baked. A file from before they were stored has them from its hull: docs/reference/asset_format.md.
+   * The coefficients of an asset, as baked.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
    */
   lr_asset_get_aerodynamics(asset: number, aerodynamics: number): number;
