@@ -17,7 +17,7 @@ static unsafe class WorldTests
     public static void InstructionSetsAreListedAndGiveTheSameBits()
     {
         SimdTarget[] targets = LangevinLibrary.SimdTargets();
-        Check.True(Array.IndexOf(targets, SimdTarget.Emulated) >= 0, "plain C++ is always there");
+        Check.True(targets.Length > 0, "this processor has one");
         ulong expected = 0;
         foreach (SimdTarget target in targets)
         {

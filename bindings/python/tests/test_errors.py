@@ -61,6 +61,7 @@ class Statuses(WorldCase):
             (S.ASSET_CORRUPT, ValueError, lambda: lr.Asset.load(damaged)),
             (S.ASSET_CORRUPT, ValueError, lambda: lr.Asset.from_bytes(damaged.read_bytes())),
             (S.SNAPSHOT_FORMAT, ValueError, lambda: world.restore(b"no snapshot")),
+            (S.SNAPSHOT_MISMATCH, ValueError, lambda: world.restore(lr.World().save())),
             (S.UNSUPPORTED, NotImplementedError, lambda: world.set_simd_target(lr.SimdTarget.WASM)),
             (S.TIMESTEP_ZERO, ValueError, lambda: world.step(0)),
             (S.TIMESTEP_NEGATIVE, ValueError, lambda: world.step(-1)),
