@@ -43,7 +43,7 @@ struct lr_world {
     void wake_left();
     // meets(slot): whether bodies of that batch will meet others. False when out of memory.
     template <class Meets> bool reserve_left(const Meets& meets) {
-        uint64_t count = 0;
+        size_t count = 0; // their bodies are in memory
         for (uint32_t i = 0; i < batch_slots; ++i)
             if (batches[i].batch && meets(i)) count += batches[i].batch->capacity();
         return lr::grow(allocator, left, count);
