@@ -93,7 +93,7 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
         pull = add(pull, mul(mobility, f.v));
         couple = mul(spin_mobility, f.u);
     }
-    if (in.loads == Loads::none) {
+    if (HWY_UNLIKELY(in.loads == Loads::none)) {
         b.t.v = add(b.t.v, pull);
         if (held.external) b.t.u = add(b.t.u, couple);
         return;
@@ -106,7 +106,7 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
     }
     const Vec3 rate = broadcast(c.rate), spin_rate = broadcast(c.rate + 3);
     VF share, beta = held.beta; // alpha tau
-    if (in.clock == Clock::speed) {
+    if (HWY_LIKELY(in.clock == Clock::speed)) {
         // Speed in the middle of the half step, estimated implicitly: it makes the damping of second order.
         const VF unit = hn::Mul(hn::Mul(constant(c.speed_alpha), held.inverse_length), tau);
         const VF guess = hn::Mul(hn::Mul(unit, half), hn::Sqrt(dot(b.t.v, b.t.v)));
@@ -171,14 +171,14 @@ HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held
     if (sheared) b.t.u = sub(b.t.u, fluid_spin());
     const Twist tau_f = scale(tau, applied_to_modes(c, held, b.q));
     const Twist y = to_modes(c, b.t);
-    if (in.loads == Loads::none) {
+    if (HWY_UNLIKELY(in.loads == Loads::none)) {
         b.t = add(b.t, from_modes(c, tau_f));
         return;
     }
     const Twist rate = broadcast6(c.rate);
     VF alpha = held.alpha;
     VF beta = held.beta;
-    if (in.clock == Clock::speed) {
+    if (HWY_LIKELY(in.clock == Clock::speed)) {
         // Speed in the middle of the half step, estimated implicitly: it makes the damping of second order.
         const VF unit = hn::Mul(constant(c.speed_alpha), held.inverse_length);
         const VF half_tau = constant(0.25f * in.h);
@@ -239,7 +239,7 @@ template <bool kFull, class C>
 HWY_INLINE void splitting_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6],
                                   Body& b) {
     const VF half = constant(0.5f * in.h);
-    if (in.loads == Loads::langevin && in.clock == Clock::age) {
+    if (HWY_UNLIKELY(in.loads == Loads::langevin && in.clock == Clock::age)) {
         VF beta_squared;
         sample_table(in.table, hn::Add(b.age, half), held.alpha, beta_squared);
         held.beta = hn::Sqrt(beta_squared);

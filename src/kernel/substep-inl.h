@@ -54,7 +54,7 @@ HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held,
     b.t.v = sub(b.t.v, to_body(b.q, b.gust));
     const VF speed = hn::Sqrt(speed_squared(b.t.v));
     VF alpha, variance;
-    if (in.clock == Clock::speed) {
+    if (HWY_LIKELY(in.clock == Clock::speed)) {
         alpha = hn::Mul(hn::Mul(constant(c.aerodynamics.rate_of_gusts), held.inverse_length), speed);
         const VF laminar = hn::Mul(laminar_product(c.aerodynamics), held.inverse_length);
         const VF turbulent = hn::Div(hn::Mul(speed, speed), hn::Add(speed, laminar));
@@ -87,7 +87,7 @@ HWY_INLINE void one_substep(const StepInput& in, const C& c, Held& held, VU key,
         return;
     }
     VF gauss[6];
-    if (in.loads != Loads::none)
+    if (HWY_LIKELY(in.loads != Loads::none))
         six_gaussians(key, in.first_substep + substep, in.seed, gauss);
     else
         for (VF& g : gauss) g = hn::Zero(DF());
