@@ -145,7 +145,8 @@ HWY_INLINE void grow_older(Body& b, VF h) {
 }
 
 // alpha and beta^2 at an age, linear between samples (docs/maintainers/physics.md, "AGE clock"). Not inlined: few batches have this clock.
-[[maybe_unused, gnu::cold]] static HWY_NOINLINE void sample_table(const TableConstants& t, VF age, VF& alpha, VF& beta_squared) {
+[[maybe_unused, gnu::cold]] static HWY_NOINLINE void sample_table(const TableConstants& t, VF age, VF& alpha,
+                                                                  VF& beta_squared) {
     const DI di;
     VF at = hn::Mul(age, constant(t.inverse_dt));
     const VF last = constant(t.last);
