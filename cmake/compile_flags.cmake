@@ -30,10 +30,3 @@ if(LR_SANITIZE)
     target_compile_options(lr_flags INTERFACE -fsanitize=${LR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(lr_flags INTERFACE -fsanitize=${LR_SANITIZE})
 endif()
-
-# Eigen and doctest take a second of each file that includes them.
-function(lr_precompile_headers target)
-    if(LR_PRECOMPILE_HEADERS)
-        target_precompile_headers(${target} PRIVATE <algorithm> <cmath> <functional> <limits> <memory> <string> <vector> ${ARGN})
-    endif()
-endfunction()

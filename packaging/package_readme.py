@@ -11,13 +11,15 @@ import sys
 from pathlib import Path
 
 NAMES = {"linux-x64": "Linux on x86-64", "linux-arm64": "Linux on 64-bit ARM", "windows-x64": "Windows 10 or later on x86-64"}
+PROCESSOR = {"linux-arm64": ""}
+PROCESSOR["linux-x64"] = PROCESSOR["windows-x64"] = " The processor needs SSE4.2 and AES (2010 and later); AVX2 and AVX-512 are used if present."
 LIBRARY = {"windows-x64": "bin/langevin_rigid.dll"}
 BEGIN, END = "<!-- measured by scripts/package.sh -->", "<!-- end -->"
 
 
 def floor_of_linux(options) -> str:
     return (f"The library needs glibc {options.library_floor} or later and nothing else; lr_bake needs glibc {options.baker_floor} or later. "
-            "Both were measured by the versions of the symbols that they ask for.")
+            "Both were measured from the symbol versions that the files require." + PROCESSOR[options.platform])
 
 
 def read_me(options) -> str:
@@ -25,12 +27,12 @@ def read_me(options) -> str:
     exe = ".exe" if windows else ""
     library = LIBRARY.get(options.platform, "lib/liblangevin_rigid.so")
     bindings = sorted(p.name for p in (options.stage / "bindings").glob("*")) if (options.stage / "bindings").is_dir() else []
-    needs = ("It needs Windows' own DLLs and nothing else; any x86-64 processor will do, and AVX2 and AVX-512 are used where they are."
+    needs = ("It needs Windows' own DLLs and nothing else." + PROCESSOR[options.platform]
              if windows else floor_of_linux(options))
     cc = (r"cl /std:c11 /I include samples\hello.c lib\langevin_rigid.lib" "\n"
           "    gcc -Iinclude samples/hello.c -Llib -llangevin_rigid -o hello.exe" if windows else
           "cc -std=c99 -Iinclude samples/hello.c -Llib -llangevin_rigid -Wl,-rpath,$PWD/lib -o hello && ./hello")
-    run = ("`langevin_rigid.dll` has to lie beside the program, or in a folder of PATH."
+    run = ("Put `langevin_rigid.dll` beside the program, or in a folder of PATH."
            if windows else "Ship `liblangevin_rigid.so.0` beside your program and link that with `-Wl,-rpath,'$ORIGIN'`.")
     rows = [("include/langevin_rigid.h", "the whole API: units, ownership, errors and threads of every function"),
             (library, "the library; it exports the functions of that header and nothing else")]
@@ -39,18 +41,18 @@ def read_me(options) -> str:
                  ("lib/liblangevin_rigid.dll.a", "import library for MinGW"),
                  ("lib/langevin_rigid.def", "its exports, for other linkers")]
     rows += [("lib/cmake, lib/pkgconfig", "for CMake and pkg-config; the folder may be moved anywhere"),
-             (f"bin/lr_bake{exe}", "makes assets of meshes and leaf textures"),
-             ("assets", "baked meshes (.lrb) and what they were made of (.obj)"),
+             (f"bin/lr_bake{exe}", "makes assets from meshes and leaf textures"),
+             ("assets", "baked meshes (.lrb) and their sources (.obj)"),
              ("samples/hello.c", "the first falling bodies")]
     if bindings:
         rows.append(("bindings", ", ".join(bindings) + ": `docs/guide` has a chapter for each, from zero to falling leaves"))
-    rows += [("LICENSE, THIRD_PARTY.md, licences", "terms, of this and of what of others is inside"),
+    rows += [("LICENSE, THIRD_PARTY.md, licences", "licences of this library and of the software inside"),
              ("SHA256SUMS", "`sha256sum -c SHA256SUMS` checks every file")]
     table = "\n".join(f"| `{name}` | {what} |" for name, what in rows)
     return f"""# Langevin Rigid {options.version} for {NAMES[options.platform]}
 
-Leaves, paper, petals and confetti that flutter, glide and tumble, by the thousand or the million, on the CPU, with the same bits on every
-machine. {needs}
+This package is for programs that simulate leaves, paper, petals and confetti that flutter, glide and tumble: thousands to a million, on the CPU, with
+the same bits on every machine. {needs}
 
 | | |
 |---|---|
@@ -75,14 +77,14 @@ In your own `CMakeLists.txt`: `find_package(langevin_rigid 0.1 CONFIG REQUIRED)`
 
     bin{chr(92) if windows else "/"}lr_bake{exe} mesh assets/leaf.obj -o leaf.lrb --density 350
 
-It reads OBJ, PLY, STL, glTF, FBX and Collada; `lr_bake --help` has the rest. The file goes to `lr_asset_load_file`.
+It reads OBJ, PLY, STL, glTF, FBX and Collada; `lr_bake --help` lists all options. Pass the file to `lr_asset_load_file`.
 
 ## Trouble
 
-- *lr_version is not that of the header*: an older library is found first. Compare `lr_version()` with `LR_VERSION_*` when you load it.
-- *LR_ERROR_ASSET_VERSION*: the asset was baked by a newer lr_bake than the library is.
-{"- *The specified module could not be found*: the DLL lies neither beside the program nor in PATH." if windows else "- *cannot open shared object file*: the program was linked without `-rpath` and the library is in no folder of the system."}
-{"- *LNK1107 or unresolved symbols with MinGW's import library*: give Microsoft's linker `lib/langevin_rigid.lib`." if windows else "- *version GLIBC_... not found*: the system's glibc is older than said above (`ldd --version`)."}
+- *lr_version differs from the header*: another library is found first. Compare `lr_version()` with `LR_VERSION_*` when you load it.
+- *LR_ERROR_ASSET_VERSION*: lr_bake is newer than the library.
+{"- *The specified module could not be found*: the DLL is neither beside the program nor in PATH." if windows else "- *cannot open shared object file*: the program was linked without `-rpath`, and the library is in no system folder."}
+{"- *LNK1107 or unresolved symbols with MinGW's import library*: give Microsoft's linker `lib/langevin_rigid.lib`." if windows else "- *version GLIBC_... not found*: the system's glibc is older than required above (`ldd --version`)."}
 """
 
 

@@ -26,6 +26,6 @@ run() { # program, arguments of doctest
 run tests_core --no-colors
 run tests_determinism --no-colors
 run tests_api --no-colors
-if tests/travel/check.sh "$bin/snapshot_file.exe" "${runner[@]}"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+if tests/snapshot_travel/check.sh "$bin/snapshot_file.exe" "${runner[@]}"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 echo "windows tests: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

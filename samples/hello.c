@@ -35,7 +35,7 @@ int main(void) {
     check(lr_world_create(&world_desc, &world), "world");
 
     lr_batch_desc batch_desc;
-    lr_batch batch = 0;
+    lr_batch batch = {0};
     check(lr_batch_desc_init(&batch_desc, sizeof batch_desc), "batch desc");
     batch_desc.asset = leaf;
     batch_desc.capacity = BODIES;

@@ -17,8 +17,8 @@ namespace {
 double fall(const std::vector<std::uint8_t>& bytes) {
     lr_asset* asset = nullptr;
     lr_world* world = nullptr;
-    lr_batch batch = 0;
-    lr_body body = 0;
+    lr_batch batch{};
+    lr_body body{};
     lr_world_desc world_desc;
     lr_batch_desc batch_desc;
     lr_body_desc body_desc;

@@ -41,22 +41,19 @@ static void create(peer* p, const lr_asset* leaf) {
     check(lr_world_create(&wd, &p->world), "world");
     check(lr_batch_create(p->world, &bd, &p->batch), "batch");
     check(lr_batch_set_emitter(p->world, p->batch, &e), "emitter");
-    check(lr_batch_emit(p->world, p->batch, LEAVES, NULL), "leaves");
+    check(lr_batch_spawn(p->world, p->batch, LEAVES, NULL), "leaves");
 }
 
 /* The ring's memory grows as the world does; where it does not, saving and restoring allocate nothing. */
 static void step(peer* p, int frame) {
     const int at = frame % RING;
     lr_batch_force force;
-    lr_wind_desc wind;
     p->size[at] = lr_world_snapshot_size(p->world);
     if (p->room[at] < p->size[at]) p->ring[at] = realloc(p->ring[at], p->room[at] = p->size[at]);
     check(lr_world_snapshot_save(p->world, p->ring[at], p->size[at], NULL), "save");
-    check(lr_wind_desc_init(&wind, sizeof wind), "wind");
     check(lr_batch_force_init(&force, sizeof force), "force");
-    wind.velocity[0] = p->of[0][frame].wind + p->of[1][frame].wind;
     force.acceleration[1] = p->of[0][frame].push + p->of[1][frame].push;
-    check(lr_world_set_wind(p->world, &wind), "wind");
+    check(lr_world_set_uniform_wind(p->world, p->of[0][frame].wind + p->of[1][frame].wind, 0.0f, 0.0f), "wind");
     check(lr_batch_set_force(p->world, p->batch, &force), "force");
     check(lr_world_step(p->world, 1.0f / 60.0f, 2), "step");
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The runtime built by several compilers, at several levels of optimisation, for several instruction sets and cut into other
 # chunks: all must move bodies to the very hashes in tests/determinism/golden.txt, and save and restore the very snapshot in
-# tests/travel. docs/maintainers/determinism.md has the results.
+# tests/snapshot_travel. docs/maintainers/determinism.md has the results.
 #   scripts/check_determinism.sh             GCC and clang at -O1, -O2 and -O3
 #   scripts/check_determinism.sh clang-O2    the builds that are named
 #   scripts/check_determinism.sh arm64       64-bit ARM, run by qemu (scripts/setup.sh arm64)
@@ -76,7 +76,7 @@ for name in "${wanted[@]}"; do
     built=$((SECONDS - start))
     result=equal
     "${emulator[@]}" "$dir/tests/tests_determinism$exe" "${cases[@]}" >"$dir/tests.log" 2>&1 || { result=DIFFERENT; failed+=("$name"); }
-    tests/travel/check.sh "$dir/tests/snapshot_file$exe" "${emulator[@]}" >>"$dir/tests.log" 2>&1 || { result=DIFFERENT; failed+=("$name"); }
+    tests/snapshot_travel/check.sh "$dir/tests/snapshot_file$exe" "${emulator[@]}" >>"$dir/tests.log" 2>&1 || { result=DIFFERENT; failed+=("$name"); }
     printf '%-9s %-9s chunks of %-5s built in %3d s, run in %3d s: %s\n' "$name" "$result" "$chunk" "$built" \
         $((SECONDS - start - built)) "$(targets "$dir" "${emulator[@]}")"
     [ "$result" = equal ] || grep -E -A3 'ERROR|scene|^snapshots:' "$dir/tests.log" | head -n 40

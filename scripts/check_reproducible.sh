@@ -27,7 +27,7 @@ find "${sources[1]}" -exec touch -d '2001-02-03 04:05:06' {} +
 targets=(--target langevin_rigid)
 if $quick; then
     targets=()
-    for object in lr_core.dir/api/status.cpp lr_core.dir/asset/asset.cpp lr_core.dir/world/pace.cpp lr_format.dir/format/asset_check.cpp; do
+    for object in lr_core.dir/api/status_text.cpp lr_core.dir/asset/asset.cpp lr_core.dir/world/schedule/batch_schedule.cpp lr_assets.dir/asset/check_asset_values.cpp; do
         targets+=(--target "src/CMakeFiles/$object.o")
     done
 fi

@@ -4,7 +4,7 @@
     /usr/bin/python3 scripts/performance.py [FOLDER [DOCS]]      initially build/release/bench, docs/maintainers
 
 rows.csv (lr_bench --csv) is needed; ports.csv, mix.csv (scripts/port_bound.py) and instructions.csv
-(scripts/instructions.sh) are taken when they are there. Every verdict is computed here, none is written by hand.
+(scripts/count_instructions.sh) are taken when they are there. Every verdict is computed here, none is written by hand.
 SPDX-License-Identifier: MIT"""
 import csv
 import os
@@ -104,11 +104,11 @@ def goals(rows, mix):
         rate = 1000.0 / wall(two)
         add("1,000,000 bodies x 4 substeps x 60 Hz on two threads: 240 million body-steps/s", 240, rate,
             f"{rate:.0f} million/s, best round {1000.0 / float(two['wall_ns_least']):.0f}", True)
-    for model, limit, handles in (("langevin-speed", 64, 20), ("aerodynamic", 96, 0)):
+    for model, limit, handles in (("langevin-speed", 64, 28), ("aerodynamic", 104, 0)):
         few, many = rows.find(model, bodies=100000), rows.find(model, bodies=1000000)
         if few and many:
             bytes_ = (float(many["memory_bytes_per_body"]) * 1e6 - float(few["memory_bytes_per_body"]) * 1e5) / 9e5 - handles
-            what = "of state a body, without the 20 of its handle" if handles else "a body in all"
+            what = "of state a body, without the 28 of its handle and user" if handles else "a body in all"
             add(f"At most {limit} bytes {what}, {MODELS[model]}", limit, round(bytes_, 1), f"{bytes_:.0f}")
     for row in rows.all:
         if row["subject"] == "transforms":
@@ -264,43 +264,43 @@ def bound_section(rows, ports, mix):
 
 HEAD = """# Performance
 
-This page has the speed of the kernel beside other engines and beside its goals, and, at its end, the optimisations that were tried.
-Everything before those is written by `scripts/performance.py` from measurements; made anew by
+This page is for people who make the library faster, or compare it: the speed of the kernel beside its goals and beside other engines, and the
+optimisations that were tried. `scripts/performance.py` writes everything before "Optimisations" from measurements:
 
     scripts/setup.sh bench                       # peers, valgrind, matplotlib; all of them optional
     cmake --preset release && cmake --build build/release --target lr_bench
     scripts/performance.sh                       # about 6 minutes; --quick: 1 minute
 
-Times are ns a body and substep of 1/240 s. All rows of a run are alive at once and timed in turns, a burst of 2 ms or one step each, {rounds} rounds;
-given are the median and the least. *wall* is the time of the wall, *CPU* the processor time of the whole process, which another process on the
-machine does not lengthen. Ratios and verdicts are of CPU medians with one thread, of wall medians with two. *cycles*: CPU time over that of an addition
-that waits for the one before it, timed right after each burst. *x sketch*: times as fast as the first sketch (native) with as many bodies and substeps,
-median of the rounds' ratios. *workers* are threads besides the caller's. *bytes*: all memory that the world took, over its bodies.
-*hash*: `lr_world_hash` after the first four steps; equal for equal scenes, whatever the instruction set and the workers.
-
-The body is the paper's leaf, an ellipsoid of 8 cm x 2 cm x 0.1 mm in air; for the full path its weight lies off centre. Through the C API and the shared
-library as it ships. The tables are a selection of `build/release/bench/rows.csv`.
+Times are ns per body and substep of 1/240 s, through the C API and the shared library as it ships. The body is the paper's leaf, an ellipsoid of 8 cm
+x 2 cm x 0.1 mm in air; for the full path its weight is off centre. All rows of a run are alive at once and timed in turns, a burst of 2 ms or one
+step each, {rounds} rounds; the tables give the median and the least. *wall* is elapsed time, *CPU* the processor time of the process, which other
+processes do not lengthen. Ratios and verdicts are of CPU medians with one thread, of wall medians with two. *cycles*: CPU time over that of an
+addition that waits for the one before it, timed right after each burst. *x sketch*: speed relative to the first sketch (native) with as many bodies
+and substeps, median of the rounds' ratios. *workers*: threads besides the caller's. *bytes*: all memory of the world per body. *hash*:
+`lr_world_hash` after the first four steps; equal for equal scenes, whatever the instruction set and the workers. All rows:
+`build/release/bench/rows.csv`.
 """
-PEERS = """Each in the same process and the same turns, one thread, denormals flushed.
+PEERS = """Each runs in the same process and the same turns, on one thread, with denormals flushed.
 
 - **sketch**: `tests/bench/peers/sketch_step-inl.h`: RK4, LANGEVIN with the SPEED clock, six Gaussians by Philox and Box-Muller, diagonal, fused
   multiply-adds; compiled with `-O3 -march=native`, also without fused multiply-adds, and as x86-64-v3.
-- **scalar**, **eigen**: Algorithm 2 of the paper with the equations of [physics.md](physics.md), 3 and 4: RK4, `std::normal_distribution`; plain C++ and
-  Eigen, single precision, compiled as the library is. Both descend at 0.70 m/s and spin at 32 rad/s on average, the library at 0.69 to 0.71 and 33.
+- **scalar**, **eigen**: Algorithm 2 of the paper with the equations of [physics.md](physics.md), 3 and 4: RK4, `std::normal_distribution`; plain C++
+  and Eigen, single precision, compiled as the library is. Both descend at 0.70 m/s and spin at 32 rad/s on average, the library at 0.69 to 0.71 and
+  33.
 - **bullet**: gravity, quadratic drag, and Bullet's own integration of rigid bodies; no broad phase, contacts, islands. No fluid.
 - **ode**: gravity, quadratic drag, `dWorldQuickStep` without geometry. No fluid.
-- **mujoco**: free ellipsoids in its ellipsoid fluid model, no contacts or constraints, no noise. This version takes fluid forces through a dense Jacobian:
-  its cost a body grows with the bodies of a model, so that the fair rows are those with few.
+- **mujoco**: free ellipsoids in its ellipsoid fluid model, without contacts, constraints and noise. This version computes fluid forces through a
+  dense Jacobian, so its cost per body grows with the bodies of a model, and the fair rows are those with few.
 
 """
 BY_HAND = "## Optimisations"
-INSTRUCTIONS = """Counted by callgrind under AVX2, which has 8 bodies in a vector, 1024 bodies: `scripts/instructions.sh`, which also counts single functions.
+INSTRUCTIONS = """Counted by callgrind under AVX2, which has 8 bodies in a vector, 1024 bodies: `scripts/count_instructions.sh`, which also counts single functions.
 
 """
-BOUND = """`scripts/port_bound.py`: one step followed instruction by instruction (64 bodies, 4 substeps), each put to the pipe that takes it,
-with the cycles that it takes there when nothing waits, measured here by `lr_bench --ports`. Multiplications and additions have two
-pipes each; divisions and roots share a unit beside them; all of them together can start four a cycle. The rest is
-waiting: chains of instructions that need each other's results.
+BOUND = """`scripts/port_bound.py` follows one step instruction by instruction (64 bodies, 4 substeps) and assigns each to the pipe that takes it, with the
+cycles that it takes there without waiting, measured here by `lr_bench --ports`. Multiplications and additions have two pipes each; divisions and
+roots share a unit beside them; all together can start four instructions per cycle. The rest of the time is waiting: chains of instructions that need
+each other's results.
 
 """
 

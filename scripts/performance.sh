@@ -21,6 +21,6 @@ rm -f "$folder"/*.csv
 if [ ${#quick[@]} -eq 0 ]; then
     # Both are extras: not every machine can.
     scripts/port_bound.py "$build" "$folder" || true
-    scripts/instructions.sh "$build" "$folder/instructions.csv" || true
+    scripts/count_instructions.sh "$build" "$folder/instructions.csv" || true
 fi
 /usr/bin/python3 scripts/performance.py "$folder" "$docs"

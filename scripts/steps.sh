@@ -3,7 +3,7 @@
 #   date, what, cold|cached|warm, seconds, seconds of processor time, cores
 jobs=$(nproc)
 results=build/results
-left_to_verify='long|load|scorecard|bench' # labels of tests (tests/CMakeLists.txt) that ./test.sh does without
+left_to_verify='long|load|scorecard|bench|corpus' # labels of tests (tests/CMakeLists.txt) that ./test.sh does without
 mkdir -p "$results"
 
 configure() { # directory, arguments of cmake: silent where it goes well

@@ -14,7 +14,7 @@ trap 'rm -rf "$log"' EXIT
 check() { # which half of the files
     local file files=() n=0
     for file in tests/api/test_*.cpp; do
-        case $file in *faults* | *hostile_numbers* | *misuse* | *threads* | *long_runs*) continue ;; esac
+        case $file in *faults* | *divergence* | *hostile_numbers* | *thread_checks* | *threads* | *long_runs*) continue ;; esac
         [ $((n++ % 2)) -ne "$1" ] || files+=("*/$(basename "$file")")
     done
     # The kernels are long without a jump, longer than it translates at once.

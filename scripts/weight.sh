@@ -25,7 +25,7 @@ row() { # what, number, unit, goal: `-` where there is none
     printf '%-58s %9s %-3s %s\n' "$1" "$2" "$3" "$goal"
 }
 lines() { # folder, more arguments of find
-    find "$@" \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' -o -name '*.fbs' -o -name '*.map' \) -print0 |
+    find "$@" \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' -o -name '*.fbs' -o -name '*.inc' -o -name '*.map' \) -print0 |
         xargs -0 cat | wc -l
 }
 last() { # script, cold or warm, 4: minutes; 5: minutes of processor time

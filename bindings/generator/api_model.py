@@ -6,17 +6,26 @@ what is said of each. Layouts are the compiler's own, by libclang (Debian: pytho
     api_model.py [--target wasm32-unknown-unknown] [--header FILE]     the model as JSON
 
 Types are dictionaries by `kind`:
-    scalar    name: void char i8 ... u64 f32 f64
-    handle    name: a typedef of a scalar, as lr_batch; of: its scalar
+    scalar    name: void char i8 ... u64 f32 f64; enum: where its values have names, as lr_load_model
+    handle    name: lr_status, or what stands for a thing, as lr_batch; of: its scalar
     struct    name
     opaque    name: lr_world, lr_asset, seen through pointers only
     callback  name: a typedef of a pointer to a function
     function  result, parameters: a pointer to a function without a name of its own
     pointer   to, const
     array     of, count
+
+Values with names are macros, or a typedef and an enum right after it, which `enums` then lists:
+    typedef int32_t lr_load_model;
+    enum { LR_LOADS_DEFAULT = 0, LR_LOADS_NONE = 1 };
+A handle is a typedef of a number, or a struct of one number: typedef struct lr_body { uint64_t id; } lr_body;
+
+Parameters that are pointers say whether they may be null (`nullable`): their text does, or a note behind LR_ERROR_NULL_ARGUMENT
+that names those that may not. `null` of a function: whether null in place of its struct clears what was set, or resets it.
 """
 import argparse
 import json
+import os
 import pathlib
 import re
 import sys
@@ -92,24 +101,44 @@ def constants(source, comments):
         expected = end + 1
         value, scalar = value_of(match.group(2))
         found.append({"name": match.group(1), "value": value, "scalar": scalar, "doc": comments.behind.get(number, ""),
-                      "about": about, "section": comments.section(number)})
+                      "about": about, "section": comments.section(number), "line": number})
     return found
 
 
+def prefix_of(names, enum):
+    """What the names of an enum's members begin with, up to an underscore: all that they share, of a single one the words of the enum."""
+    shared = os.path.commonprefix(names) if len(names) > 1 else "LR_"
+    words = enum.upper().split("_")
+    while len(names) == 1 and words and not names[0].startswith("_".join(words) + "_"):
+        words.pop()
+    return shared[:shared.rindex("_") + 1] if len(names) > 1 else "_".join(words) + "_"
+
+
 class Reader:
-    def __init__(self, unit, header, source):
-        self.unit, self.header, self.source, self.comments = unit, header, source, Comments(source)
+    def __init__(self, unit, files):
+        self.comments = {str(file): Comments(source) for file, source in files.items()}
         own = [cursor for cursor in unit.cursor.get_children()
-               if cursor.location.file and cursor.location.file.name == str(header)]
+               if cursor.location.file and cursor.location.file.name in self.comments]
         self.own = own
         kind = cindex.CursorKind
         self.records = {cursor.spelling: cursor for cursor in own if cursor.kind == kind.STRUCT_DECL}
         self.typedefs = {cursor.spelling: cursor for cursor in own if cursor.kind == kind.TYPEDEF_DECL}
+        self.enum_of = {before.spelling: cursor for before, cursor in zip(own, own[1:])
+                        if before.kind == kind.TYPEDEF_DECL and cursor.kind == kind.ENUM_DECL}
 
     def is_callback(self, name):
         underlying = self.typedefs[name].underlying_typedef_type
         return underlying.kind == cindex.TypeKind.POINTER and \
             underlying.get_pointee().get_canonical().kind == cindex.TypeKind.FUNCTIONPROTO
+
+    def handle_of(self, name):
+        """The scalar of a handle, None where the name is no handle's."""
+        if name in self.records:
+            fields = list(self.records[name].type.get_fields())
+            return SCALARS.get(fields[0].type.spelling) if [f.spelling for f in fields] == ["id"] else None
+        if name in self.typedefs and (name not in self.enum_of or name == "lr_status"):
+            return SCALARS.get(self.typedefs[name].underlying_typedef_type.spelling)
+        return None
 
     def type(self, type_, names=()):
         """names: of the parameters, where it is a pointer to a function."""
@@ -121,13 +150,14 @@ class Reader:
             name = name.removeprefix("struct ")
             if name in self.typedefs and self.is_callback(name):
                 return {"kind": "callback", "name": name}
+            if of := self.handle_of(name):
+                return {"kind": "handle", "name": name, "of": of}
             if name in self.records:
                 record = self.records[name]
                 whole = record.get_definition() is not None
                 return {"kind": "struct" if whole else "opaque", "name": name}
-            if name in self.typedefs:
-                return {"kind": "handle", "name": name,
-                        "of": self.type(self.typedefs[name].underlying_typedef_type)["name"]}
+            if name in self.enum_of:
+                return {**self.type(self.typedefs[name].underlying_typedef_type), "enum": name}
         if type_.kind == kind.CONSTANTARRAY:
             return {"kind": "array", "of": self.type(type_.element_type), "count": type_.element_count}
         if type_.kind == kind.POINTER:
@@ -138,22 +168,25 @@ class Reader:
                 return {"kind": "function", "result": self.type(prototype.get_result()),
                         "parameters": [{"name": n, "type": t} for n, t in zip(names, arguments, strict=True)]}
             return {"kind": "pointer", "to": self.type(pointee), "const": pointee.is_const_qualified()}
-        raise ValueError(f"{self.header}: a type that no rule is for: {type_.spelling} ({type_.kind})")
+        raise ValueError(f"a type that no rule is for: {type_.spelling} ({type_.kind})")
 
     def parameters(self, cursor):
         return [child.spelling for child in cursor.get_children() if child.kind == cindex.CursorKind.PARM_DECL]
 
+    def said(self, cursor):
+        return self.comments[cursor.location.file.name]
+
     def doc(self, cursor):
-        return self.comments.of(cursor.extent.start.line, cursor.extent.end.line)
+        return self.said(cursor).of(cursor.extent.start.line, cursor.extent.end.line)
 
     def place(self, cursor):
-        return {"section": self.comments.section(cursor.extent.start.line), "line": cursor.extent.start.line}
+        return {"section": self.said(cursor).section(cursor.extent.start.line), "line": cursor.extent.start.line}
 
     def structs(self):
         functions = {cursor.spelling for cursor in self.own if cursor.kind == cindex.CursorKind.FUNCTION_DECL}
         for name, cursor in self.records.items():
             cursor = cursor.get_definition()
-            if cursor is None:
+            if cursor is None or self.handle_of(name):
                 continue
             type_, fields, about = cursor.type, [], ""
             for field in cursor.get_children():
@@ -161,17 +194,30 @@ class Reader:
                     continue
                 fields.append({"name": field.spelling, "type": self.type(field.type, self.parameters(field)),
                                "offset": type_.get_offset(field.spelling) // 8, "size": field.type.get_size(),
-                               "doc": self.comments.behind.get(field.extent.end.line, ""),
-                               "about": self.comments.before.get(field.extent.start.line - 1, "")})
+                               "doc": self.said(field).behind.get(field.extent.end.line, ""),
+                               "about": self.said(field).before.get(field.extent.start.line - 1, "")})
             yield {"name": name, "size": type_.get_size(), "alignment": type_.get_align(), "fields": fields,
-                   "doc": self.comments.before.get(cursor.extent.start.line - 1, ""),
+                   "doc": self.said(cursor).before.get(cursor.extent.start.line - 1, ""),
                    "init": f"{name}_init" if f"{name}_init" in functions else None, **self.place(cursor)}
 
     def handles(self):
-        for name, cursor in self.typedefs.items():
-            underlying = cursor.underlying_typedef_type
-            if underlying.spelling in SCALARS:
-                yield {"name": name, "of": SCALARS[underlying.spelling], "doc": self.doc(cursor), **self.place(cursor)}
+        for cursor in self.own:
+            name, kind = cursor.spelling, cursor.kind
+            if kind in (cindex.CursorKind.TYPEDEF_DECL, cindex.CursorKind.STRUCT_DECL) and self.handle_of(name) and \
+                    not (kind == cindex.CursorKind.TYPEDEF_DECL and name in self.records):
+                yield {"name": name, "of": self.handle_of(name), "doc": self.doc(cursor), **self.place(cursor)}
+
+    def enums(self):
+        """With their members as constants are given."""
+        for name, cursor in self.enum_of.items():
+            typedef = self.typedefs[name]
+            scalar, about, members = SCALARS[typedef.underlying_typedef_type.spelling], self.doc(typedef), []
+            for member in cursor.get_children():
+                line = member.extent.end.line
+                members.append({"name": member.spelling, "value": member.enum_value, "scalar": scalar, "enum": name,
+                                "doc": self.said(member).behind.get(line, ""), "about": about, **self.place(member)})
+            yield {"name": name, "of": scalar, "doc": about, "file": typedef.location.file.name, "members": members, "prefix": prefix_of([m["name"] for m in members], name),
+                   **self.place(typedef)}
 
     def callbacks(self):
         for name, cursor in self.typedefs.items():
@@ -185,33 +231,49 @@ class Reader:
             if cursor.kind != cindex.CursorKind.FUNCTION_DECL:
                 continue
             names = [argument.spelling for argument in cursor.get_arguments()]
-            text = self.comments.before.get(cursor.extent.start.line - 1, "")
+            text = self.said(cursor).before.get(cursor.extent.start.line - 1, "")
             summary, said, returns, threads = header_comments.split(text, names)
-            yield {"name": cursor.spelling, "result": self.type(cursor.result_type),
-                   "parameters": [{"name": argument.spelling, "type": self.type(argument.type),
-                                   "doc": said.get(argument.spelling, "")} for argument in cursor.get_arguments()],
+            note = re.search(r"LR_ERROR_NULL_ARGUMENT\s+\(([a-z_,\s]+)\)", returns)
+            asked = re.split(r",\s+", note.group(1)) if note and note.group(1).startswith("world") else None
+            null = re.search(r"\bnull\s+(removes|clears|means|restores|sets)\b", summary)
+            parameters = []
+            for argument in cursor.get_arguments():
+                name, type_ = argument.spelling, self.type(argument.type)
+                doc = said.get(name, "")
+                nullable = type_["kind"] == "callback" or name == "user" or type_["kind"] == "pointer" and bool(
+                    asked and name not in asked or null and type_["const"] and type_["to"]["kind"] == "struct" or re.search(r"\bmay\s+be\s+null(?!\s+(?:when|only))", doc))
+                parameters.append({"name": name, "type": type_, "doc": doc, "nullable": nullable})
+            yield {"name": cursor.spelling, "result": self.type(cursor.result_type), "parameters": parameters,
+                   "null": null and ("clear" if null.group(1) in ("removes", "clears", "means") else "reset"),
                    "doc": summary, "returns": returns, "threads": threads,
                    "statuses": sorted(set(re.findall(r"LR_OK|LR_ERROR_[A-Z_]+[A-Z]", returns))), **self.place(cursor)}
 
 
 def read(header=HEADER, target="x86_64-unknown-linux-gnu"):
-    """The model of a header, with the sizes and offsets that it has on a target."""
+    """The model of a header, and of NAME_research.h beside it, with the sizes and offsets that they have on a target."""
     header = pathlib.Path(header)
-    source = header.read_text(encoding="utf-8")
+    more = header.with_name(header.stem + "_research.h")
+    files = {file: file.read_text(encoding="utf-8") for file in (header, more) if file.exists()}
     # No target needs a C library, nor the compiler's own headers, for the few types that the header takes from one.
     unit = cindex.Index.create().parse(
-        str(header), args=["-x", "c", "-std=c99", "-nostdinc", "-I/provided", f"--target={target}"],
+        str(list(files)[-1]), args=["-x", "c", "-std=c99", "-nostdinc", "-I/provided", f"--target={target}"],
         unsaved_files=[("/provided/stdint.h", STDINT)])
     errors = [str(d) for d in unit.diagnostics if d.severity >= cindex.Diagnostic.Error]
     if errors:
         raise ValueError("\n".join(errors))
-    reader = Reader(unit, header, source)
-    all_constants = constants(source, reader.comments)
+    reader = Reader(unit, files)
+    enums = list(reader.enums())
+    all_constants = []
+    for file, source in files.items():
+        found = constants(source, reader.comments[str(file)])
+        found += [member for enum in enums if enum["file"] == str(file) for member in enum["members"]]
+        all_constants += sorted(found, key=lambda constant: constant.pop("line"))
     version = {c["name"][11:].lower(): c["value"] for c in all_constants if c["name"].startswith("LR_VERSION_")}
     return {
         "version": version,
         "constants": [c for c in all_constants if not c["name"].startswith("LR_VERSION_")],
         "opaque": [name for name, cursor in reader.records.items() if cursor.get_definition() is None],
+        "enums": enums,
         "handles": list(reader.handles()),
         "structs": list(reader.structs()),
         "callbacks": list(reader.callbacks()),

@@ -1,23 +1,23 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes the raw layer of the C# binding from the public header.
+"""Writes the raw layer of the C# binding from the public header, and the plain getters and setters of its classes.
 
-    csharp.py [--out DIR] [--header FILE]     DIR: bindings/csharp/src/Generated unless given
+    csharp.py [--check] [--header FILE] [--root DIR]     writes bindings/csharp/src/Generated
 """
-import argparse
-import pathlib
 import re
+import sys
 
-import api_model
 import csharp_docs
 import csharp_names
+import output
+import plain
 from csharp_names import camel, pascal, type_name
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-OUT = ROOT / "bindings" / "csharp" / "src" / "Generated"
+OUT = "bindings/csharp/src/Generated"
 HEAD = """// SPDX-License-Identifier: MIT
 // Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
 """
+HAND = {"lr_batch_get_view", "lr_world_set_uniform_wind"}  # with wrappers of their own
 INIT_DOC = "Fills a struct with its initial values; <c>{}.Create()</c> does it with the right size."
 
 
@@ -80,7 +80,7 @@ class Generator:
         name, base, flags, _, about = entry
         self.docs.local = {}
         members = self.names.members[name]
-        text = about or next((c["about"] for _, c in members if c["about"]), "") or pascal(name)
+        text = about or next((c["about"] for _, c in members if c["about"]), "") or f"{name}."
         lines = self.summary(text, "    ")
         if flags:
             lines.append("    [Flags]")
@@ -154,7 +154,7 @@ public static bool operator !=({name} left, {name} right) {{ return left.Value !
             doc = self.field_doc(struct, field, enum)
             if name == type_name(struct["name"]):
                 raise ValueError(f"{struct['name']}.{field['name']}: named as its type, which C# forbids")
-            if field["name"] == "user" or field["name"].endswith("_user"):
+            if type_.get("to", {}).get("name") == "void":
                 yield f"IntPtr {name}", name, doc, at, field["size"]
             elif type_["kind"] != "array":
                 if type_["kind"] == "callback":
@@ -230,11 +230,111 @@ public ref {type_} {name}(int index)
         lines.append("        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]")
         return lines + [f"        public static extern {result} {name}({parameters});"]
 
+    # Plain getters and setters
+
+    def plain_parameter(self, function, parameter):
+        """(type, what is handed on)"""
+        name, type_ = camel(parameter["name"]), self.parameter_type(function["name"], parameter)
+        if parameter["name"] in ("count", "capacity") and type_ == "uint":
+            return "int", "number"
+        return ("bool", f"{name} ? 1 : 0") if parameter["name"] == "enabled" else (type_, name)
+
+    def plain_body(self, call):
+        """(type, statements) of a getter."""
+        [value], name = call["values"], call["function"]["name"]
+        type_ = self.parameter_type(name, value).removesuffix("*")
+        init = f" = new {type_} {{ StructSize = (uint)sizeof({type_}) }}" if call["struct"] else ""
+        lines = [f"{type_} value{init};", f'Leave(Native.{name}({self.plain_arguments(call, "Enter()")}, &value), "{name}");']
+        return ("bool", [*lines, "return value != 0;"]) if value["name"] == "enabled" else (type_, [*lines, "return value;"])
+
+    def plain_arguments(self, call, enter):
+        handle = {"world": "", "batch": ", _id"}.get(call["owner"], f", {call['owner']}")
+        return enter + handle
+
+    def plain_set(self, call, *values):
+        name = call["function"]["name"]
+        return f'Leave(Native.{name}({", ".join([self.plain_arguments(call, "EnterChange()"), *values])}), "{name}");'
+
+    def plain_members(self, call, other):
+        """Of one call, and of the other of a pair; none for a setter that its getter has said."""
+        function, name = call["function"], pascal(call["name"])
+        handle = [] if call["owner"] in ("world", "batch") else [f"{type_name('lr_' + call['owner'])} {call['owner']}"]
+        self.docs.local = {p["name"]: f"<c>{camel(p['name'])}</c>" for p in function["parameters"]}
+        number = not call["struct"] and len(call["values"]) == 1
+        if number and other and call["verb"] == "set":
+            return
+        lines = self.summary(plain.summary((other if number and other else call)["function"]) + f" `{function['name']}`", "")
+        said = [line for p in call["values"] for line in self.docs.element(f'param name="{camel(p["name"]).lstrip("@")}"', p["doc"], "") if p["doc"]]
+        if call["verb"] == "get":
+            type_, body = self.plain_body(call)
+            if handle or call["struct"] and (call["owner"] == "batch" or call["pointers"]):
+                yield lines + [f"public {type_} Get{name}({', '.join(handle)})", "{", *("    " + line for line in body), "}"]
+                return
+            setter = []
+            if other:
+                [value] = other["values"]
+                setter = [f"    set {{ {self.plain_set(other, 'value ? 1 : 0' if value['name'] == 'enabled' else 'value')} }}"]
+            yield lines + [f"public {type_} {name}", "{", "    get", "    {", *("        " + line for line in body), "    }", *setter, "}"]
+            return
+        types = [self.plain_parameter(function, p) for p in call["values"]]
+        if call["struct"]:
+            types = [(type_name(call["struct"]), "&" + camel(call["values"][0]["name"]))]
+        parameters = ", ".join(handle + [f"{type_} {camel(p['name'])}" for (type_, _), p in zip(types, call["values"])])
+        if not call["struct"]:
+            lines += said
+        # What throws must come before the call: see World.Enter.
+        counts = [f"    uint number = Counts.Of({camel(p['name'])});" for (_, given), p in zip(types, call["values"]) if given == "number"]
+        yield lines + [f"public void Set{name}({parameters})", "{", *counts, "    " + self.plain_set(call, *(given for _, given in types)), "}"]
+        if function["null"]:
+            yield [f'/// <summary>Undoes <see cref="Set{name}({type_name(call["struct"])})"/>.</summary>',
+                   f"public void {function['null'].capitalize()}{name}({', '.join(handle)})", "{", "    " + self.plain_set(call, "null"), "}"]
+
+    def plain_files(self):
+        calls = list(plain.calls(self.model, HAND))
+        for class_, owners in (("World", ("world", "body", "collider")), ("Batch", ("batch",))):
+            members = [member for call in calls if call["owner"] in owners for member in self.plain_members(call, plain.partner(calls, call))]
+            body = "\n\n".join("\n".join("        " + line for line in member) for member in members)
+            yield f"{class_}.Plain.cs", (f"{HEAD}namespace LangevinRigid\n{{\n    public sealed unsafe partial class {class_}\n    {{\n{body}\n"
+                                        "    }\n}\n")
+
+    def wind_sources(self):
+        """Methods of World for each kind of wind source, as AddGusts, UpdateGusts and GetGusts."""
+        blocks = []
+        for function in self.model["functions"]:
+            match = re.fullmatch(r"lr_world_add_(\w+)", function["name"])
+            if not match:
+                continue
+            name, method, desc = match.group(1), pascal(match.group(1)), type_name(function["parameters"][1]["type"]["to"]["name"])
+            summary = re.match(r"Adds ([^.:]+)", function["doc"]).group(1)
+            blocks.append(f"""/// <summary>Adds {summary}.</summary>
+public WindSourceId Add{method}({desc} desc)
+{{
+    WindSourceId source;
+    Leave(Native.lr_world_add_{name}(EnterChange(), &desc, &source), "lr_world_add_{name}");
+    return source;
+}}
+
+/// <summary>Replaces all values of {summary}.</summary>
+public void Update{method}(WindSourceId source, {desc} desc)
+{{
+    Leave(Native.lr_world_update_{name}(EnterChange(), source, &desc), "lr_world_update_{name}");
+}}
+
+/// <summary>Reads {summary} as last set.</summary>
+public {desc} Get{method}(WindSourceId source)
+{{
+    {desc} desc = {desc}.Create();
+    Leave(Native.lr_world_get_{name}(Enter(), source, &desc), "lr_world_get_{name}");
+    return desc;
+}}""")
+        body = "\n".join("        " + line if line else line for line in "\n\n".join(blocks).split("\n"))
+        return f"{HEAD}namespace LangevinRigid\n{{\n    public sealed unsafe partial class World\n    {{\n{body}\n    }}\n}}\n"
+
     # Files
 
     def types_of(self, section):
         blocks = []
-        for entry in csharp_names.ENUMS:
+        for entry in self.names.enums:
             if self.names.members[entry[0]][0][1]["section"] == section:
                 blocks.append(self.enum(entry))
         if any(constant["section"] == section for _, constant in self.names.limits) and section == self.sections()[0]:
@@ -265,7 +365,7 @@ public ref {type_} {name}(int index)
 
     def files(self):
         """{file name: text}"""
-        out = {}
+        out = dict(self.plain_files())
         for section in self.sections():
             name, using = file_name(section), "using System;\nusing System.Runtime.InteropServices;\n\n"
             types = self.types_of(section)
@@ -277,22 +377,13 @@ public ref {type_} {name}(int index)
                 body = "\n\n".join("\n".join(block) for block in functions)
                 out[f"Native.{name}.cs"] = (f"{HEAD}{using}namespace LangevinRigid\n{{\n    public static unsafe partial class Native\n"
                                             f"    {{\n{body}\n    }}\n}}\n")
+        out["World.WindSources.cs"] = self.wind_sources()
         return out
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--out", type=pathlib.Path, default=OUT)
-    parser.add_argument("--header", type=pathlib.Path, default=api_model.HEADER)
-    options = parser.parse_args()
-    files = Generator(api_model.read(options.header)).files()
-    options.out.mkdir(parents=True, exist_ok=True)
-    for old in options.out.glob("*.cs"):
-        if old.name not in files:
-            old.unlink()
-    for name, text in files.items():
-        (options.out / name).write_text(text, encoding="utf-8")
+    return output.run(__doc__, lambda model: {f"{OUT}/{name}": text for name, text in Generator(model).files().items()}, owned=f"{OUT}/*.cs")
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(not main())

@@ -2,39 +2,39 @@
 """What things of the header are called in C#: types, fields, and which enum each constant belongs to."""
 import re
 
+# Of values that are macros in the header (an enum with a typedef names itself), and so are the other tables that speak of enums:
 # (enum, base, flags, constants, what it is); the member's name is the first group. The first that matches takes a constant.
 ENUMS = [
     ("Status", "int", False, r"LR_(?:ERROR_)?(OK|(?<=LR_ERROR_).+)", "What a call returns: Ok, or a negative error. Values are stable."),
-    ("LogLevel", "int", False, r"LR_LOG_(.+)", "How much a message of the library matters."),
+    ("LogLevel", "int", False, r"LR_LOG_(.+)", "Severity of a log message."),
     ("SimdTarget", "int", False, r"LR_SIMD_(.+)", ""),
-    ("AssetFlags", "uint", True, r"LR_ASSET_(.+)", "What holds of an asset."),
-    ("WindSourceKind", "int", False, r"LR_WIND_SOURCE_(.+)", ""),
-    ("WindOutside", "int", False, r"LR_WIND_OUTSIDE_(.+)", "What a grid of wind is outside its samples."),
-    ("WindKind", "int", False, r"LR_WIND_(.+)", "Kinds of the uniform part of the wind."),
+    ("AssetFlags", "uint", True, r"LR_ASSET_(.+)", "Properties of an asset."),
+    ("VortexCore", "int", False, r"LR_VORTEX_(.+)", "The core of a vortex."),
+    ("WindOutside", "int", False, r"LR_WIND_OUTSIDE_(.+)", "The value of a wind grid outside its samples."),
     ("LoadModel", "int", False, r"LR_LOADS_(.+)", "How the fluid's forces on bodies are computed."),
-    ("TurbulenceClock", "int", False, r"LR_CLOCK_(.+)", "What the turbulence of a body follows."),
-    ("TableEnd", "int", False, r"LR_TABLE_(.+)", "What follows the last sample of a turbulence table."),
+    ("TurbulenceClock", "int", False, r"LR_CLOCK_(.+)", "The clock of a body's turbulence."),
+    ("TableEnd", "int", False, r"LR_TABLE_(.+)", "What happens after the last sample of a turbulence table."),
     ("Integrator", "int", False, r"LR_INTEGRATOR_(.+)", "How motion is integrated."),
-    ("TransformFormat", "int", False, r"LR_TRANSFORM_(.+)", "Layouts of transforms, as float elements."),
-    ("RestState", "int", False, r"LR_REST_(.+)", "Whether a body is at rest."),
+    ("TransformFormat", "int", False, r"LR_TRANSFORM_(.+)", "Memory layouts of transforms, in floats."),
+    ("SleepState", "int", False, r"LR_SLEEP_(.+)", "Whether a body is awake or asleep."),
     ("ForceMode", "int", False, r"LR_FORCE_MODE_(.+)", ""),
-    ("ForceFlags", "uint", True, r"LR_FORCE_(AT_POINT)", "Of a force on one body."),
+    ("ForceFlags", "uint", True, r"LR_FORCE_(AT_POINT)", "Options of a force on one body."),
     ("ForceFrame", "int", False, r"LR_FRAME_(.+)", "The frame that a force is given in."),
     ("ColliderKind", "int", False, r"LR_COLLIDER_(.+)", ""),
     ("MoveMode", "int", False, r"LR_MOVE_(.+)", "How a collider is moved."),
-    ("ContactFlags", "uint", True, r"LR_CONTACT_(NEVER_REST)", "Of the contact of a batch."),
-    ("ContactEventKind", "int", False, r"LR_(CONTACT_(?:BEGIN|END)|BODY_.+)", "What happened to a body."),
-    ("ContactEvents", "uint", True, r"LR_EVENTS_(.+)", ""),
+    ("ContactFlags", "uint", True, r"LR_CONTACT_(NEVER_SLEEP)", "Options of a batch's contact."),
+    ("EventKind", "int", False, r"LR_EVENT_(.+)", "What happened to a body."),
+    ("EventKinds", "uint", True, r"LR_EVENTS_(.+)", ""),
     ("RayFlags", "uint", True, r"LR_RAY_(.+)", "What a ray can hit."),
     ("OverlapShape", "int", False, r"LR_OVERLAP_(.+)", "Shapes of overlap queries."),
-    ("EndAction", "int", False, r"LR_END_(.+)", "What becomes of a body that its batch's rules end."),
-    ("FaultPolicy", "int", False, r"LR_FAULT_(.+)", "What becomes of a body that has left physics."),
+    ("EndAction", "int", False, r"LR_END_(.+)", "What happens to a body that its batch's rules end."),
+    ("DivergencePolicy", "int", False, r"LR_DIVERGENCE_(.+)", "What happens to a diverged body."),
     ("VolumeShape", "int", False, r"LR_VOLUME_(.+)", "Shapes of kill volumes."),
     ("KillSide", "int", False, r"LR_KILL_(.+)", "On which side of a kill volume bodies end."),
-    ("EmitterShape", "int", False, r"LR_EMIT_(.+)", "Where an emitter bears bodies."),
-    ("EmitterPose", "int", False, r"LR_POSE_(.+)", "How bodies are turned at birth."),
-    ("WorldChecks", "uint", True, r"LR_CHECK_(.+)", "Misuse that is found at run time."),
-    ("RecordingFlags", "uint", True, r"LR_RECORD_(.+)", "Of a recording."),
+    ("EmitterShape", "int", False, r"LR_EMIT_(.+)", "Shapes in which an emitter spawns bodies."),
+    ("EmitterPose", "int", False, r"LR_POSE_(.+)", "Orientations of spawned bodies."),
+    ("WorldChecks", "uint", True, r"LR_CHECK_(.+)", "Misuse to detect at run time."),
+    ("RecordingFlags", "uint", True, r"LR_RECORD_(.+)", "Options of a recording."),
 ]
 LIMITS = r"LR_(MAX_.+)"
 
@@ -43,24 +43,24 @@ FIELD_ENUMS = {
     ("lr_world_info", "simd_target"): "SimdTarget",
     ("lr_batch_contact", "flags"): "ContactFlags",
     ("lr_body_force", "flags"): "ForceFlags",
-    ("lr_contact_event", "kind"): "ContactEventKind",
+    ("lr_event", "kind"): "EventKind",
+    ("lr_event_list", "kinds"): "EventKinds",
 }
 PARAMETER_ENUMS = {
     ("lr_simd_targets", "targets"): "SimdTarget",
     ("lr_simd_target_name", "target"): "SimdTarget",
     ("lr_world_set_simd_target", "target"): "SimdTarget",
     ("lr_batch_write_transforms", "format"): "TransformFormat",
-    ("lr_body_set_rest", "rest"): "RestState",
-    ("lr_batch_set_fault_policy", "policy"): "FaultPolicy",
-    ("lr_batch_get_fault_policy", "policy"): "FaultPolicy",
-    ("lr_world_set_contact_events", "kinds"): "ContactEvents",
+    ("lr_body_set_sleep", "sleep_state"): "SleepState",
+    ("lr_batch_set_divergence_policy", "policy"): "DivergencePolicy",
+    ("lr_batch_get_divergence_policy", "policy"): "DivergencePolicy",
+    ("lr_world_set_events", "kinds"): "EventKinds",
     ("lr_log_fn", "level"): "LogLevel",
 }
-# int32_t parameters that are numbers.
-PLAIN_PARAMETERS = {("lr_batch_set_pair_contact", "enabled"), ("lr_batch_get_pair_contact", "enabled")}
 
-HANDLES = {"lr_status": "Status", "lr_batch": "BatchId", "lr_body": "BodyId", "lr_wind_source": "WindSourceId",
-           "lr_collider": "ColliderId"}
+# UnityEngine has an Event and a Material.
+STRUCTS = {"lr_event": "BodyEvent", "lr_material": "ColliderMaterial"}
+HANDLES = {"lr_status": "Status"}  # and those of the model
 WORDS = {"SIMD": "Simd", "RK4": "Rk4", "3X4": "Matrix3x4", "4X4": "Matrix4x4"}
 SCALARS = {"void": "void", "char": "byte", "i8": "sbyte", "u8": "byte", "i16": "short", "u16": "ushort", "i32": "int", "u32": "uint",
            "i64": "long", "u64": "ulong", "f32": "float", "f64": "double"}
@@ -83,7 +83,7 @@ def camel(name):
 
 def type_name(name):
     """Of a struct, handle or callback."""
-    return HANDLES.get(name) or pascal(name.removeprefix("lr_"))
+    return HANDLES.get(name) or STRUCTS.get(name) or pascal(name.removeprefix("lr_"))
 
 
 def suffixes(count):
@@ -95,18 +95,27 @@ class Names:
 
     def __init__(self, model):
         self.model = model
+        HANDLES.update({h["name"]: pascal(h["name"].removeprefix("lr_")) + "Id" for h in model["handles"] if h["name"] != "lr_status"})
         self.structs = {s["name"]: s for s in model["structs"]}
         self.functions = {f["name"]: f for f in model["functions"]}
         self.callbacks = {c["name"]: c for c in model["callbacks"]}
-        self.enum_of, self.members, self.limits = {}, {e[0]: [] for e in ENUMS}, []
+        self.typed = {e["name"]: e for e in model["enums"]}
+        typed = [(type_name(e["name"]), SCALARS[e["of"]], e["of"] == "u32", None, e["doc"]) for e in model["enums"]]
+        taken = {entry[0] for entry in typed}
+        self.enums = typed + [entry for entry in ENUMS if entry[0] not in taken]
+        self.enum_of, self.members, self.limits = {}, {e[0]: [] for e in self.enums}, []
         for constant in model["constants"]:
             self.place(constant)
-        empty = [name for name, members in self.members.items() if not members]
-        if empty:
-            raise ValueError(f"enums without a constant: {empty}")
+        self.enums = [entry for entry in self.enums if self.members[entry[0]]]
 
     def place(self, constant):
         name = constant["name"]
+        if "enum" in constant:
+            enum, member = constant["enum"], name.removeprefix(self.typed[constant["enum"]]["prefix"])
+            member = pascal(member.removeprefix("ERROR_") if enum == "lr_status" else member)
+            self.members[type_name(enum)].append((member, constant))
+            self.enum_of[name] = (type_name(enum), member)
+            return
         if match := re.fullmatch(LIMITS, name):
             self.limits.append((pascal(match.group(1)), constant))
             self.enum_of[name] = ("Limits", pascal(match.group(1)))
@@ -124,6 +133,8 @@ class Names:
         return next((enum for name, (enum, _) in self.enum_of.items() if name.startswith(prefix + "_")), None)
 
     def field_enum(self, struct, field):
+        if "enum" in field["type"]:
+            return type_name(field["type"]["enum"])
         key = (struct["name"], field["name"])
         if key in FIELD_ENUMS:
             return FIELD_ENUMS[key]
@@ -137,11 +148,13 @@ class Names:
         return None
 
     def parameter_enum(self, function, parameter):
+        type_ = parameter["type"]
+        scalar = type_["to"] if type_["kind"] == "pointer" else type_
+        if "enum" in scalar:
+            return type_name(scalar["enum"])
         key = (function, parameter["name"])
         if key in PARAMETER_ENUMS:
             return PARAMETER_ENUMS[key]
-        type_ = parameter["type"]
-        scalar = type_["to"] if type_["kind"] == "pointer" else type_
-        if scalar.get("name") == "i32" and key not in PLAIN_PARAMETERS:
+        if scalar.get("name") == "i32" and parameter["name"] not in ("enabled", "present"):
             raise ValueError(f"{key}: an int32_t without an enum: bindings/generator/csharp_names.py, PARAMETER_ENUMS")
         return None

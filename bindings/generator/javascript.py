@@ -1,23 +1,23 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes what the WebAssembly package knows of the C API, from the public header as wasm32 sees it: constants, layouts of structs, and
-types for TypeScript.
+"""Writes what the WebAssembly package knows of the C API, from the public header as wasm32 sees it: constants, layouts of structs,
+types for TypeScript, and the plain getters and setters of its classes.
 
-    javascript.py            writes bindings/web/src/generated/
-    javascript.py --check    writes nothing, and fails where that would change a file
+    javascript.py [--check]     writes bindings/web/src/generated
 """
-import argparse
-import pathlib
 import re
 import sys
 
-import api_model
+import output
+import plain
 
-OUT = pathlib.Path(__file__).resolve().parents[1] / "web" / "src" / "generated"
+OUT = "bindings/web/src/generated"
 NOTICE = "// Made by bindings/generator/javascript.py from include/langevin_rigid.h: changes here are lost.\n" \
          "// SPDX-License-Identifier: MIT\n"
+# With wrappers of their own.
+HAND = {"lr_world_set_uniform_wind", "lr_world_set_events", "lr_body_set_state"}
 # Of 64 bits: what is compared or handed on, and never counted with, is a bigint; other numbers stay below 2^53.
-WHOLE_WORDS = {"seed", "content_hash"}
+WHOLE_WORDS = {"seed", "content_hash", "user"}
 
 
 def camel(name):
@@ -87,7 +87,7 @@ def comment(text, indent=""):
     return [f"{indent}/**", *[f"{indent} * {line}".rstrip() for line in lines], f"{indent} */"]
 
 
-POINTED = {"f32": "Float32Array", "f64": "Float64Array", "u32": "Uint32Array", "i32": "Int32Array", "lr_body": "BigUint64Array"}
+POINTED = {"f32": "Float32Array", "f64": "Float64Array", "u32": "Uint32Array", "i32": "Int32Array", "u64": "BigUint64Array", "lr_body": "BigUint64Array"}
 
 
 def field_type(field, type_):
@@ -144,23 +144,68 @@ def types(model):
     return "\n".join(lines + ["}", ""])
 
 
+def plain_calls(model):
+    """By class."""
+    calls = [call for call in plain.calls(model, HAND) if not call["pointers"]]
+    for class_, owners in (("BatchPlain", ("batch",)), ("WorldPlain", ("world", "body", "collider"))):
+        yield class_, [(call, plain.partner(calls, call)) for call in calls if call["owner"] in owners]
+
+
+def plain_member(call, other):
+    """(the member in JavaScript, its text, its type in TypeScript: none for a setter that its getter has said)"""
+    owner, name, function = call["owner"], call["name"], call["function"]["name"]
+    to = "this.world" if owner == "batch" else "this"
+    handle = {"world": "", "batch": ", this.handle"}.get(owner, f", {owner}")
+    text = plain.summary(call["function"])
+    if call["verb"] == "get":
+        if call["struct"]:
+            value, type_ = f"{to}.get('{call['struct']}', '{function}'{handle})", f"api.{class_name(call['struct'])}"
+        else:
+            [parameter] = call["values"]
+            scalar = layout_type(parameter, parameter["type"]["to"])
+            value, type_ = f"{to}.number('{scalar}', '{function}'{handle})", "bigint" if scalar == "big" else "number"
+            if parameter["name"] == "enabled":
+                value, type_ = value + " !== 0", "boolean"
+        if owner in ("body", "collider"):
+            return f"{camel(owner + '_' + name)}({owner}) {{ return {value}; }}", text, f"{camel(owner + '_' + name)}({owner}: bigint): {type_};"
+        return f"get {camel(name)}() {{ return {value}; }}", text, f"{'' if other and not call['struct'] else 'readonly '}{camel(name)}: {type_};"
+    names = [camel(p["name"]) for p in call["values"]]
+    if call["struct"]:
+        null = " | null" if call["function"]["null"] else ""
+        return (f"set{class_name(name)}({names[0]}) {{ {to}.set('{call['struct']}', {names[0]}, '{function}'{handle}); }}",
+                text + (" null undoes it." if null else ""), f"set{class_name(name)}({names[0]}: Input<api.{class_name(call['struct'])}>{null}): void;")
+    types = ["boolean" if n == "enabled" else "number" if p["type"]["name"] != "u64" else "bigint | number" for n, p in zip(names, call["values"])]
+    given = [f"{n} ? 1 : 0" if t == "boolean" else f"BigInt({n})" if t.startswith("bigint") else n for n, t in zip(names, types)]
+    made = f"{to}.call('{function}'{handle}, {', '.join(given)});"
+    if other and len(names) == 1:
+        return f"set {camel(name)}({names[0]}) {{ {made} }}", "", None
+    typed = ", ".join(f"{n}: {t}" for n, t in zip(names, types))
+    said = [f"{n}: {' '.join(p['doc'].split())}" for n, p in zip(names, call["values"]) if p["doc"]]
+    return f"set{class_name(name)}({', '.join(names)}) {{ {made} }}", "\n".join([text, *said]), f"set{class_name(name)}({typed}): void;"
+
+
+def plain_javascript(model):
+    lines = [NOTICE]
+    for class_, calls in plain_calls(model):
+        lines += [f"export class {class_} {{", *("  " + plain_member(*call)[0] for call in calls), "}", ""]
+    return "\n".join(lines)
+
+
+def plain_types(model):
+    lines = [NOTICE, "import type { Input } from '../../langevin_rigid.mjs';", "import type * as api from './api.mjs';", ""]
+    for class_, calls in plain_calls(model):
+        lines.append(f"export declare class {class_} {{")
+        for _, text, declaration in (plain_member(*call) for call in calls):
+            lines += comment(text, "  ") + ["  " + declaration] if declaration else []
+        lines += ["}", ""]
+    return "\n".join(lines)
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true")
-    check = parser.parse_args().check
-    model = api_model.read(target="wasm32-unknown-unknown")
-    stale = []
-    for name, text in (("api.mjs", javascript(model)), ("api.d.mts", types(model))):
-        path = OUT / name
-        if path.exists() and path.read_text(encoding="utf-8") == text:
-            continue
-        stale.append(name)
-        if not check:
-            OUT.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
-    if check and stale:
-        sys.exit(f"not what the header says: {', '.join(stale)}; run bindings/generator/javascript.py")
+    return output.run(__doc__, lambda model: {f"{OUT}/{name}": text for name, text in (
+        ("api.mjs", javascript(model)), ("api.d.mts", types(model)), ("plain.mjs", plain_javascript(model)), ("plain.d.mts", plain_types(model)))},
+        target="wasm32-unknown-unknown")
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(not main())

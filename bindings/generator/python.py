@@ -1,92 +1,113 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Writes what bindings/python has from the public header: `_native.py` (ctypes), `enums.py`, `_fields.py` (types of options and of
-what is read back), `_version.py`.
+what is read back), `_plain.py` (plain getters and setters), `_version.py`.
 
-    python.py [--check] [--out DIR]     --check writes nothing, and exits with 1 where a file is not what it would write
+    python.py [--check]     --check writes nothing, and fails where a file is not what it would write
 """
-import argparse
-import difflib
-import pathlib
 import re
 import sys
 
-import api_model
+import output
+import plain
 
-OUT = pathlib.Path(__file__).resolve().parents[1] / "python" / "langevin_rigid"
+OUT = "bindings/python/langevin_rigid"
 HEAD = '# SPDX-License-Identifier: MIT\n# Generated from include/langevin_rigid.h by bindings/generator/python.py: do not edit.\n'
 
 CTYPES = {"void": "None", "char": "ctypes.c_char", "f32": "ctypes.c_float", "f64": "ctypes.c_double",
           **{f"{s}{b}": f"ctypes.c_{'u' if s == 'u' else ''}int{b}" for s in "iu" for b in (8, 16, 32, 64)}}
 HINTS = {"char": "str", "f32": "float", "f64": "float"}
 
-# Families of constants: prefix, enumeration, whether its members are bits, what it is. The longest prefix that fits counts.
+# Families of constants that are macros in the header, and not an enum with a typedef, which names itself: prefix, enumeration, whether its
+# members are bits, what it is. The longest prefix that fits counts.
 FAMILIES = [
-    ("LR_LOG_", "LogLevel", False, "How grave a message is."),
+    ("LR_LOG_", "LogLevel", False, "Severity of a log message."),
     ("LR_SIMD_", "SimdTarget", False, "Instruction sets, all of which give the same bits."),
-    ("LR_ASSET_", "AssetFlags", True, "What is special about an asset."),
-    ("LR_WIND_", "WindKind", False, "The uniform part of the wind."),
-    ("LR_WIND_SOURCE_", "WindSourceKind", False, "Kinds of wind sources."),
-    ("LR_WIND_OUTSIDE_", "WindOutside", False, "What a wind grid is outside its samples."),
-    ("LR_LOADS_", "Loads", False, "What the fluid does to the bodies of a batch."),
-    ("LR_CLOCK_", "Clock", False, "What turbulence goes by."),
-    ("LR_TABLE_", "TableEnd", False, "What comes after the last sample of a turbulence table."),
+    ("LR_ASSET_", "AssetFlags", True, "Properties of an asset."),
+    ("LR_VORTEX_", "VortexCore", False, "The core of a vortex."),
+    ("LR_WIND_OUTSIDE_", "WindOutside", False, "The value of a wind grid outside its samples."),
+    ("LR_LOADS_", "Loads", False, "How the fluid's forces on bodies are computed."),
+    ("LR_CLOCK_", "Clock", False, "The clock of a body's turbulence."),
+    ("LR_TABLE_", "TableEnd", False, "What happens after the last sample of a turbulence table."),
     ("LR_INTEGRATOR_", "Integrator", False, "How motion is integrated."),
     ("LR_TRANSFORM_", "Transform", False, "Formats of transforms."),
-    ("LR_REST_", "Rest", False, "Whether a body is at rest."),
-    ("LR_FORCE_MODE_", "ForceMode", False, "What a force's numbers are."),
+    ("LR_SLEEP_", "Sleep", False, "Whether a body is awake or asleep."),
+    ("LR_FORCE_MODE_", "ForceMode", False, "The unit and timing of a force."),
     ("LR_FRAME_", "Frame", False, "The frame of a force."),
     ("LR_FORCE_", "ForceFlags", True, "Where a force acts."),
     ("LR_COLLIDER_", "ColliderKind", False, "Shapes of colliders."),
     ("LR_MOVE_", "MoveMode", False, "How a collider moves."),
-    ("LR_CONTACT_", "EventKind", False, "What happened to a body."),
-    ("LR_CONTACT_NEVER_REST", "ContactFlags", True, "How bodies of a batch meet colliders."),
-    ("LR_BODY_", "EventKind", False, ""),
-    ("LR_EVENTS_", "EventKinds", True, "Which events are kept."),
+    ("LR_CONTACT_NEVER_SLEEP", "ContactFlags", True, "Options of a batch's contact."),
+    ("LR_EVENT_", "EventKind", False, "What happened to a body."),
+    ("LR_EVENTS_", "EventKinds", True, "Which events are stored."),
     ("LR_RAY_", "RayFlags", True, "What a ray can hit."),
-    ("LR_OVERLAP_", "OverlapShape", False, "Where bodies are looked for."),
-    ("LR_END_", "EndAction", False, "What becomes of bodies that end."),
-    ("LR_FAULT_", "FaultPolicy", False, "What becomes of bodies that have left physics."),
+    ("LR_OVERLAP_", "OverlapShape", False, "Shapes of overlap queries."),
+    ("LR_END_", "EndAction", False, "What happens to a body that its batch's rules end."),
+    ("LR_DIVERGENCE_", "DivergencePolicy", False, "What happens to a diverged body."),
     ("LR_VOLUME_", "VolumeShape", False, "Shapes of kill volumes."),
     ("LR_KILL_", "KillSide", False, "On which side of a kill volume bodies end."),
-    ("LR_EMIT_", "EmitShape", False, "Where bodies are born."),
-    ("LR_POSE_", "Pose", False, "How bodies lie when they are born."),
-    ("LR_CHECK_", "WorldChecks", True, "Misuse that is found at run time."),
-    ("LR_RECORD_", "RecordingFlags", True, "Of a recording."),
+    ("LR_EMIT_", "EmitShape", False, "Shapes in which an emitter spawns bodies."),
+    ("LR_POSE_", "Pose", False, "Orientations of spawned bodies."),
+    ("LR_CHECK_", "WorldChecks", True, "Misuse to detect at run time."),
+    ("LR_RECORD_", "RecordingFlags", True, "Options of a recording."),
     ("LR_MAX_", None, False, ""),
-    ("LR_OK", "Status", False, "What a call says: exceptions have it as `status`."),
+    ("LR_OK", "Status", False, "Result of a call: exceptions hold it as `status`."),
     ("LR_ERROR_", "Status", False, ""),
 ]
 
-# Structs that are read back: their class, frozen and with names as in C.
-RECORDS = {
-    "lr_aerodynamics": "Aerodynamics", "lr_asset_info": "AssetInfo", "lr_world_info": "WorldInfo",
-    "lr_step_report": "StepReport", "lr_batch_pace": "BatchPace", "lr_body_state": "BodyState",
-    "lr_collider_state": "ColliderState", "lr_batch_contact": "BatchContact", "lr_batch_events": "BatchEvents",
-}
-# Structs that calls take as keywords: the type of those.
-OPTIONS = {
-    "lr_aerodynamics": "AerodynamicsOptions", "lr_batch_contact": "ContactOptions", "lr_batch_desc": "BatchOptions",
-    "lr_batch_force": "BatchForceOptions", "lr_batch_rules": "RulesOptions",
-    "lr_body_state": "StateOptions", "lr_collider_desc": "ColliderOptions",
-    "lr_collider_motion": "MotionOptions", "lr_collider_surface": "ColliderSurfaceOptions",
-    "lr_ellipsoid_desc": "EllipsoidOptions", "lr_emitter_desc": "EmitterOptions", "lr_kill_volume": "KillVolumeOptions",
-    "lr_load_gains": "LoadGainsOptions", "lr_recording_desc": "RecordingOptions", "lr_rigid_desc": "RigidOptions", "lr_surface_desc": "SurfaceOptions",
-    "lr_turbulence_table": "TurbulenceTableOptions", "lr_wave": "WaveOptions", "lr_wind_source_desc": "WindSourceOptions",
-    "lr_world_desc": "WorldOptions",
-}
+# Functions of `plain` that wrappers have by hand, in another way.
+HAND = {"lr_world_set_uniform_wind", "lr_world_set_water", "lr_world_set_events", "lr_batch_set_aerodynamics", "lr_body_set_state"}
+# Structs that other functions read back, or take as keywords, than those of `plain`.
+RECORDS = {"lr_asset_info", "lr_batch_rules", "lr_emitter_desc", "lr_water_desc"}
+OPTIONS = {"lr_aerodynamics", "lr_batch_desc", "lr_body_state", "lr_collider_desc", "lr_collider_motion", "lr_material",
+           "lr_ellipsoid_desc", "lr_kill_volume", "lr_recording_desc", "lr_rigid_desc", "lr_water_desc", "lr_turbulence_table", "lr_wave",
+           "lr_world_desc", "lr_gusts_desc", "lr_vortex_desc", "lr_blower_desc", "lr_turbulence_desc", "lr_wind_grid_desc", "lr_ground_wind_desc"}
 # Fields that callers give otherwise: as parameters of their own, or by what follows from others.
 GIVEN_OTHERWISE = {
     "lr_batch_desc": {"asset", "capacity"}, "lr_world_desc": {"allocator", "log", "log_user", "jobs"},
-    "lr_collider_desc": {"kind", "vertex_count", "triangle_count", "counts"}, "lr_wind_source_desc": {"kind"},
-    "lr_surface_desc": {"wave_count"}, "lr_recording_desc": {"write", "user"}, "lr_turbulence_table": {"count"}, "lr_body_state": {"key", "resting"},
+    "lr_collider_desc": {"kind", "vertex_count", "triangle_count", "counts"},
+    "lr_recording_desc": {"write", "user"}, "lr_turbulence_table": {"count"}, "lr_body_state": {"noise_seed", "sleep_state"},
 }
-# Enumerations that are read back as such.
-READ_AS = {"simd_target": "SimdTarget", "resting": "Rest"}
+TYPED = {}  # by constant, the families of enums with a typedef
+# Enumerations that are read back as such, from fields that are int32_t in the header.
+READ_AS = {"simd_target": "SimdTarget", "sleep_state": "Sleep"}
 RESERVED = re.compile(r"struct_size|reserved(_\d+)?$")
 
 
+def class_name(name):
+    """Of a typedef of the header."""
+    return "".join(word.capitalize() for word in name.removeprefix("lr_").split("_"))
+
+
+def options_name(struct):
+    return class_name(struct.removesuffix("_desc")) + "Options"
+
+
+def hidden(struct):
+    """Fields that are no keywords: the number of elements of an array is that of what is given."""
+    names = {f["name"] for f in struct["fields"]}
+    counts = {name for name in names if name.endswith("_count") and name.removesuffix("count").rstrip("_") + "s" in names}
+    return GIVEN_OTHERWISE.get(struct["name"], set()) | counts
+
+
+def plain_calls(model):
+    return [call for call in plain.calls(model, HAND) if not call["pointers"]]
+
+
+def learn(model):
+    for e in model["enums"]:
+        entry = (e["prefix"], class_name(e["name"]), e["of"] == "u32", e["doc"].split("\n\n")[0] or class_name(e["name"]) + ".")
+        TYPED.update({constant["name"]: entry for constant in e["members"]})
+
+
+def field_enum(field):
+    typed = field["type"].get("enum")
+    return class_name(typed) if typed else READ_AS.get(field["name"])
+
+
 def family(name):
+    if name in TYPED:
+        return TYPED[name]
     fitting = [f for f in FAMILIES if name.startswith(f[0])]
     if not fitting:
         raise SystemExit(f"python.py: no family for the constant {name}: add one to FAMILIES")
@@ -94,23 +115,24 @@ def family(name):
 
 
 def member(name, prefix, enum):
-    if enum == "EventKind":
-        return name.replace("LR_CONTACT_", "CONTACT_").replace("LR_BODY_", "")
     if enum == "ContactFlags":
-        return "NEVER_REST"
+        return "NEVER_SLEEP"
     short = name.replace("LR_ERROR_", "LR_") if enum == "Status" else name
     short = short[len("LR_" if enum == "Status" else prefix):]
     if short[0].isdigit():
         short = "MATRIX_" + short
-    return "STILL" if short == "NONE" and enum == "WindKind" else short
+    return short
 
 
 def references(text):
     """Names of enumerations and their members instead of those of C constants, where a text speaks of one."""
     def name(match):
         word = match.group(0)
+        if word in TYPED:
+            prefix, enum, _, _ = TYPED[word]
+            return f"`{enum}.{member(word, prefix, enum)}`"
         if word.endswith("*"):
-            found = [f for f in FAMILIES if f[0] == word[:-1] and f[1]]
+            found = [f for f in [*TYPED.values(), *FAMILIES] if f[0] == word[:-1] and f[1]]
             return f"`{found[0][1]}`" if found else word
         fitting = [f for f in FAMILIES if word.startswith(f[0])]
         if not fitting:
@@ -164,7 +186,7 @@ def declaration(function):
         if kind == "pointer":
             return f"{'const ' if type_['const'] else ''}{c(type_['to'])}*"
         if kind in ("scalar",):
-            name = type_["name"]
+            name = type_.get("enum") or type_["name"]
             return {"f32": "float", "f64": "double"}.get(name) or \
                 (name if name in ("void", "char") else re.sub(r"^([iu])(\d+)$", lambda m: ("u" if m[1] == "u" else "") + f"int{m[2]}_t", name))
         return type_["name"]
@@ -305,51 +327,166 @@ def hint(type_, reading):
     if kind == "array":
         if type_["of"].get("name") == "char":
             return "str"
+        if type_["of"]["kind"] == "struct" and not reading:
+            return f"Sequence[{options_name(type_['of']['name'])}]"
         return "np.ndarray" if reading else "ArrayLike"
     return "np.ndarray" if reading else "Any"
 
 
-def fields(model):
-    structs = {s["name"]: s for s in model["structs"]}
+def field_types(model):
+    records = RECORDS | {c["struct"] for c in plain_calls(model) if c["verb"] == "get" and c["struct"]}
+    enums = {field_enum(f) for s in model["structs"] if s["name"] in records for f in s["fields"] if field_enum(f)}
     out = [HEAD, '"""Types of what calls take as keywords, and of what they read back."""', "from __future__ import annotations", "",
-           "from typing import TYPE_CHECKING, Any, TypedDict", "", "import numpy as np", "", "from ._record import Record", "from .enums import Rest, SimdTarget", "",
+           "from typing import TYPE_CHECKING, Any, Sequence, TypedDict", "", "import numpy as np", "", "from ._record import Record",
+           f"from .enums import {', '.join(sorted(enums))}", "",
            "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike", ""]
-    for struct, name in OPTIONS.items():
-        s = structs[struct]
-        out += ["", f"class {name}(TypedDict, total=False):", f'    """Keywords for {struct}."""']
+    options = OPTIONS | {c["struct"] for c in plain_calls(model) if c["verb"] == "set" and c["struct"]}
+    for s in (s for s in model["structs"] if s["name"] in options):
+        out += ["", f"class {options_name(s['name'])}(TypedDict, total=False):", f'    """Keywords for {s["name"]}."""']
         for f in s["fields"]:
-            if not RESERVED.match(f["name"]) and f["name"] not in GIVEN_OTHERWISE.get(struct, ()):
+            if not RESERVED.match(f["name"]) and f["name"] not in hidden(s):
                 out.append(f"    {f['name']}: {hint(f['type'], False)}")
         out.append("")
-    for struct, name in RECORDS.items():
-        s = structs[struct]
+    for s in (s for s in model["structs"] if s["name"] in records):
+        struct, name = s["name"], class_name(s["name"].removesuffix("_desc"))
         used = [f for f in s["fields"] if not RESERVED.match(f["name"])]
         text = (s["doc"] or f"What {struct} says.") + "\n\n" + "\n".join(field_line(f) for f in used)
         out += ["", f"class {name}(Record):", quoted(references(text), "    "), f"    __slots__ = {tuple(f['name'] for f in used)!r}"]
-        out += [f"    {f['name']}: {READ_AS.get(f['name']) or hint(f['type'], True)}" for f in used]
+        out += [f"    {f['name']}: {field_enum(f) or hint(f['type'], True)}" for f in used]
+        if enums := {f["name"]: field_enum(f) for f in used if field_enum(f)}:
+            out.append(f"    _enums = {{{', '.join(f'{name!r}: {enum}' for name, enum in enums.items())}}}")
         out.append("")
     return "\n".join(out)
 
 
+PLAIN = '''
+
+
+class Plain:
+    """Makes calls by `_ask` and `_change`, which put what the call is on before the arguments."""
+
+    if TYPE_CHECKING:
+        def _ask(self, name: str, *arguments: Any) -> None: ...
+        def _change(self, name: str, *arguments: Any) -> None: ...
+
+    def _set(self, name: str, struct: Any, fields: Mapping[str, Any]) -> None:
+        """Without fields, null."""
+        keep: List[Any] = []
+        given = any(value is not None for value in fields.values())
+        self._change(name, ctypes.byref(make(struct, fields, keep)) if given else None)
+
+
+class OfWorld(Plain):
+    """Of what has a handle in a world."""
+
+    if TYPE_CHECKING:
+        world: Any
+        id: int
+
+    def _ask(self, name: str, *arguments: Any) -> None:
+        self.world._ask(name, self.id, *arguments)
+
+    def _change(self, name: str, *arguments: Any) -> None:
+        self.world._change(name, self.id, *arguments)
+'''
+
+
+def parameter_enum(parameter):
+    """Of one that has values with names, as its type or its text says."""
+    type_ = parameter["type"]["to"] if parameter["type"]["kind"] == "pointer" else parameter["type"]
+    if "enum" in type_:
+        return class_name(type_["enum"])
+    word = re.search(r"\b(LR_[A-Z_]+_)\*", parameter["doc"])
+    found = [f[1] for f in FAMILIES if word and f[0] == word.group(1)]
+    return found[0] if found and type_["name"] in ("i32", "u32") else None
+
+
+def given(parameter):
+    """(hint, what is handed on) of a number."""
+    name, scalar = parameter["name"], parameter["type"]["name"]
+    if name == "enabled":
+        return "bool", "int(enabled)"
+    return ("float", f"float({name})") if scalar in ("f32", "f64") else ("int", f"integer({name}, {CTYPES[scalar]}, {name!r})")
+
+
+def plain_getter(call, setter):
+    name, of_body = call["function"]["name"], call["owner"] == "body"
+    text = references(plain.summary(call["function"]))
+    arguments = '"' + name + '", ' + ("int(body), " if of_body else "")
+    if call["struct"]:
+        type_ = class_name(call["struct"])
+        body = [f"value = init(native.{call['struct']})", f"self._ask({arguments}ctypes.byref(value))", f"return {type_}.read(value)"]
+    else:
+        [value] = call["values"]
+        scalar, enum = value["type"]["to"]["name"], parameter_enum(value)
+        type_ = "bool" if value["name"] == "enabled" else enum or HINTS.get(scalar, "int")
+        body = [f"value = {CTYPES[scalar]}()", f"self._ask({arguments}ctypes.byref(value))",
+                f"return {'bool' if type_ == 'bool' else enum or ''}(value.value)" if type_ == "bool" or enum else "return value.value"]
+    property_ = [] if of_body else ["@property"]
+    lines = property_ + [f"def {call['name']}(self{', body: int' if of_body else ''}) -> {type_}:", f'    """{text}"""', *("    " + b for b in body)]
+    if setter and not setter["struct"]:
+        hint_, handed = given(setter["values"][0])
+        handed = handed.replace(setter["values"][0]["name"], "value", 1) if handed != "int(enabled)" else "int(value)"
+        lines += ["", f"@{call['name']}.setter", f"def {call['name']}(self, value: {hint_}) -> None:",
+                  f'    self._change("{setter["function"]["name"]}", {handed})']
+    return lines
+
+
+def plain_setter(call, model):
+    name, function = call["name"], call["function"]
+    text = references(plain.summary(function))
+    if call["struct"]:
+        text += {"clear": " Without keywords, removes what was set.", "reset": " Without keywords, restores what there was first.", None: ""}[function["null"]]
+        struct = next(s for s in model["structs"] if s["name"] == call["struct"])
+        hide = "".join(f', "{n}"' for n in sorted(hidden(struct)))
+        keyword = call["values"][0]["name"]
+        lines = [f'@takes("{call["struct"]}"{hide})', f'def set_{name}(self, **{keyword}: "Unpack[{options_name(call["struct"])}]") -> None:']
+        call_ = f'self._set("{function["name"]}", native.{call["struct"]}, {keyword})' if function["null"] else \
+            f'self._change("{function["name"]}", ctypes.byref(make(native.{call["struct"]}, {keyword}, [])))'
+        return lines + [f'    """{text}"""', "    " + call_]
+    numbers = [given(p) for p in call["values"]]
+    parameters = "".join(f", {p['name']}: {hint_}" for (hint_, _), p in zip(numbers, call["values"]))
+    said = [f"{p['name']}: {' '.join(references(p['doc']).split())}" for p in call["values"] if p["doc"]]
+    lines = [f"def set_{name}(self{parameters}) -> None:", quoted("\n\n".join([text, *said]), "    ")]
+    return lines + [f'    self._change("{function["name"]}"{"".join(", " + handed for _, handed in numbers)})']
+
+
+def plain_text(model):
+    calls, used, body = plain_calls(model), set(), []
+    for class_, owners, base in (("BatchPlain", ("batch",), "(OfWorld)"), ("ColliderPlain", ("collider",), "(OfWorld)"),
+                                 ("WorldPlain", ("world", "body"), "(Plain)")):
+        body += ["", f"class {class_}{base}:", f'    """Plain getters and setters of `{class_.removesuffix("Plain")}`."""', ""]
+        for call in (c for c in calls if c["owner"] in owners):
+            other = plain.partner(calls, call)
+            if call["verb"] == "set" and not call["struct"] and other:
+                continue
+            lines = plain_getter(call, other) if call["verb"] == "get" else plain_setter(call, model)
+            body += [("    " + line).rstrip() for line in "\n".join(lines).split("\n")] + [""]
+    text = "\n".join(body)
+    def names(found):
+        return sorted(n for n in found if re.search(rf"\b{n}\b", text))
+    records = names({class_name(c["struct"]) for c in calls if c["struct"]})
+    options = names({options_name(c["struct"]) for c in calls if c["struct"]})
+    enums = names({f[1] for f in [*FAMILIES, *TYPED.values()] if f[1]} - set(records))
+    enums = [e for e in enums if re.search(rf"(-> |return ){e}\b", text)]
+    head = [HEAD, '"""Getters and setters that are no more than a call: bases of the classes that wrappers have by hand."""',
+            "from __future__ import annotations", "", "import ctypes", "from typing import TYPE_CHECKING, Any, List, Mapping", "",
+            "from . import _native as native", f"from ._fields import {', '.join(records)}", "from ._structs import init, integer, make, takes",
+            *([f"from .enums import {', '.join(enums)}"] if enums else []), "", "if TYPE_CHECKING:",
+            "    from typing_extensions import Unpack", "", f"    from ._fields import {', '.join(options)}"]
+    return "\n".join(head) + PLAIN + "\n" + text
+
+
+def files(model):
+    learn(model)
+    return {f"{OUT}/{name}": text for name, text in (
+        ("_native.py", native(model)), ("_version.py", version(model)), ("enums.py", enums(model)), ("_fields.py", field_types(model)),
+        ("_plain.py", plain_text(model)))}
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--out", type=pathlib.Path, default=OUT)
-    options = parser.parse_args()
-    model = api_model.read()
-    different = False
-    for name, text in (("_native.py", native(model)), ("_version.py", version(model)), ("enums.py", enums(model)), ("_fields.py", fields(model))):
-        path = options.out / name
-        if not options.check:
-            path.write_text(text, encoding="utf-8")
-            continue
-        old = path.read_text(encoding="utf-8") if path.exists() else ""
-        if old != text:
-            different = True
-            sys.stderr.writelines(list(difflib.unified_diff(old.splitlines(True), text.splitlines(True), str(path), "generated"))[:40])
-            print(f"\n{path}: not what the header gives: run bindings/generator/python.py", file=sys.stderr)
-    sys.exit(1 if different else 0)
+    return output.run(__doc__, files)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(not main())

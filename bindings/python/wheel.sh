@@ -15,7 +15,7 @@ find "$work" -name __pycache__ -prune -exec rm -rf {} +
 mkdir -p "$work/langevin_rigid/lib" "$work/langevin_rigid/bin"
 # The file under the name that the loader wants, and what it needs that not every machine has.
 major=$("$python" -c "import re, sys; print(re.search(r'VERSION = \((\d+)', open(sys.argv[1]).read())[1])" "$work/langevin_rigid/_native.py")
-carry=$here/../../packaging/carry.py
+carry=$here/../../packaging/bundle_libraries.py
 /usr/bin/python3 "$carry" "$prefix/lib/liblangevin_rigid.so.$major" "$work/langevin_rigid/lib" "liblangevin_rigid.so.$major"
 /usr/bin/python3 "$carry" "$prefix/bin/lr_bake" "$work/langevin_rigid/bin" lr_bake
 cp "$prefix"/share/doc/langevin_rigid/LICENSE.* "$work/langevin_rigid/lib/" # of what is compiled into the library

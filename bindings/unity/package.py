@@ -26,7 +26,7 @@ import metas
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "packaging"))
-from carry import PackageError, built_prefix, copy_elf, licence_of  # noqa: E402
+from bundle_libraries import PackageError, built_prefix, copy_elf, licence_of  # noqa: E402
 
 SOURCE = HERE / "com.langevin.rigid"
 BINDING = HERE.parent / "csharp" / "src"

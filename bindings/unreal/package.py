@@ -16,7 +16,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "packaging")]
 import native_file  # noqa: E402
-from carry import PackageError, built_prefix, copy_elf, licence_of  # noqa: E402
+from bundle_libraries import PackageError, built_prefix, copy_elf, licence_of  # noqa: E402
 
 PLATFORMS = {("pe", "x86_64"): "Win64", ("elf", "x86_64"): "Linux", ("elf", "aarch64"): "LinuxArm64"}
 THIRD_PARTY = Path("Source/ThirdParty/LangevinRigidLibrary")

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Langevin Rigid for the web and node. Units are SI; quaternions are x, y, z, w; ids of bodies and colliders are bigints.
 import type * as api from './src/generated/api.mjs';
+import { BatchPlain, WorldPlain } from './src/generated/plain.mjs';
 
 export * from './src/generated/api.mjs';
 
-/** What functions take: any of the fields, arrays of any kind. Others have the library's initial values. */
+/** Argument objects: any of the fields, arrays of any kind. Omitted fields have the library's defaults. */
 export type Input<T> = {
   [K in keyof T]?: T[K] extends bigint ? bigint | number : T[K] extends number[] ? ArrayLike<number>
     : T[K] extends Float32Array | Uint32Array ? ArrayLike<number> | null
@@ -12,7 +13,7 @@ export type Input<T> = {
     : T[K] extends (infer E)[] ? Input<E>[] : T[K] extends object ? Input<T[K]> | null : T[K];
 };
 
-/** A call that the library refused, and that changed nothing. The message says which, and why. */
+/** A call that the library refused; it changed nothing. The message gives its name and the reason. */
 export declare class LangevinRigidError extends Error {
   /** LR.ERROR_* */
   readonly status: number;
@@ -32,7 +33,7 @@ export interface Fault {
 }
 
 interface Disposable {
-  /** Gives the memory back at once. Forgotten ones end when they are collected. */
+  /** Frees the memory at once. Forgotten objects are freed when they are collected. */
   dispose(): void;
 }
 
@@ -41,12 +42,12 @@ export declare class Asset implements Disposable {
   private constructor();
   readonly info: api.AssetInfo;
   readonly aerodynamics: api.Aerodynamics;
-  /** Another object with a reference of its own. */
+  /** Another object with its own reference. */
   clone(): Asset;
   dispose(): void;
 }
 
-/** What WorldDesc says, but for memory, threads and jobs, which are the module's own: workerCount must be 0. */
+/** The fields of WorldDesc, except memory, threads and jobs, which belong to the module: workerCount must be 0. */
 export type WorldInput = Omit<Input<api.WorldDesc>, 'allocator' | 'jobs' | 'log' | 'logUser'> & {
   /** LR.LOG_* and a message. Errors are thrown as well. */
   log?: ((level: number, message: string) => void) | null;
@@ -54,68 +55,86 @@ export type WorldInput = Omit<Input<api.WorldDesc>, 'allocator' | 'jobs' | 'log'
 export type RayInput = Omit<Input<api.Ray>, 'batch'> & { batch?: Batch | number };
 export type OverlapInput = Omit<Input<api.OverlapDesc>, 'batch'> & { batch?: Batch | number };
 export type WindCallback = (query: api.WindQuery) => void;
-export type SurfaceCallback = (query: Omit<api.SurfaceQuery, 'height'> & { height: Float32Array }) => void;
+export type WaterCallback = (query: Omit<api.WaterQuery, 'height'> & { height: Float32Array }) => void;
 
-export declare class World implements Disposable {
+export declare class World extends WorldPlain implements Disposable {
   private constructor();
-  readonly info: api.WorldInfo;
-  readonly stepReport: api.StepReport;
   /** Advances all bodies by dt seconds in `substeps` (2) equal parts: at 60 Hz 2 suit leaves, 4 petals and confetti. */
   step(dt: number, substeps?: number): void;
   setGravity(gravity: ArrayLike<number>): void;
-  setSimdTarget(target: number): void;
-  setBudget(bodySubsteps: number): void;
-  /** Equal hashes: equal motion from here on. The same on all machines, here and in native programs. */
+  /** Equal hashes mean equal motion from here on. The same on all machines, here and in native programs. */
   hash(): bigint;
-  /** Bytes that native programs can restore, and the other way round. */
+  /** Bytes that native programs can restore, and vice versa. */
   saveSnapshot(): Uint8Array;
   restoreSnapshot(bytes: Uint8Array): void;
-  /** `write` gets every call that can change the world, for lr_replay. What it throws ends the recording. */
+  /** `write` receives every call that can change the world, for lr_replay. An exception ends the recording. */
   startRecording(write: (bytes: Uint8Array) => void, desc?: { flags?: number; hashInterval?: number }): void;
   stopRecording(): void;
 
-  /** A velocity, or a desc; null: still. */
-  setWind(desc: Input<api.WindDesc> | ArrayLike<number> | null): void;
-  addWind(desc: Input<api.WindSourceDesc>): number;
-  updateWind(source: number, desc: Input<api.WindSourceDesc>): void;
+  setUniformWind(velocity: ArrayLike<number>): void;
+  /** As it was set last. */
+  readonly uniformWind: number[];
+  // Wind sources: add gives a number, update replaces all values, and the kind's name reads them as last set.
+  addGusts(desc?: Input<api.GustsDesc>): number;
+  updateGusts(source: number, desc: Input<api.GustsDesc>): void;
+  gusts(source: number): api.GustsDesc;
+  addVortex(desc?: Input<api.VortexDesc>): number;
+  updateVortex(source: number, desc: Input<api.VortexDesc>): void;
+  vortex(source: number): api.VortexDesc;
+  addBlower(desc?: Input<api.BlowerDesc>): number;
+  updateBlower(source: number, desc: Input<api.BlowerDesc>): void;
+  blower(source: number): api.BlowerDesc;
+  addTurbulence(desc?: Input<api.TurbulenceDesc>): number;
+  updateTurbulence(source: number, desc: Input<api.TurbulenceDesc>): void;
+  turbulence(source: number): api.TurbulenceDesc;
+  addWindGrid(desc: Input<api.WindGridDesc>): number;
+  updateWindGrid(source: number, desc: Input<api.WindGridDesc>): void;
+  windGrid(source: number): api.WindGridDesc;
+  addGroundWind(desc?: Input<api.GroundWindDesc>): number;
+  updateGroundWind(source: number, desc: Input<api.GroundWindDesc>): void;
+  groundWind(source: number): api.GroundWindDesc;
   removeWind(source: number): void;
-  /** Its arrays are valid during the call. What it throws, step() throws when it has ended. */
+  windSourceIsValid(source: number): boolean;
+  /** Its arrays are valid during the call. step() rethrows its exception after it has completed. */
   setWindCallback(callback: WindCallback | null): void;
   /** Velocities, x y z of each point. */
   sampleWind(positions: ArrayLike<number>): Float32Array;
-  setSurface(desc: Input<api.SurfaceDesc> | null): void;
-  setSurfaceCallback(callback: SurfaceCallback | null): void;
+  /** null without water. */
+  readonly water: api.WaterDesc | null;
+  setWaterCallback(callback: WaterCallback | null): void;
 
   createBatch(desc: Omit<Input<api.BatchDesc>, 'asset'> & { asset: Asset; capacity: number }): Batch;
   destroyBodies(ids: bigint | ArrayLike<bigint>): void;
-  bodyState(id: bigint): api.BodyState;
-  /** What `state` does not say stays as it is. */
+  /** Whether the body exists: false once it has ended. */
+  bodyIsValid(id: bigint): boolean;
+  batchIsValid(batch: Batch): boolean;
+  /** Fields missing in `state` stay unchanged. */
   setBodyState(id: bigint, state: Input<api.BodyState>): void;
-  setRest(ids: bigint | ArrayLike<bigint>, rest: boolean): void;
-  /** How many it woke. */
+  setSleep(ids: bigint | ArrayLike<bigint>, rest: boolean): void;
+  /** Returns how many it woke. */
   wakeBox(low: ArrayLike<number>, high: ArrayLike<number>): number;
   addForces(forces: Input<api.BodyForce>[]): void;
-  setPairContact(a: Batch, b: Batch, enabled: boolean): void;
-  pairContact(a: Batch, b: Batch): boolean;
+  setBodyContact(a: Batch, b: Batch, enabled: boolean): void;
+  bodyContact(a: Batch, b: Batch): boolean;
 
   createCollider(desc: Input<api.ColliderDesc>): bigint;
-  /** Numbers of vertices and triangles are those of the arrays. */
+  /** Numbers of vertices and triangles follow from the arrays. */
   createColliders(descs: Input<api.ColliderDesc>[]): BigUint64Array;
   destroyColliders(ids: bigint | ArrayLike<bigint>): void;
   moveColliders(motions: Input<api.ColliderMotion>[]): void;
-  colliderState(id: bigint): api.ColliderState;
-  setColliderSurface(ids: bigint | ArrayLike<bigint>, surface: Input<api.ColliderSurface>): void;
+  colliderIsValid(id: bigint): boolean;
+  setColliderMaterial(ids: bigint | ArrayLike<bigint>, surface: Input<api.Material>): void;
 
-  setContactEvents(capacity: number, kinds?: number): void;
-  /** Those of the last step. */
-  contactEvents(): { events: api.ContactEvent[]; lost: number; totalLost: number };
-  /** One a ray, null where nothing is hit. */
+  setEvents(capacity: number, kinds?: number): void;
+  /** The events of the last step. */
+  events(): { events: api.Event[]; lost: number; totalLost: number; capacity: number; kinds: number };
+  /** One per ray, null if nothing is hit. */
   rayCast(rays: RayInput[]): (api.RayHit | null)[];
   overlap(desc: OverlapInput): BigUint64Array;
   dispose(): void;
 }
 
-/** Many bodies: one array a field, with the values of one body after the other's. */
+/** Many bodies: one array per field, with the bodies' values one after the other. */
 export interface ManyBodies {
   count: number;
   position?: ArrayLike<number>;
@@ -124,38 +143,32 @@ export interface ManyBodies {
   angularVelocity?: ArrayLike<number>;
   scale?: ArrayLike<number>;
   age?: ArrayLike<number>;
-  key?: ArrayLike<number>;
+  noiseSeed?: ArrayLike<number>;
+  user?: ArrayLike<bigint>;
 }
 
 /** All bodies of one asset in a world. */
-export declare class Batch {
+export declare class Batch extends BatchPlain {
   private constructor();
   readonly world: World;
   readonly handle: number;
   destroy(): void;
   createBody(desc?: Input<api.BodyDesc>): bigint;
   createBodies(descs: Input<api.BodyDesc>[] | ManyBodies): BigUint64Array;
-  /** Bears bodies where the emitter says. */
+  /** Spawns bodies by the emitter. */
   emit(count: number): BigUint64Array;
-  /** The bodies where they lie, without a copy. Valid until the world changes; empty after the memory has grown. Take it anew each frame. */
+  /** The bodies' arrays, without a copy. Valid until the world changes; empty after the memory has grown. Call it again each frame. */
   view(): api.BatchView;
+  /** A box around all bodies; null without bodies. */
+  bounds(): { low: number[]; high: number[] } | null;
   /** format: LR.TRANSFORM_*, by default 4x4 column-major. capacity: by default the batch's. */
   createTransforms(format?: number, capacity?: number): TransformBuffer;
   setTurbulenceTable(table: Input<api.TurbulenceTable> | null): void;
-  setAerodynamics(aerodynamics: Input<api.Aerodynamics> | null): void;
-  readonly aerodynamics: api.Aerodynamics;
-  setLoadGains(gains: Input<api.LoadGains> | null): void;
-  setRate(divisor: number): void;
-  readonly pace: api.BatchPace;
-  setForce(force: Input<api.BatchForce> | null): void;
   addForces(arrays: Input<api.ForceArrays>): void;
-  setContact(contact: Input<api.BatchContact> | null): void;
-  readonly contact: api.BatchContact;
-  setRules(rules: Input<api.BatchRules> | null): void;
-  setEmitter(emitter: Input<api.EmitterDesc> | null): void;
-  /** LR.FAULT_*: what becomes of bodies that have left physics. */
-  faultPolicy: number;
-  readonly events: api.BatchEvents;
+  /** null without rules. */
+  readonly rules: api.BatchRules | null;
+  /** null without an emitter. */
+  readonly emitter: api.EmitterDesc | null;
 }
 
 /** Transforms of a batch in the module's memory. */
@@ -164,32 +177,32 @@ export declare class TransformBuffer implements Disposable {
   readonly format: number;
   readonly floatsPerBody: number;
   readonly capacity: number;
-  /** Bodies, when it was written last. */
+  /** Number of bodies at the last write. */
   readonly count: number;
-  /** The whole buffer; another array after the memory has grown. */
+  /** The whole buffer; a new array after the memory has grown. */
   readonly array: Float32Array;
-  /** Writes all bodies, and gives that part of the buffer. */
+  /** Writes all bodies, and returns that part of the buffer. */
   write(): Float32Array;
-  /** Writes those that may have moved since the last time, and gives that part, which begins at the first body. */
+  /** Writes the bodies that may have moved since the last write, and returns that part, which begins at the first body. */
   writeMoved(): Float32Array;
   dispose(): void;
 }
 
-/** A loaded module, with a memory of its own of up to 2 GiB. */
+/** A loaded module, with its own memory of up to 2 GiB. */
 export declare class LangevinRigid {
   private constructor();
   readonly version: string;
   readonly memory: WebAssembly.Memory;
   readonly raw: api.RawFunctions & { malloc(bytes: number): number; free(address: number): void };
   createWorld(desc?: WorldInput): World;
-  /** From the bytes of an .lrb file. Says what is wrong with them. */
+  /** From the bytes of an .lrb file. The error lists their faults. */
   loadAsset(bytes: ArrayBuffer | ArrayBufferView): Asset;
   /** From an address on the web, or of a file in node. */
   fetchAsset(url: string | URL): Promise<Asset>;
   checkAsset(bytes: ArrayBuffer | Uint8Array): Fault[];
   createEllipsoid(desc: Input<api.EllipsoidDesc>): Asset;
   createRigid(desc: Input<api.RigidDesc>): Asset;
-  /** A struct as the library fills it, by its C name. */
+  /** A struct with the library's defaults, by its C name. */
   initial(struct: string): Record<string, unknown>;
   simdTargets(): number[];
   simdTargetName(target: number): string;

@@ -13,8 +13,8 @@ console.log(`Langevin Rigid ${lr.version}, ${lr.simdTargetName(lr.simdTargets()[
 
 // A world with wind over ground, and one batch: all bodies of one asset.
 const world = lr.createWorld({ seed: 1 });
-world.setWind([1, 0, 0]);
-world.addWind({ kind: LR.WIND_SOURCE_GUSTS, speed: 0.5 });
+world.setUniformWind([1, 0, 0]);
+world.addGusts({ rms: 0.5 });
 world.createCollider({ kind: LR.COLLIDER_PLANE });
 const count = 1000;
 const batch = world.createBatch({ asset: leaf, capacity: count });

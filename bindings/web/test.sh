@@ -54,7 +54,7 @@ determinism() {
 }
 step "held hashes" determinism
 step "held snapshot, from and to other processors" \
-    "$root/tests/travel/check.sh" "$wasm/tests/snapshot_file.wasm" node "$root/cmake/cross/run_wasi.mjs"
+    "$root/tests/snapshot_travel/check.sh" "$wasm/tests/snapshot_file.wasm" node "$root/cmake/cross/run_wasi.mjs"
 
 native() {
     "$prefix/bin/lr_bake" mesh "$root/assets/leaf.obj" -o "$work/leaf.lrb" --density 350 --quiet &&

@@ -81,7 +81,7 @@ Outcome play(const lr_asset* leaf, uint32_t workers, JobQueue* queue) {
         check(lr_batch_desc_init(&bd, sizeof bd), "batch desc");
         bd.asset = leaf;
         bd.capacity = i == 0 ? 20000 : 40;
-        lr_batch batch = 0;
+        lr_batch batch{};
         check(lr_batch_create(world, &bd, &batch), "batch");
         lr_emitter_desc e;
         check(lr_emitter_desc_init(&e, sizeof e), "emitter desc");
@@ -90,15 +90,13 @@ Outcome play(const lr_asset* leaf, uint32_t workers, JobQueue* queue) {
         e.size[0] = e.size[1] = e.size[2] = i == 0 ? 50.0f : 2.0f;
         e.spin_max = 5.0f;
         check(lr_batch_set_emitter(world, batch, &e), "emitter");
-        check(lr_batch_emit(world, batch, bd.capacity, nullptr), "bodies");
+        check(lr_batch_spawn(world, batch, bd.capacity, nullptr), "bodies");
     }
-    lr_wind_source_desc wind;
-    check(lr_wind_source_desc_init(&wind, sizeof wind), "wind desc");
-    wind.kind = LR_WIND_SOURCE_TURBULENCE;
-    wind.speed = 1.5f;
-    wind.size = 2.0f;
-    lr_wind_source source = 0;
-    check(lr_world_add_wind(world, &wind, &source), "wind");
+    lr_turbulence_desc wind;
+    check(lr_turbulence_desc_init(&wind, sizeof wind), "wind desc");
+    wind.rms = 1.5f;
+    wind.integral_length = 2.0f;
+    check(lr_world_add_turbulence(world, &wind, nullptr), "wind");
 
     constexpr int frames = 30;
     std::atomic<uint64_t> sums[4] = {};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ground/lying.h"
+#include "ground/lying_bodies.h"
 #include "options.h"
 #include "statistics.h"
 #include "storm.h"

@@ -30,10 +30,7 @@ WorldPointer create_world(const Options& options, const float* wind) {
           status == LR_ERROR_UNSUPPORTED ? "this processor has no such instruction set: leave --simd out"
                                          : "try fewer --threads");
     WorldPointer owner(world);
-    lr_wind_desc air;
-    check(lr_wind_desc_init(&air, sizeof air), "lr_wind_desc_init");
-    std::copy(wind, wind + 3, air.velocity);
-    check(lr_world_set_wind(world, &air), "wind", "give --wind as X,Y,Z in m/s");
+    check(lr_world_set_uniform_wind(world, wind[0], wind[1], wind[2]), "wind", "give --wind as X,Y,Z in m/s");
     return owner;
 }
 
@@ -46,7 +43,7 @@ lr_batch create_batch(lr_world* world, const lr_asset* asset, std::uint32_t capa
     desc.load_model = options.loads;
     desc.clock = options.clock;
     desc.integrator = options.integrator;
-    lr_batch batch = 0;
+    lr_batch batch{};
     check(lr_batch_create(world, &desc, &batch), "cannot create a batch of " + std::to_string(capacity) + " bodies",
           "try a smaller --count");
     lr_load_gains gains; // AERODYNAMIC loads have their noise here
@@ -85,7 +82,7 @@ Storm::Storm(const Options& options) : options_(options), world_(create_world(op
 void Storm::let_meet() {
     for (std::size_t a = 0; a < kinds_.size(); ++a)
         for (std::size_t b = 0; b <= a; ++b)
-            check(lr_batch_set_pair_contact(world_.get(), kinds_[a].batch, kinds_[b].batch, 1),
+            check(lr_batch_set_body_contact(world_.get(), kinds_[a].batch, kinds_[b].batch, 1),
                   "the leaves cannot meet each other", "try a smaller --count");
 }
 
@@ -137,9 +134,9 @@ void Storm::end_births() {
 
 void Storm::count_ended() {
     for (const Kind& kind : kinds_) {
-        lr_batch_events events;
-        check(lr_batch_events_init(&events, sizeof events), "lr_batch_events_init");
-        check(lr_batch_get_events(world_.get(), kind.batch, &events), "events");
+        lr_batch_counts events;
+        check(lr_batch_counts_init(&events, sizeof events), "lr_batch_counts_init");
+        check(lr_batch_get_counts(world_.get(), kind.batch, &events), "events");
         blown_away_ += events.by_volume[over_the_edge];
         fell_through_ += events.by_volume[through_the_ground];
     }

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "failure.h"
-#include "falls.h"
 #include "figures.h"
 #include "panel.h"
+#include "recorded_falls.h"
 #include "turbulence.h"
 
 namespace {
@@ -20,7 +20,7 @@ double step_cost(const lr_asset* asset, std::int32_t loads, std::uint32_t count,
     lr_emitter_desc emitter; // random poses
     check(lr_emitter_desc_init(&emitter, sizeof emitter), "lr_emitter_desc_init");
     check(lr_batch_set_emitter(world.get(), batch, &emitter), "emitter");
-    check(lr_batch_emit(world.get(), batch, count, nullptr), "cannot create bodies");
+    check(lr_batch_spawn(world.get(), batch, count, nullptr), "cannot create bodies");
     using Clock = std::chrono::steady_clock;
     for (int i = 0; i < 10; ++i) check(lr_world_step(world.get(), dt, 1), "step");
     double best = 1e300; // of parts: what else the machine does only adds

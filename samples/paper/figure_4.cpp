@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "chart.h"
+#include "fall_measures.h"
 #include "figures.h"
-#include "measures.h"
 #include "panel.h"
 
 namespace {

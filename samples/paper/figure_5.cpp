@@ -6,8 +6,8 @@
 
 #include "chart.h"
 #include "failure.h"
+#include "fall_measures.h"
 #include "figures.h"
-#include "measures.h"
 #include "panel.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "numbers.h"
+#include "figure_numbers.h"
 #include "options.h"
 
 void figure_2(const Options& options, Numbers& numbers);

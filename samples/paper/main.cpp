@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "failure.h"
+#include "figure_numbers.h"
 #include "figures.h"
-#include "numbers.h"
 #include "options.h"
 #include "output_file.h"
 

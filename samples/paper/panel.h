@@ -8,9 +8,9 @@
 #include <string>
 
 #include "asset_file.h"
-#include "falls.h"
-#include "numbers.h"
+#include "figure_numbers.h"
 #include "options.h"
+#include "recorded_falls.h"
 #include "scene.h"
 
 struct LoadModel {

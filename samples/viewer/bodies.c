@@ -98,7 +98,7 @@ void bodies_update(bodies* b, const scene* s) {
         const lr_batch batch = s->batches[k].batch;
         const lr_batch_view view = view_of(s, batch);
         uint32_t count = view.count; /* docs/reference/bodies.md: bodies still asleep keep their place */
-        if (d->batch == batch && d->revision == view.revision && d->written == view.count)
+        if (d->batch.id == batch.id && d->revision == view.revision && d->written == view.count)
             count = d->moved > view.awake_count ? d->moved : view.awake_count;
         if (view.count > d->capacity || !d->rows) reserve(d, view.capacity), count = view.count;
         check(lr_batch_write_transforms(s->world, batch, LR_TRANSFORM_3X4_ROW_MAJOR, d->rows, 0, count, NULL),
@@ -148,7 +148,7 @@ static void draw_batches(bodies* b, const scene* s, const pass* p, float pixels_
                 }
                 if (level_of(pixels) != level) continue;
                 b->list[count][0] = i;
-                b->list[count++][1] = view.key[i];
+                b->list[count++][1] = view.noise_seed[i];
             }
             draw_list(b, &d->levels[level], count);
         }

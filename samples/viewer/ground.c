@@ -48,7 +48,7 @@ lr_collider ground_create(lr_world* world, float relief, float level) {
         desc.kind = LR_COLLIDER_PLANE;
         desc.position[1] = level;
     }
-    lr_collider ground = 0;
+    lr_collider ground = {0};
     check(lr_collider_create(world, &desc, 1, &ground), "cannot create the ground", NULL);
     free(heights);
     return ground;

@@ -53,7 +53,7 @@ static void report(const viewer* v, unsigned pictures) {
     const camera* c = &v->camera;
     printf("camera %.1f,%.1f,%.3f target %.3f,%.3f,%.3f%s%s\n", (double)(c->azimuth * 180.0f / PI),
            (double)(c->elevation * 180.0f / PI), (double)c->distance, (double)c->target.x, (double)c->target.y,
-           (double)c->target.z, v->followed ? " following" : "", v->paused ? " paused" : "");
+           (double)c->target.z, v->followed.id ? " following" : "", v->paused ? " paused" : "");
     for (int k = 0; k < setting_number; ++k) {
         char value[32];
         setting_text(&v->wanted, (enum setting)k, value, sizeof value);

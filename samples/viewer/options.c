@@ -8,7 +8,7 @@
 
 #include "failure.h"
 #include "film.h"
-#include "presses.h"
+#include "key_presses.h"
 #include "window.h"
 
 static const char help[] =
@@ -24,7 +24,7 @@ static const char help[] =
     "  --mesh FILE.obj      what is drawn for the --asset before it; initially an ellipsoid\n"
     "  --baked DIR          where the scenes' assets are (samples/viewer/bake.sh)\n"
     "  --meshes DIR         where their meshes are\n"
-    "  --count N            bodies, once all are born\n"
+    "  --count N            bodies, once all are spawned\n"
     "  --wind, --gusts, --turbulence SPEED   m/s; --direction DEGREES: where the wind blows to\n"
     "  --time-scale X, --substeps N          of the world\n"
     "  --model aerodynamic|langevin|none     loads; --meet: bodies meet each other\n"

@@ -90,7 +90,7 @@ static void draw_numbers(viewer* v, const layout* l) {
     draw_lines(v, l, (float)v->picture.width - l->left, l->top, lines, n);
     lr_body_state state;
     check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
-    if (!v->followed) return;
+    if (!v->followed.id) return;
     check(lr_body_get_state(v->scene->world, v->followed, &state), "state", NULL);
     const lr_asset_info* info = &v->scene->batches[v->followed_batch].info;
     const float top = l->top + l->line * ((float)n + 0.9f);
@@ -102,7 +102,7 @@ static void draw_numbers(viewer* v, const layout* l) {
     snprintf(told[3], sizeof *told, "drifts %.2f m/s",
              (double)hypotf(state.linear_velocity[0], state.linear_velocity[2]));
     snprintf(told[4], sizeof *told, "turns %.1f rad/s%s", (double)length(from_array(state.angular_velocity)),
-             state.resting == LR_REST_RESTING ? ", at rest" : "");
+             state.sleep_state == LR_SLEEP_ASLEEP ? ", at rest" : "");
     draw_lines(v, l, (float)v->picture.width - l->left, top, told, 5);
 }
 
@@ -110,7 +110,7 @@ static void draw_numbers(viewer* v, const layout* l) {
 static void draw_frame(viewer* v, const layout* l) {
     const camera_view view = camera_look(&v->camera, (float)v->picture.width / (float)v->picture.height);
     float x, y;
-    if (!v->followed || !camera_project(&view, v->followed_at, &x, &y)) return;
+    if (!v->followed.id || !camera_project(&view, v->followed_at, &x, &y)) return;
     const float w = (float)v->picture.width, h = (float)v->picture.height;
     const float depth = -dot(sub(v->followed_at, view.eye), view.back);
     const float reach =

@@ -43,11 +43,11 @@ static void create_solids(scene* s) {
         check(lr_collider_create(s->world, &desc, 1, NULL), "cannot create a collider", NULL);
     }
     if (!s->plan->water) return;
-    lr_surface_desc surface;
-    check(lr_surface_desc_init(&surface, sizeof surface), "lr_surface_desc_init", NULL);
+    lr_water_desc surface;
+    check(lr_water_desc_init(&surface, sizeof surface), "lr_water_desc_init", NULL);
     surface.wave_count = pond_wave_count;
     memcpy(surface.waves, pond_waves, sizeof pond_waves);
-    check(lr_world_set_surface(s->world, &surface), "cannot make the water", NULL);
+    check(lr_world_set_water(s->world, &surface), "cannot make the water", NULL);
 }
 
 static void load_asset(scene_batch* b, const scene_source* source, int k) {
@@ -135,7 +135,7 @@ static lr_emitter_desc emitter_of(const scene* s, const scene_batch* b) {
 
 static void emit(scene* s, const scene_batch* b, const lr_emitter_desc* desc, uint32_t count) {
     check(lr_batch_set_emitter(s->world, b->batch, desc), "emitter", "try a smaller --count");
-    check(lr_batch_emit(s->world, b->batch, count < b->count ? count : b->count, NULL), "births", NULL);
+    check(lr_batch_spawn(s->world, b->batch, count < b->count ? count : b->count, NULL), "births", NULL);
 }
 
 /* The air is full at once: as many as a fall from the births lasts, at all heights below them; or the first burst. */
@@ -160,7 +160,7 @@ static void set_emitter(scene* s, const scene_batch* b) {
 static void let_meet(scene* s) {
     for (int a = 0; a < s->batch_count; ++a)
         for (int b = 0; b <= a; ++b)
-            check(lr_batch_set_pair_contact(s->world, s->batches[a].batch, s->batches[b].batch,
+            check(lr_batch_set_body_contact(s->world, s->batches[a].batch, s->batches[b].batch,
                                             s->now.value[setting_meet] > 0.0f),
                   "bodies cannot meet each other", "try a smaller --count");
 }
@@ -185,7 +185,7 @@ scene* scene_create(const scene_plan* plan, const scene_source* source, const se
     while (s->batch_count < scene_kinds && plan->kinds[s->batch_count].asset &&
            !(source->own_assets[0] && !source->own_assets[s->batch_count]))
         s->batches[s->batch_count].kind = &plan->kinds[s->batch_count], ++s->batch_count;
-    /* More assets of the user than the plan has kinds: all are born as its first. */
+    /* More assets of the user than the plan has kinds: all are spawned as its first. */
     while (s->batch_count < scene_kinds && source->own_assets[s->batch_count])
         s->batches[s->batch_count].kind = &plan->kinds[0], ++s->batch_count;
     for (int k = 0; k < s->batch_count; ++k) {
@@ -230,7 +230,7 @@ static void replace_batch(scene* s, scene_batch* b) {
         check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
         check(lr_body_get_state(s->world, view.ids[i], &state), "state", NULL);
         check(lr_body_desc_init(&bodies[i], sizeof bodies[i]), "lr_body_desc_init", NULL);
-        bodies[i].key = state.key;
+        bodies[i].noise_seed = state.noise_seed;
         memcpy(bodies[i].position, state.position, sizeof state.position);
         memcpy(bodies[i].orientation, state.orientation, sizeof state.orientation);
         memcpy(bodies[i].linear_velocity, state.linear_velocity, sizeof state.linear_velocity);
@@ -286,8 +286,8 @@ int scene_apply(scene* s, const settings* wanted) {
 
 lr_body scene_renamed(const scene* s, lr_body old) {
     for (uint32_t i = 0; i < s->renamed_count; ++i)
-        if (s->renamed[i][0] == old) return s->renamed[i][1];
-    return 0;
+        if (s->renamed[i][0].id == old.id) return s->renamed[i][1];
+    return (lr_body){0};
 }
 
 static double seconds_now(void) {

@@ -49,7 +49,7 @@ void scene_free(scene* s);
 /* Makes the world as `wanted` says: wind, numbers, loads. Bodies stay, as far as they may; returns 1 if their ids are others. */
 int scene_apply(scene* s, const settings* wanted);
 
-/* The id that a body has since scene_apply returned 1; 0 if it has ended. */
+/* The id that a body has since scene_apply returned 1; id 0 if it has ended. */
 lr_body scene_renamed(const scene* s, lr_body old);
 
 /* Steps by dt, s. */

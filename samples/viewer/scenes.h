@@ -1,4 +1,4 @@
-/* What there is to see: bodies, where they are born, ground, wind, camera.    SPDX-License-Identifier: MIT */
+/* What there is to see: bodies, where they are spawned, ground, wind, camera.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_SCENES_H
 #define VIEWER_SCENES_H
 
@@ -18,7 +18,7 @@ typedef struct scene_kind {
     const char* asset; /* NAME.lrb of the baked assets, and NAME.obj of the meshes; null: no more kinds */
     enum look look;
     float share;          /* of the scene's bodies */
-    float at[3], half[3]; /* m: middle and half sides of the box where they are born */
+    float at[3], half[3]; /* m: middle and half sides of the box where they are spawned */
     float direction[3], spread, speed_min, speed_max, spin;
     float scale_min, scale_max;
     int thrown;  /* flat, nose ahead along the direction; else in any pose */

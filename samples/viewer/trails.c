@@ -8,7 +8,7 @@
 #include "shaders.h"
 
 static const double interval = 1.0 / 60.0; /* s of the world between samples */
-static const float jump = 0.6f;            /* m: who goes so far between samples was born anew */
+static const float jump = 0.6f;            /* m: who goes so far between samples was spawned anew */
 
 void trails_create(trails* t) {
     memset(t, 0, sizeof *t);
@@ -39,7 +39,7 @@ void trails_clear(trails* t) {
 
 void trails_rename(trails* t, const scene* s) {
     for (int k = 0; k < trail_number; ++k)
-        if (t->list[k].body) t->list[k].body = scene_renamed(s, t->list[k].body);
+        if (t->list[k].body.id) t->list[k].body = scene_renamed(s, t->list[k].body);
 }
 
 /* Half of the extent along body y of the batch that a body is of, by its scale. */
@@ -49,7 +49,7 @@ static float half_width_of(const scene* s, lr_body body, float scale) {
         check(lr_batch_view_init(&view, sizeof view), "lr_batch_view_init", NULL);
         check(lr_batch_get_view(s->world, s->batches[k].batch, &view), "view", NULL);
         for (uint32_t i = 0; i < view.count; ++i) {
-            if (view.ids[i] != body) continue;
+            if (view.ids[i].id != body.id) continue;
             float most = 0.0f;
             const mesh* m = &s->batches[k].mesh;
             for (uint32_t v = 0; v < m->vertex_count; ++v) most = fmaxf(most, fabsf(m->vertices[v].position[1]));
@@ -71,10 +71,10 @@ static lr_body pick(trails* t, const scene* s) {
         const float height = view.position[1][i], from_middle = hypotf(view.position[0][i], view.position[2][i]);
         if (height < 0.35f * s->plan->kinds[0].at[1] || from_middle > 0.6f * s->plan->camera.distance) continue;
         int taken = 0;
-        for (int k = 0; k < trail_number; ++k) taken |= t->list[k].body == view.ids[i];
+        for (int k = 0; k < trail_number; ++k) taken |= t->list[k].body.id == view.ids[i].id;
         if (!taken) return view.ids[i];
     }
-    return 0;
+    return (lr_body){0};
 }
 
 static void extend(trail* t, const lr_body_state* state) {
@@ -93,26 +93,26 @@ static void follow(trail* t, const scene* s, lr_body body) {
     memset(t, 0, sizeof *t);
     lr_body_state state;
     check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
-    if (!body) return;
+    if (!body.id) return;
     check(lr_body_get_state(s->world, body, &state), "state", NULL);
     t->body = body;
     t->half_width = half_width_of(s, body, state.scale);
 }
 
 void trails_sample(trails* t, const scene* s, lr_body followed) {
-    if (t->list[0].body != followed) follow(&t->list[0], s, followed);
+    if (t->list[0].body.id != followed.id) follow(&t->list[0], s, followed);
     const double time = scene_look(s, 0).time;
     if (time - t->last < interval * 0.999 && time > t->last) return;
     t->last = time;
     for (int k = 0; k < trail_number; ++k) {
         trail* one = &t->list[k];
         /* What has lain for two seconds has been seen: another one's turn. */
-        if (k > 0 && (!one->body || one->resting > 120)) follow(one, s, pick(t, s));
+        if (k > 0 && (!one->body.id || one->resting > 120)) follow(one, s, pick(t, s));
         lr_body_state state;
         check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
-        if (!one->body) continue;
+        if (!one->body.id) continue;
         check(lr_body_get_state(s->world, one->body, &state), "state", NULL);
-        one->resting = state.resting == LR_REST_RESTING ? one->resting + 1 : 0;
+        one->resting = state.sleep_state == LR_SLEEP_ASLEEP ? one->resting + 1 : 0;
         if (!one->resting) extend(one, &state);
     }
 }

@@ -12,7 +12,7 @@ typedef struct trail_point {
 } trail_point;
 
 typedef struct trail {
-    lr_body body; /* 0: none yet */
+    lr_body body; /* id 0: none yet */
     float half_width;
     uint32_t resting; /* samples for which it has lain still */
     uint32_t count, first;
@@ -35,7 +35,7 @@ void trails_clear(trails* t);
 /* After scene_apply: bodies have other ids, or have ended. */
 void trails_rename(trails* t, const scene* s);
 
-/* Adds where the bodies are now. followed: 0 for none. */
+/* Adds where the bodies are now. followed: id 0 for none. */
 void trails_sample(trails* t, const scene* s, lr_body followed);
 
 /* all: also those of bodies that nobody follows. */

@@ -37,10 +37,10 @@ static void press_key(viewer* v, int key, int shift) {
         break;
     case 'c':
         v->camera = v->scene->plan->camera;
-        v->followed = 0;
+        v->followed = (lr_body){0};
         break;
     case 'f':
-        v->followed = 0;
+        v->followed = (lr_body){0};
         break;
     case 'a':
         v->show_arrows = !v->show_arrows;
@@ -56,8 +56,8 @@ static void press_key(viewer* v, int key, int shift) {
         v->snapshot = 1;
         break;
     case key_escape:
-        if (v->followed)
-            v->followed = 0;
+        if (v->followed.id)
+            v->followed = (lr_body){0};
         else
             v->quit = 1;
         break;
@@ -78,7 +78,7 @@ static int batch_of(const viewer* v, lr_body body) {
         check(lr_batch_view_init(&view, sizeof view), "lr_batch_view_init", NULL);
         check(lr_batch_get_view(v->scene->world, v->scene->batches[k].batch, &view), "view", NULL);
         for (uint32_t i = 0; i < view.count; ++i)
-            if (view.ids[i] == body) return k;
+            if (view.ids[i].id == body.id) return k;
     }
     return 0;
 }
@@ -100,7 +100,7 @@ static void pick(viewer* v, float x, float y) {
     }
     check(lr_world_ray_cast(v->scene->world, rays, ray_count, hits), "lr_world_ray_cast", NULL);
     for (int i = 0; i < ray_count; ++i) {
-        if (!hits[i].body) continue;
+        if (!hits[i].body.id) continue;
         v->followed = hits[i].body;
         v->followed_batch = batch_of(v, v->followed);
         v->followed_at = from_array(hits[i].position);
@@ -132,7 +132,7 @@ static void move(viewer* v, const event* e) {
     } else if (v->dragged_button == button_left) {
         camera_orbit(&v->camera, dx, dy);
     } else {
-        v->followed = 0;
+        v->followed = (lr_body){0};
         camera_pan(&v->camera, dx, dy);
     }
 }

@@ -36,7 +36,7 @@ void viewer_show_plan(viewer* v, const scene_plan* plan, const settings* initial
     v->scene = scene_create(plan, &v->options.source, &begin);
     v->wanted = begin;
     v->camera = *place;
-    v->followed = 0;
+    v->followed = (lr_body){0};
     bodies_create(&v->bodies, v->scene);
     landscape_create(&v->landscape, v->scene);
     trails_clear(&v->trails);
@@ -45,7 +45,7 @@ void viewer_show_plan(viewer* v, const scene_plan* plan, const settings* initial
 static void follow(viewer* v, double dt) {
     lr_body_state state;
     check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
-    if (!v->followed) return;
+    if (!v->followed.id) return;
     check(lr_body_get_state(v->scene->world, v->followed, &state), "state", NULL);
     const vec3 at = from_array(state.position);
     if (length(sub(at, v->followed_at)) > 0.6f) v->camera.target = at; /* it has begun anew elsewhere */
@@ -55,7 +55,7 @@ static void follow(viewer* v, double dt) {
 
 void viewer_tick(viewer* v, double dt) {
     if (scene_apply(v->scene, &v->wanted)) {
-        if (v->followed) v->followed = scene_renamed(v->scene, v->followed);
+        if (v->followed.id) v->followed = scene_renamed(v->scene, v->followed);
         trails_rename(&v->trails, v->scene);
     }
     if (!v->paused || v->single) {
@@ -63,7 +63,7 @@ void viewer_tick(viewer* v, double dt) {
         const double clock = v->single ? 1.0 / ticks_a_second : dt;
         scene_step(v->scene, (float)clock * v->wanted.value[setting_time]);
         v->single = 0;
-        if (v->show_trails || v->followed) trails_sample(&v->trails, v->scene, v->followed);
+        if (v->show_trails || v->followed.id) trails_sample(&v->trails, v->scene, v->followed);
     }
     follow(v, dt);
 }
@@ -80,7 +80,7 @@ void viewer_draw(viewer* v, int width, int height) {
     landscape_draw(&v->landscape, v->scene, &p);
     if (v->show_arrows) arrows_draw(&v->arrows, v->scene, &p, &v->camera);
     landscape_draw_water(&v->landscape, v->scene, &p, scene_look(v->scene, 0).time);
-    if (v->show_trails || v->followed) trails_draw(&v->trails, &p, v->show_trails);
+    if (v->show_trails || v->followed.id) trails_draw(&v->trails, &p, v->show_trails);
     picture_resolve(&v->picture);
     if (v->show_overlay) panel_draw(v);
     gl_check("drawing");

@@ -16,7 +16,7 @@ typedef struct viewer {
     scene* scene;
     settings wanted; /* of the sliders */
     camera camera;
-    lr_body followed; /* 0: nobody */
+    lr_body followed; /* id 0: nobody */
     int followed_batch;
     vec3 followed_at; /* of this tick */
 

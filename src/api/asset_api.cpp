@@ -1,29 +1,28 @@
-#include "api/aerodynamics.h"
-#include "api/arguments.h"
+// Assets: from files, from ellipsoids, and from numbers.
+#include "api/struct_conversion.h"
 #include "asset/asset.h"
-#include "asset/asset_bytes.h"
-#include "format/asset_file.h"
-#include "shape/ellipsoid.h"
+#include "asset/asset_file.h"
+#include "asset/closed_forms/ellipsoid_asset.h"
+#include "asset/closed_forms/ellipsoid_formulas.h"
 
 #include <algorithm>
 #include <vector>
 
+namespace lr::api {
 namespace {
 
-using lr::api::guarded;
-
-lr_status status_of(const lr::Faults& faults) {
-    for (const lr::Fault& f : faults) {
-        if (f.severity != lr::Severity::error) continue;
+lr_status status_of(const Faults& faults) {
+    for (const Fault& f : faults) {
+        if (f.severity != Severity::error) continue;
         switch (f.id) {
-        case lr::FaultId::asset_too_short:
-        case lr::FaultId::asset_foreign:
+        case FaultId::asset_too_short:
+        case FaultId::asset_foreign:
             return LR_ERROR_ASSET_FORMAT;
-        case lr::FaultId::asset_newer_version:
+        case FaultId::asset_newer_version:
             return LR_ERROR_ASSET_VERSION;
-        case lr::FaultId::asset_corrupt:
-        case lr::FaultId::asset_checksum:
-        case lr::FaultId::file_too_large:
+        case FaultId::asset_corrupt:
+        case FaultId::asset_checksum:
+        case FaultId::file_too_large:
             return LR_ERROR_ASSET_CORRUPT;
         default:
             return LR_ERROR_ASSET_INVALID;
@@ -32,114 +31,107 @@ lr_status status_of(const lr::Faults& faults) {
     return LR_OK;
 }
 
-lr_status load(const void* bytes, uint64_t size, lr_asset** out) {
-    lr::AssetData data;
-    lr::Faults faults;
-    if (!lr::read_asset(bytes, static_cast<size_t>(size), data, faults)) return status_of(faults);
-    *out = new lr_asset(std::move(data), lr::asset_format_version);
+// A function that makes an asset of what is given, which is not null. The first fault that it finds says why it refuses.
+template <class Make> lr_status make_asset(const char* function, const void* given, lr_asset** out, const Make& make) {
+    const FloatMode mode;
+    if (out) *out = nullptr;
+    Faults faults;
+    const lr_status status = given && out ? guarded([&] { return make(*out, faults); }) : LR_ERROR_NULL_ARGUMENT;
+    const auto first =
+        std::find_if(faults.begin(), faults.end(), [](const Fault& f) { return f.severity == Severity::error; });
+    return told(function, {status, first != faults.end() ? first->what.c_str() : nullptr});
+}
+
+lr_status load(const void* bytes, uint64_t size, lr_asset*& out, Faults& faults) {
+    AssetData data;
+    if (!read_asset(bytes, static_cast<size_t>(size), data, faults)) return status_of(faults);
+    out = new lr_asset(std::move(data), asset_format_version);
     return LR_OK;
 }
 
-} // namespace
-
-extern "C" {
-
-lr_status lr_asset_load_file(const char* path_utf8, lr_asset** out) {
-    const lr::FloatMode mode;
-    if (!out) return LR_ERROR_NULL_ARGUMENT;
-    *out = nullptr;
-    if (!path_utf8) return LR_ERROR_NULL_ARGUMENT;
-    return guarded([&]() -> lr_status {
-        std::vector<unsigned char> bytes;
-        const lr_status status = lr::read_asset_bytes(path_utf8, bytes);
-        if (status != LR_OK) return status;
-        return load(bytes.data(), bytes.size(), out);
-    });
-}
-
-lr_status lr_asset_load_memory(const void* bytes, uint64_t size, lr_asset** out) {
-    const lr::FloatMode mode;
-    if (!out) return LR_ERROR_NULL_ARGUMENT;
-    *out = nullptr;
-    if (!bytes) return LR_ERROR_NULL_ARGUMENT;
-    return guarded([&] { return load(bytes, size, out); });
-}
-
-lr_status lr_asset_check_memory(const void* bytes, uint64_t size, lr_fault_fn report, void* user) {
-    const lr::FloatMode mode;
-    if (!bytes) return LR_ERROR_NULL_ARGUMENT;
-    return guarded([&] {
-        lr::AssetData data;
-        lr::Faults faults;
-        lr::read_asset(bytes, static_cast<size_t>(size), data, faults);
-        if (report)
-            for (const lr::Fault& f : faults)
-                report(user, static_cast<uint32_t>(f.id), f.where.c_str(), f.what.c_str(), f.remedy.c_str());
-        return status_of(faults);
-    });
-}
-
-lr_status lr_ellipsoid_desc_init(lr_ellipsoid_desc* desc, uint32_t struct_size) {
-    const lr_status status = lr::api::begin_init(desc, struct_size);
-    if (status != LR_OK) return status;
-    const lr::shape::EllipsoidSpec initial;
-    desc->fluid_density = initial.fluid_density;
-    desc->fluid_viscosity = initial.fluid_viscosity;
-    desc->intensity = initial.intensity;
+// Without a file: from numbers, with a table of turbulence of this intensity.
+lr_status finish(AssetData&& data, double intensity, const std::array<double, 3>& extents, lr_asset*& out,
+                 Faults& faults) {
+    data.turbulence = shape::decay_table(data, intensity);
+    if (!check_asset(data, faults)) return LR_ERROR_INVALID_ARGUMENT;
+    out = new lr_asset(std::move(data), 0, extents);
     return LR_OK;
 }
 
-lr_status lr_asset_create_ellipsoid(const lr_ellipsoid_desc* desc, lr_asset** out) {
-    const lr::FloatMode mode;
-    if (!out) return LR_ERROR_NULL_ARGUMENT;
-    *out = nullptr;
-    lr_ellipsoid_desc d;
-    const lr_status status = lr::api::read_struct(desc, d);
-    if (status != LR_OK) return status;
-    const double scalars[] = {d.density, d.fluid_density, d.fluid_viscosity, d.intensity};
-    if (!lr::api::finite(d.semi_axes) || !lr::api::finite(d.center_of_mass) || !lr::api::finite(scalars))
+lr_status create(const lr_ellipsoid_desc& d, lr_asset*& out, Faults& faults) {
+    if (!finite(d.semi_axes, d.center_of_mass, d.density, d.fluid_density, d.fluid_viscosity, d.intensity))
         return LR_ERROR_NOT_FINITE;
     if (d.reserved != 0) return LR_ERROR_INVALID_ARGUMENT;
-    return guarded([&]() -> lr_status {
-        lr::shape::EllipsoidSpec spec;
-        std::copy(d.semi_axes, d.semi_axes + 3, spec.semi_axes.begin());
-        std::copy(d.center_of_mass, d.center_of_mass + 3, spec.center_of_mass.begin());
-        spec.density = d.density;
-        spec.fluid_density = d.fluid_density;
-        spec.fluid_viscosity = d.fluid_viscosity;
-        spec.intensity = d.intensity;
-        lr::AssetData data;
-        lr::Faults faults;
-        if (!lr::shape::ellipsoid_body(spec, data, faults)) return LR_ERROR_INVALID_ARGUMENT;
-        data.turbulence = lr::shape::decay_table(data, d.intensity);
-        if (!lr::check_asset(data, faults)) return LR_ERROR_INVALID_ARGUMENT;
-        *out = new lr_asset(std::move(data), 0);
-        return LR_OK;
+    shape::EllipsoidSpec spec;
+    std::copy(d.semi_axes, d.semi_axes + 3, spec.semi_axes.begin());
+    std::copy(d.center_of_mass, d.center_of_mass + 3, spec.center_of_mass.begin());
+    spec.density = d.density;
+    spec.fluid_density = d.fluid_density;
+    spec.fluid_viscosity = d.fluid_viscosity;
+    spec.intensity = d.intensity;
+    AssetData data;
+    if (!shape::ellipsoid_body(spec, data, faults)) return LR_ERROR_INVALID_ARGUMENT;
+    return finish(std::move(data), d.intensity, {}, out, faults);
+}
+
+bool possible(const lr_rigid_desc& d) {
+    if (d.reserved != 0 || !in_range(d.mass, 1e-18, 1e12) || !in_range(d.volume, 1e-21, 1e12) ||
+        !in_range(d.fluid_density, 1e-3, 1e6) || !in_range(d.fluid_viscosity, 1e-9, 1e3) ||
+        !in_range(d.intensity, 0.0, 10.0))
+        return false;
+    for (double extent : d.extents)
+        if (!in_range(extent, 1e-8, 1e4)) return false;
+    return true;
+}
+
+lr_status create(const lr_rigid_desc& d, lr_asset*& out, Faults& faults) {
+    if (!finite(d.mass, d.volume, d.fluid_density, d.fluid_viscosity, d.intensity, d.inertia, d.added_mass,
+                d.center_of_buoyancy, d.extents))
+        return LR_ERROR_NOT_FINITE;
+    if (!possible(d)) return LR_ERROR_INVALID_ARGUMENT;
+    AssetData data;
+    if (d.aerodynamics)
+        if (const lr_status status = read_loads(d.aerodynamics, data.aerodynamics); status != LR_OK) return status;
+    data.name = "rigid";
+    data.provenance.source = "rigid";
+    data.mass = d.mass;
+    data.volume = d.volume;
+    data.density = d.mass / d.volume;
+    std::copy(d.center_of_buoyancy, d.center_of_buoyancy + 3, data.center_of_buoyancy.begin());
+    std::copy(d.inertia, d.inertia + 9, data.inertia.begin());
+    for (size_t i = 0; i < 36; ++i) data.added_mass[i] = d.added_mass[i] / d.fluid_density;
+    data.fluid_density = d.fluid_density;
+    data.fluid_viscosity = d.fluid_viscosity;
+    std::array<double, 3> semi_axes{}, along{};
+    for (size_t i = 0; i < 3; ++i) {
+        semi_axes[i] = 0.5 * d.extents[i];
+        // Without any added mass the fluid displaced is what turbulence acts on.
+        along[i] = std::max(data.added_mass[i * 7], d.volume);
+    }
+    shape::set_scales(semi_axes, along, data);
+    if (!d.aerodynamics) data.aerodynamics = shape::default_aerodynamics(shape::ellipsoid_geometry(semi_axes));
+    return finish(std::move(data), d.intensity, {d.extents[0], d.extents[1], d.extents[2]}, out, faults);
+}
+
+template <class Desc> lr_status create_asset(const char* function, const Desc* desc, lr_asset** out) {
+    return make_asset(function, desc, out, [&](lr_asset*& asset, Faults& faults) {
+        Desc d;
+        const lr_status status = read_struct(desc, d);
+        return status == LR_OK ? create(d, asset, faults) : status;
     });
 }
 
-lr_status lr_asset_retain(lr_asset* asset) {
-    if (!asset) return LR_ERROR_NULL_ARGUMENT;
-    lr::retain(*asset);
-    return LR_OK;
+template <class S, class Fill> lr_status report(const char* function, const lr_asset* asset, S* to, const Fill& fill) {
+    const FloatMode mode;
+    const lr_status status = asset ? check_size(to) : LR_ERROR_NULL_ARGUMENT;
+    if (status == LR_OK) write_struct(fill(*asset), to);
+    return told(function, status);
 }
 
-void lr_asset_release(lr_asset* asset) {
-    lr::release(asset);
-}
-
-lr_status lr_asset_info_init(lr_asset_info* info, uint32_t struct_size) {
-    return lr::api::begin_init(info, struct_size);
-}
-
-lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info) {
-    const lr::FloatMode mode;
-    if (!asset) return LR_ERROR_NULL_ARGUMENT;
-    const lr_status status = lr::api::check_size(info);
-    if (status != LR_OK) return status;
-    const lr::AssetData& d = asset->data;
+lr_asset_info info_of(const lr_asset& asset) {
+    const AssetData& d = asset.data;
     lr_asset_info out{};
-    out.flags = asset->diagonal ? LR_ASSET_DIAGONAL : 0;
+    out.flags = asset.diagonal ? LR_ASSET_DIAGONAL : 0;
     // Cut before the last whole character that does not fit.
     size_t length = std::min(d.name.size(), sizeof out.name - 1);
     if (length < d.name.size())
@@ -164,24 +156,72 @@ lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info) {
     out.turbulence_count = static_cast<uint32_t>(d.turbulence.chi.size());
     out.hull_vertex_count = static_cast<uint32_t>(d.hull.vertices.size() / 3);
     out.hull_triangle_count = static_cast<uint32_t>(d.hull.triangles.size() / 3);
-    out.format_version = asset->format_version;
-    out.content_hash = asset->content_hash;
-    lr::api::write_struct(out, info);
+    out.format_version = asset.format_version;
+    out.content_hash = asset.content_hash;
+    return out;
+}
+
+} // namespace
+} // namespace lr::api
+
+using namespace lr;
+using namespace lr::api;
+
+extern "C" {
+
+lr_status lr_asset_load_file(const char* path_utf8, lr_asset** out) {
+    return make_asset("lr_asset_load_file", path_utf8, out, [&](lr_asset*& asset, Faults& faults) {
+        std::vector<unsigned char> bytes;
+        const lr_status status = read_asset_bytes(path_utf8, bytes);
+        return status == LR_OK ? load(bytes.data(), bytes.size(), asset, faults) : status;
+    });
+}
+
+lr_status lr_asset_load_memory(const void* bytes, uint64_t size, lr_asset** out) {
+    return make_asset("lr_asset_load_memory", bytes, out,
+                      [&](lr_asset*& asset, Faults& faults) { return load(bytes, size, asset, faults); });
+}
+
+lr_status lr_asset_check_memory(const void* bytes, uint64_t size, lr_fault_fn report, void* user) {
+    const FloatMode mode;
+    const auto check = [&]() -> lr_status {
+        if (!bytes) return LR_ERROR_NULL_ARGUMENT;
+        AssetData data;
+        Faults faults;
+        read_asset(bytes, static_cast<size_t>(size), data, faults);
+        if (report)
+            for (const Fault& f : faults)
+                report(user, static_cast<uint32_t>(f.id), f.where.c_str(), f.what.c_str(), f.remedy.c_str());
+        return status_of(faults);
+    };
+    return told("lr_asset_check_memory", guarded(check));
+}
+
+lr_status lr_asset_create_ellipsoid(const lr_ellipsoid_desc* desc, lr_asset** out) {
+    return create_asset("lr_asset_create_ellipsoid", desc, out);
+}
+
+lr_status lr_asset_create_rigid(const lr_rigid_desc* desc, lr_asset** out) {
+    return create_asset("lr_asset_create_rigid", desc, out);
+}
+
+lr_status lr_asset_retain(lr_asset* asset) {
+    if (!asset) return told("lr_asset_retain", LR_ERROR_NULL_ARGUMENT);
+    retain(*asset);
     return LR_OK;
 }
 
-lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size) {
-    const lr_status status = lr::api::begin_init(aerodynamics, struct_size);
-    if (status == LR_OK) lr::api::write_struct(lr::api::to_struct({}), aerodynamics);
-    return status;
+void lr_asset_release(lr_asset* asset) {
+    release(asset);
+}
+
+lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info) {
+    return report("lr_asset_get_info", asset, info, info_of);
 }
 
 lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics) {
-    const lr::FloatMode mode;
-    if (!asset) return LR_ERROR_NULL_ARGUMENT;
-    const lr_status status = lr::api::check_size(aerodynamics);
-    if (status == LR_OK) lr::api::write_struct(lr::api::to_struct(asset->data.aerodynamics), aerodynamics);
-    return status;
+    return report("lr_asset_get_aerodynamics", asset, aerodynamics,
+                  [](const lr_asset& a) { return to_struct(a.data.aerodynamics); });
 }
 
 } // extern "C"

@@ -1,12 +1,11 @@
-#include "api/refuse.h"
-#include "view/transforms.h"
-#include "world/world.h"
+// Batches: their making, turbulence, loads, pace, views, and the births and ends of their bodies.
+#include "api/checked_call.h"
+#include "api/struct_conversion.h"
+#include "kernel/write_transforms.h"
+#include "world/batch/lifecycle.h"
 
-#include <algorithm>
-
+namespace lr::api {
 namespace {
-
-using namespace lr::api;
 
 bool one_of(int32_t value, int32_t last) {
     return value >= 0 && value <= last;
@@ -14,171 +13,315 @@ bool one_of(int32_t value, int32_t last) {
 
 // Null when fine, else what is wrong.
 const char* wrong_in(const lr_batch_desc& d) {
-    if (d.capacity == 0 || d.capacity > lr::max_capacity) return "capacity is not 1 to 2^26";
+    if (d.capacity == 0 || d.capacity > max_capacity) return "capacity is not 1 to 2^26";
     if (!one_of(d.load_model, LR_LOADS_AERODYNAMIC)) return "unknown load_model";
     if (!one_of(d.clock, LR_CLOCK_AGE)) return "unknown clock";
     if (!one_of(d.table_end, LR_TABLE_LOOP)) return "unknown table_end";
     if (!one_of(d.integrator, LR_INTEGRATOR_SPLITTING)) return "unknown integrator";
-    lr::Gains gains;
+    Gains gains;
     gains.damping = static_cast<double>(d.damping_gain);
     gains.noise = static_cast<double>(d.noise_gain);
-    if (const char* why = lr::wrong_in(gains)) return why;
-    return nullptr;
+    return wrong_in(gains);
 }
 
-lr::TurbulenceSample sample(const lr_turbulence_table& t, float chi, float epsilon) {
+TurbulenceSample sample(const lr_turbulence_table& t, float chi, float epsilon) {
     return {static_cast<double>(chi), static_cast<double>(epsilon), static_cast<double>(t.u0), static_cast<double>(t.l),
             static_cast<double>(t.c0)};
 }
 
 const char* wrong_in(const lr_turbulence_table& t) {
     if (t.count == 0 || t.count > 65536) return "count is not 1 to 65536";
-    if (!in_range(t.dt, lr::least_interval, lr::most_interval)) return "dt is not positive";
-    if (const char* why = lr::wrong_in(sample(t, 0.0f, 0.0f))) return why;
-    if (t.stationary >= t.count) return "stationary lies behind the table";
+    if (!in_range(t.dt, least_interval, most_interval)) return "dt is not positive";
+    if (const char* why = wrong_in(sample(t, 0.0f, 0.0f))) return why;
+    if (t.stationary >= t.count) return "stationary is not less than count";
     if (t.reserved != 0) return "reserved is not 0";
     return nullptr;
 }
 
+Outcome check(const lr_turbulence_table& t) {
+    if (!finite(t.dt, t.u0, t.l, t.c0)) return LR_ERROR_NOT_FINITE;
+    if (const char* why = wrong_in(t)) return invalid(why);
+    if (!t.chi || !t.epsilon) return LR_ERROR_NULL_ARGUMENT;
+    for (uint32_t i = 0; i < t.count; ++i) {
+        if (!finite(t.chi[i], t.epsilon[i])) return LR_ERROR_NOT_FINITE;
+        if (const char* why = wrong_in(sample(t, t.chi[i], t.epsilon[i]))) return invalid(why);
+    }
+    return {};
+}
+
 } // namespace
+
+static void tell(Call& call, const lr_turbulence_table* table) {
+    lr_turbulence_table t{};
+    if (!call.reads(table)) return;
+    copy_struct(table, t);
+    const recording::TableRecord record{t.count, t.dt, t.u0, t.l, t.c0, t.stationary, t.reserved};
+    call.value(static_cast<uint32_t>(recording::Where::here));
+    call.raw(&record, sizeof record);
+    call.shared_array(t.chi, sizeof(float) * uint64_t{t.count});
+    call.shared_array(t.epsilon, sizeof(float) * uint64_t{t.count});
+}
+
+} // namespace lr::api
+
+using namespace lr;
+using namespace lr::api;
 
 extern "C" {
 
-lr_status lr_batch_desc_init(lr_batch_desc* desc, uint32_t struct_size) {
-    const lr_status status = begin_init(desc, struct_size);
-    if (status != LR_OK) return status;
-    desc->damping_gain = 1.0f;
-    desc->noise_gain = 1.0f;
-    return LR_OK;
+lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* out) {
+    if (out) *out = {};
+    const auto create = [](lr_world& w, lr_batch& handle, const lr_batch_desc& d) -> Outcome {
+        if (!d.asset) return {LR_ERROR_NULL_ARGUMENT, "desc->asset is null"};
+        if (!finite(d.damping_gain, d.noise_gain)) return LR_ERROR_NOT_FINITE;
+        if (const char* why = wrong_in(d)) return invalid(why);
+        if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
+        BatchSettings settings;
+        settings.loads = d.load_model == LR_LOADS_NONE       ? Loads::none
+                         : d.load_model == LR_LOADS_LANGEVIN ? Loads::langevin
+                                                             : Loads::aerodynamic;
+        settings.clock = d.clock == LR_CLOCK_AGE ? Clock::age : Clock::speed;
+        settings.integrator = d.integrator == LR_INTEGRATOR_RK4 ? Integrator::rk4 : Integrator::splitting;
+        settings.loop = d.table_end == LR_TABLE_LOOP;
+        settings.gains.damping = static_cast<double>(d.damping_gain);
+        settings.gains.noise = static_cast<double>(d.noise_gain);
+        const AssetData& asset = d.asset->data;
+        settings.viscosity = w.fluid_viscosity > 0.0f ? static_cast<double>(w.fluid_viscosity) : asset.fluid_viscosity;
+        settings.fluid_density = w.fluid_density > 0.0f ? static_cast<double>(w.fluid_density) : asset.fluid_density;
+        return w.create_batch(*d.asset, d.capacity, settings, handle);
+    };
+    return change(world, __func__, args(Required(out), desc), create);
 }
 
-lr_status lr_inner_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* out) {
-    const lr::FloatMode mode;
-    if (!out) return LR_ERROR_NULL_ARGUMENT;
-    *out = 0;
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    lr_batch_desc d;
-    lr_status status = read_struct(desc, d);
-    if (status != LR_OK) return refuse(world, "lr_batch_create", status);
-    if (!d.asset) return refuse(world, "lr_batch_create", LR_ERROR_NULL_ARGUMENT, "desc->asset is null");
-    if (!std::isfinite(d.damping_gain) || !std::isfinite(d.noise_gain))
-        return refuse(world, "lr_batch_create", LR_ERROR_NOT_FINITE);
-    if (const char* why = wrong_in(d)) return refuse(world, "lr_batch_create", LR_ERROR_INVALID_ARGUMENT, why);
-
-    if (!accepted(world)) return refuse(world, "lr_batch_create", LR_ERROR_OUT_OF_MEMORY);
-
-    lr::BatchSettings settings;
-    settings.loads = d.load_model == LR_LOADS_NONE       ? lr::Loads::none
-                     : d.load_model == LR_LOADS_LANGEVIN ? lr::Loads::langevin
-                                                         : lr::Loads::aerodynamic;
-    settings.clock = d.clock == LR_CLOCK_AGE ? lr::Clock::age : lr::Clock::speed;
-    settings.integrator = d.integrator == LR_INTEGRATOR_RK4 ? lr::Integrator::rk4 : lr::Integrator::splitting;
-    settings.loop = d.table_end == LR_TABLE_LOOP;
-    settings.gains.damping = static_cast<double>(d.damping_gain);
-    settings.gains.noise = static_cast<double>(d.noise_gain);
-    settings.viscosity =
-        world->fluid_viscosity > 0.0f ? static_cast<double>(world->fluid_viscosity) : d.asset->data.fluid_viscosity;
-    settings.fluid_density =
-        world->fluid_density > 0.0f ? static_cast<double>(world->fluid_density) : d.asset->data.fluid_density;
-    status = guarded([&] { return world->create_batch(*d.asset, d.capacity, settings, *out); });
-    return status == LR_OK ? status : refuse(world, "lr_batch_create", status);
+lr_status lr_batch_destroy(lr_world* world, lr_batch batch) {
+    return change(world, __func__, args(batch), [batch](lr_world& w, Batch&) -> Outcome {
+        w.destroy_batch(batch);
+        return {};
+    });
 }
 
-lr_status lr_inner_batch_destroy(lr_world* world, lr_batch batch) {
-    const lr::FloatMode mode;
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    if (!world->find(batch)) return refuse(world, "lr_batch_destroy", LR_ERROR_STALE_BATCH);
-    world->destroy_batch(batch);
-    return LR_OK;
+int32_t lr_batch_is_valid(const lr_world* world, lr_batch batch) {
+    return is_valid<Batch&>(world, "lr_batch_is_valid", batch);
 }
 
-lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t struct_size) {
-    const lr_status status = begin_init(table, struct_size);
-    if (status == LR_OK) table->c0 = 6.5f;
-    return status;
+lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table) {
+    const auto set = [](lr_world& w, Batch& b, const lr_turbulence_table* t) -> Outcome {
+        if (!t) return b.set_asset_table() ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
+        if (const Outcome outcome = check(*t); outcome.refused()) return outcome;
+        const TableView view{t->chi,
+                             t->epsilon,
+                             t->count,
+                             t->stationary,
+                             static_cast<double>(t->dt),
+                             static_cast<double>(t->u0),
+                             static_cast<double>(t->l),
+                             static_cast<double>(t->c0)};
+        return accepted(w) && b.set_table(view) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
+    };
+    return change(world, __func__, args(batch, table), set);
 }
 
-lr_status lr_inner_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table) {
-    const lr::FloatMode mode;
-    constexpr const char* name = "lr_batch_set_turbulence_table";
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    lr::Batch* const b = world->find(batch);
-    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
-    if (!table) return b->set_asset_table() ? LR_OK : refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
-    lr_turbulence_table t;
-    const lr_status status = read_struct(table, t);
-    if (status != LR_OK) return refuse(world, name, status);
-    const float scalars[] = {t.dt, t.u0, t.l, t.c0};
-    if (!finite(scalars)) return refuse(world, name, LR_ERROR_NOT_FINITE);
-    if (const char* why = wrong_in(t)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
-    if (!t.chi || !t.epsilon) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
-    for (uint32_t i = 0; i < t.count; ++i) {
-        if (!std::isfinite(t.chi[i]) || !std::isfinite(t.epsilon[i])) return refuse(world, name, LR_ERROR_NOT_FINITE);
-        if (const char* why = lr::wrong_in(sample(t, t.chi[i], t.epsilon[i])))
-            return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
-    }
-    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
-    const lr::TableView view{t.chi,
-                             t.epsilon,
-                             t.count,
-                             t.stationary,
-                             static_cast<double>(t.dt),
-                             static_cast<double>(t.u0),
-                             static_cast<double>(t.l),
-                             static_cast<double>(t.c0)};
-    return b->set_table(view) ? LR_OK : refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
+lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor) {
+    const auto set = [](lr_world&, Batch& b, uint32_t n) -> Outcome {
+        if (n < 1 || n > BatchClock::largest_of_all) return invalid("divisor is not 1 to 1024");
+        b.pace.set_divisor(n);
+        return {};
+    };
+    return change(world, __func__, args(batch, divisor), set);
 }
 
-lr_status lr_batch_view_init(lr_batch_view* view, uint32_t struct_size) {
-    return begin_init(view, struct_size);
+lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace) {
+    const auto get = [](const lr_world&, const Batch& b, lr_batch_pace& out) {
+        const BatchClock::Record& r = b.pace.record();
+        out.divisor = r.divisor;
+        out.substeps = b.pace.granted();
+        out.waited = r.steps;
+        out.behind = r.behind;
+        out.lost = r.lost;
+        out.body_substeps = r.taken;
+    };
+    return query(world, __func__, args(batch, pace), get);
 }
 
-lr_status lr_inner_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view) {
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    const lr::Batch* const b = world->find(batch);
-    if (!b) return refuse(world, "lr_batch_get_view", LR_ERROR_STALE_BATCH);
-    const lr_status status = check_size(view);
-    if (status != LR_OK) return refuse(world, "lr_batch_get_view", status);
-    lr_batch_view out{};
-    const lr::BatchArrays& a = b->arrays();
-    out.count = b->count();
-    out.capacity = b->capacity();
-    for (size_t i = 0; i < 3; ++i) {
-        out.position[i] = a.field[lr::field_x + i];
-        out.velocity[i] = a.field[lr::field_vx + i];
-        out.spin[i] = a.field[lr::field_wx + i];
-    }
-    for (size_t i = 0; i < 4; ++i) out.orientation[i] = a.field[lr::field_qx + i];
-    out.scale = a.field[lr::field_scale];
-    out.age = a.field[lr::field_age];
-    out.key = a.key;
-    out.ids = b->ids();
-    out.revision = b->revision();
-    out.awake_count = b->awake();
-    write_struct(out, view);
-    return LR_OK;
+lr_status lr_batch_set_divergence_policy(lr_world* world, lr_batch batch, int32_t policy) {
+    const auto set = [](lr_world&, Batch& b, int32_t p) -> Outcome {
+        BatchOptions options = b.options;
+        options.divergence_policy = p;
+        if (const char* why = wrong_in(options)) return invalid(why);
+        if (p == LR_DIVERGENCE_REMOVE && !b.reserve_lifecycle()) return LR_ERROR_OUT_OF_MEMORY;
+        b.options = options;
+        return {};
+    };
+    return change(world, __func__, args(batch, policy), set);
 }
 
-lr_status lr_inner_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
-                                          uint64_t stride, uint32_t count, uint32_t* written) {
-    constexpr const char* name = "lr_batch_write_transforms";
+lr_status lr_batch_get_divergence_policy(const lr_world* world, lr_batch batch, int32_t* policy) {
+    const auto get = [](const lr_world&, const Batch& b, int32_t& out) { out = b.options.divergence_policy; };
+    return query(world, __func__, args(batch, Required(policy)), get);
+}
+
+lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view) {
+    const auto get = [](const lr_world&, const Batch& b, lr_batch_view& out) {
+        const BatchArrays& a = b.arrays();
+        out.count = b.count();
+        out.capacity = b.capacity();
+        for (size_t i = 0; i < 3; ++i) {
+            out.position[i] = a.field[field_x + i];
+            out.velocity[i] = a.field[field_vx + i];
+            out.spin[i] = a.field[field_wx + i];
+        }
+        for (size_t i = 0; i < 4; ++i) out.orientation[i] = a.field[field_qx + i];
+        out.scale = a.field[field_scale];
+        out.age = a.field[field_age];
+        out.noise_seed = a.noise_seed;
+        out.ids = b.ids();
+        out.user = b.users();
+        out.revision = b.revision();
+        out.awake_count = b.awake();
+    };
+    return query(world, __func__, args(batch, view), get);
+}
+
+lr_status lr_batch_get_bounds(const lr_world* world, lr_batch batch, float* low, float* high) {
+    const auto get = [](const lr_world&, const Batch& b, float* lows, float* highs) -> Outcome {
+        if (!lows || !highs) return LR_ERROR_NULL_ARGUMENT;
+        const Box box = b.box();
+        put(box.low, lows);
+        put(box.high, highs);
+        return {};
+    };
+    return query(world, __func__, args(batch, low, high), get);
+}
+
+lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride,
+                                    uint32_t count, uint32_t* written) {
     if (written) *written = 0;
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    const lr::Batch* const b = world->find(batch);
-    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
-    const lr::FloatMode mode;
-    const uint32_t bytes = lr::transform_bytes(format);
-    if (bytes == 0) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "unknown format");
-    if (stride == 0) stride = bytes;
-    if (stride < bytes || stride % 4 != 0 || stride > (uint64_t{1} << 32) || reinterpret_cast<uintptr_t>(dst) % 4 != 0)
-        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "stride or alignment does not fit the format");
-    count = std::min(count, b->count());
-    if (count == 0) return LR_OK;
-    if (!dst) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
-    lr::write_transforms(world->target->simd, b->arrays(), count, static_cast<float>(b->pace.behind()), format, dst,
-                         stride);
-    if (written) *written = count;
-    return LR_OK;
+    const auto write = [&](const lr_world& w, const Batch& b) -> Outcome {
+        const uint32_t bytes = transform_bytes(format);
+        if (bytes == 0) return invalid("unknown format");
+        const uint64_t step = stride == 0 ? bytes : stride;
+        if (step < bytes || step % 4 != 0 || step > (uint64_t{1} << 32) || reinterpret_cast<uintptr_t>(dst) % 4 != 0)
+            return invalid("stride or alignment is wrong for this format");
+        const uint32_t n = std::min(count, b.count());
+        if (n == 0) return {};
+        if (!dst) return LR_ERROR_NULL_ARGUMENT;
+        write_transforms(w.target->simd, b.arrays(), n, static_cast<float>(b.pace.behind()), format, dst, step);
+        if (written) *written = n;
+        return {};
+    };
+    return query(world, __func__, args(batch), write);
+}
+
+lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
+    const auto set = [](lr_world&, Batch& b, const lr_aerodynamics* given) -> Outcome {
+        if (!given) return b.set_aerodynamics(b.asset().data.aerodynamics, b.gains()) ? LR_OK : LR_ERROR_INTERNAL;
+        AerodynamicData loads;
+        if (const lr_status status = read_loads(given, loads); status != LR_OK) return status;
+        if (const char* why = wrong_in(loads)) return invalid(why);
+        return b.set_aerodynamics(loads, b.gains()) ? Outcome{} : invalid("center is farther than 2 d");
+    };
+    return change(world, __func__, args(batch, aerodynamics), set);
+}
+
+lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics) {
+    const auto get = [](const lr_world&, const Batch& b, lr_aerodynamics& out) { out = to_struct(b.aerodynamics()); };
+    return query(world, __func__, args(batch, aerodynamics), get);
+}
+
+lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains) {
+    const auto set = [](lr_world&, Batch& b, const lr_load_gains* given) -> Outcome {
+        lr_load_gains g{};
+        lr_load_gains_init(&g, sizeof g);
+        if (given) g = *given;
+        if (!finite(g.drag, g.lift, g.spin_drag, g.turbulence)) return LR_ERROR_NOT_FINITE;
+        if (g.reserved != 0) return invalid("reserved is not 0");
+        Gains all = b.gains();
+        all.drag = static_cast<double>(g.drag);
+        all.lift = static_cast<double>(g.lift);
+        all.spin_drag = static_cast<double>(g.spin_drag);
+        all.turbulence = static_cast<double>(g.turbulence);
+        if (const char* why = wrong_in(all)) return invalid(why);
+        return b.set_aerodynamics(b.aerodynamics(), all) ? LR_OK : LR_ERROR_INTERNAL;
+    };
+    return change(world, __func__, args(batch, gains), set);
+}
+
+lr_status lr_batch_get_load_gains(const lr_world* world, lr_batch batch, lr_load_gains* gains) {
+    const auto get = [](const lr_world&, const Batch& b, lr_load_gains& out) {
+        out.drag = static_cast<float>(b.gains().drag);
+        out.lift = static_cast<float>(b.gains().lift);
+        out.spin_drag = static_cast<float>(b.gains().spin_drag);
+        out.turbulence = static_cast<float>(b.gains().turbulence);
+    };
+    return query(world, __func__, args(batch, gains), get);
+}
+
+lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules) {
+    const auto set = [](lr_world&, Batch& b, const lr_batch_rules* r) -> Outcome {
+        if (!r) {
+            if (b.lifecycle()) b.lifecycle()->set_rules(nullptr);
+            return {};
+        }
+        if (const Outcome outcome = check(*r); outcome.refused()) return outcome;
+        if (r->action == LR_END_RESPAWN && (!b.lifecycle() || !b.lifecycle()->has_emitter()))
+            return invalid("LR_END_RESPAWN needs an emitter: set it first");
+        if (!b.reserve_lifecycle()) return LR_ERROR_OUT_OF_MEMORY;
+        b.lifecycle()->set_rules(r);
+        if (b.resting()) b.resting()->ask_again();
+        return {};
+    };
+    return change(world, __func__, args(batch, rules), set);
+}
+
+lr_status lr_batch_get_rules(const lr_world* world, lr_batch batch, lr_batch_rules* rules, int32_t* present) {
+    const auto get = [](const lr_world&, const Batch& b, lr_batch_rules& out, int32_t& there) {
+        const bool any = b.lifecycle() && b.lifecycle()->has_rules();
+        read_back(any ? &b.lifecycle()->state().rules : nullptr, lr_batch_rules_init, out, there);
+    };
+    return query(world, __func__, args(batch, rules, Required(present)), get);
+}
+
+lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc) {
+    const auto set = [](lr_world&, Batch& b, const lr_emitter_desc* d) -> Outcome {
+        if (!d) {
+            if (b.lifecycle() && b.lifecycle()->respawns()) return invalid("the rules respawn: change them first");
+            if (b.lifecycle()) b.lifecycle()->set_emitter(nullptr);
+            return {};
+        }
+        if (const Outcome outcome = check(*d); outcome.refused()) return outcome;
+        if (!b.reserve_lifecycle()) return LR_ERROR_OUT_OF_MEMORY;
+        b.lifecycle()->set_emitter(d);
+        return {};
+    };
+    return change(world, __func__, args(batch, desc), set);
+}
+
+lr_status lr_batch_get_emitter(const lr_world* world, lr_batch batch, lr_emitter_desc* desc, int32_t* present) {
+    const auto get = [](const lr_world&, const Batch& b, lr_emitter_desc& out, int32_t& there) {
+        const bool any = b.lifecycle() && b.lifecycle()->has_emitter();
+        read_back(any ? &b.lifecycle()->state().emitter : nullptr, lr_emitter_desc_init, out, there);
+    };
+    return query(world, __func__, args(batch, desc, Required(present)), get);
+}
+
+lr_status lr_batch_spawn(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids) {
+    const auto emit = [](lr_world& w, Batch& b, uint32_t n, Out<lr_body> ids) -> Outcome {
+        if (n == 0) return {};
+        if (!b.lifecycle() || !b.lifecycle()->has_emitter()) return invalid("the batch has no emitter");
+        if (n > b.capacity() - b.count()) return LR_ERROR_CAPACITY;
+        b.lifecycle()->emit(b, w, n, ids.first);
+        return {};
+    };
+    return change(world, __func__, args(batch, count, Out{out_ids, count}), emit);
+}
+
+lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_batch_counts* counts) {
+    const auto get = [](const lr_world&, const Batch& b, lr_batch_counts& out) {
+        if (b.lifecycle()) b.lifecycle()->report(out);
+        out.diverged = b.faults.last;
+        out.total_diverged = b.faults.total;
+    };
+    return query(world, __func__, args(batch, counts), get);
 }
 
 } // extern "C"

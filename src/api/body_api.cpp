@@ -1,192 +1,358 @@
-#include "api/refuse.h"
-#include "world/rotate.h"
-#include "world/world.h"
+// Bodies, and the forces on them.
+#include "api/checked_call.h"
 
-#include <algorithm>
+#include <iterator>
 
+namespace lr::api {
 namespace {
-
-using namespace lr::api;
-using lr::rotate;
-using lr::WideVector;
 
 // Desc and state have the same physical fields.
 template <class T> const char* wrong_in(const T& s) {
-    if (!lr::within(s.position, lr::most_place)) return "position is over 1e9 m";
-    if (!lr::within(s.linear_velocity, lr::most_speed)) return "linear_velocity is over 1e6 m/s";
-    if (!lr::within(s.angular_velocity, lr::most_speed)) return "angular_velocity is over 1e6 rad/s";
-    if (!(s.scale >= lr::least_scale && s.scale <= lr::most_scale)) return "scale is not 0.001 to 1000";
-    if (!(s.age >= 0.0f && s.age <= lr::most_age)) return "age is not 0 to 1e9 s";
-    double n = 0.0;
-    for (float q : s.orientation) n += static_cast<double>(q) * static_cast<double>(q);
-    if (!in_range(n, 1e-12, 1e12)) return "orientation cannot be normalised";
-    if (s.reserved != 0) return "reserved is not 0";
+    if (!within(s.position, most_place)) return "position is over 1e9 m";
+    if (!within(s.linear_velocity, most_speed)) return "linear_velocity is over 1e6 m/s";
+    if (!within(s.angular_velocity, most_speed)) return "angular_velocity is over 1e6 rad/s";
+    if (!(s.scale >= least_scale && s.scale <= most_scale)) return "scale is not 0.001 to 1000";
+    if (!(s.age >= 0.0f && s.age <= most_age)) return "age is not 0 to 1e9 s";
+    if (!normalisable(s.orientation)) return "orientation cannot be normalised";
+    if constexpr (requires { s.reserved; })
+        if (s.reserved != 0) return "reserved is not 0";
     return nullptr;
 }
-template <class T> bool all_finite(const T& s) {
-    return finite(s.position) && finite(s.orientation) && finite(s.linear_velocity) && finite(s.angular_velocity) &&
-           std::isfinite(s.scale) && std::isfinite(s.age);
-}
-
-template <class T> lr::BodyState to_storage(const T& s) {
-    double q[4], n = 0.0;
-    for (int i = 0; i < 4; ++i) n += static_cast<double>(s.orientation[i]) * static_cast<double>(s.orientation[i]);
-    n = std::sqrt(n);
-    lr::BodyState out{};
-    for (size_t i = 0; i < 4; ++i) {
-        q[i] = static_cast<double>(s.orientation[i]) / n;
-        // A quaternion that is a unit one already keeps its bits.
-        out.value[lr::field_qx + i] = std::abs(n - 1.0) < 1e-7 ? s.orientation[i] : static_cast<float>(q[i]);
-    }
-    const WideVector v = rotate(q, s.linear_velocity, true), w = rotate(q, s.angular_velocity, true);
-    for (size_t i = 0; i < 3; ++i) {
-        out.value[lr::field_x + i] = s.position[i];
-        out.value[lr::field_vx + i] = static_cast<float>(v.v[i]);
-        out.value[lr::field_wx + i] = static_cast<float>(w.v[i]);
-    }
-    out.value[lr::field_scale] = s.scale;
-    out.value[lr::field_age] = s.age;
-    out.key = s.key;
+template <class T> BodyState to_storage(const T& s) {
+    const Rotation given = rotation_of(s.orientation);
+    const double n = std::sqrt(dot(to_double(given), to_double(given)));
+    // A quaternion that is a unit one already keeps its bits.
+    const Rotation kept = std::abs(n - 1.0) < 1e-7 ? given : unit_of(to_double(given));
+    const Quaternion<double> to_body = 1.0 / n * inverse(to_double(given));
+    BodyState out{};
+    put(vector_of(s.position), out.value + field_x);
+    put(kept, out.value + field_qx);
+    put(to_float(rotate(to_body, to_double(vector_of(s.linear_velocity)))), out.value + field_vx);
+    put(to_float(rotate(to_body, to_double(vector_of(s.angular_velocity)))), out.value + field_wx);
+    out.value[field_scale] = s.scale;
+    out.value[field_age] = s.age;
+    out.noise_seed = s.noise_seed;
+    out.user = s.user;
     return out;
 }
 
-template <class T> void init_pose(T* s) {
-    s->orientation[3] = 1.0f;
-    s->scale = 1.0f;
+template <class T> Outcome check(const T& s) {
+    const bool numbers = finite(s.position, s.orientation, s.linear_velocity, s.angular_velocity, s.scale, s.age);
+    return numbers ? invalid(wrong_in(s)) : LR_ERROR_NOT_FINITE;
+}
+
+constexpr double most_acceleration = 1e9; // m/s^2
+constexpr double most_kick = 1e6;         // m/s and rad/s
+
+// One force and torque about the centre of mass.
+struct Push {
+    int32_t mode;
+    size_t frame;
+    Double3 force, torque;
+};
+
+bool continuous(int32_t mode) {
+    return mode == LR_FORCE_MODE_FORCE || mode == LR_FORCE_MODE_ACCELERATION;
+}
+
+const char* unknown_in(int32_t mode, int32_t frame) {
+    if (mode < LR_FORCE_MODE_FORCE || mode > LR_FORCE_MODE_VELOCITY) return "unknown mode";
+    if (frame != LR_FRAME_WORLD && frame != LR_FRAME_BODY) return "unknown frame";
+    return nullptr;
+}
+
+// The effect of an impulse or of a change of velocity, in the body frame.
+Kick kick_of(const Batch& batch, const BodyState& body, const Push& p) {
+    Kick kick{p.force, p.torque};
+    if (p.frame == LR_FRAME_WORLD) {
+        const Quaternion<double> to_body = inverse(to_double(rotation_of(body.value + field_qx)));
+        kick = {rotate(to_body, p.force), rotate(to_body, p.torque)};
+    }
+    if (p.mode != LR_FORCE_MODE_IMPULSE) return kick;
+    return impulse_response(batch.step.body, wide(body.value[field_scale]), kick);
+}
+
+bool within(Double3 v, double most) {
+    return in_range(v.x, -most, most) && in_range(v.y, -most, most) && in_range(v.z, -most, most);
+}
+
+// In kernel units a force is what it does to the reference mass, which no body's inertia is far below.
+const char* too_large(const Batch& batch, uint32_t index, const Push& p) {
+    if (!continuous(p.mode)) {
+        const Kick kick = kick_of(batch, batch.read(index), p);
+        return within(kick.v, most_kick) && within(kick.w, most_kick)
+                   ? nullptr
+                   : "an impulse or velocity gives more than 1e6 m/s or rad/s";
+    }
+    const double scale = wide(batch.arrays().field[field_scale][index]), length = scale * wide(batch.step.body.length);
+    const double mass = scale * scale * scale * wide(batch.step.body.unit_mass);
+    const bool force = p.mode == LR_FORCE_MODE_FORCE;
+    const double most = force ? most_acceleration * mass : most_acceleration;
+    return within(p.force, most) && within(p.torque, force ? most * length : most / length)
+               ? nullptr
+               : "a force or acceleration gives more than 1e9 m/s^2";
+}
+
+// Wakes the body where there is anything to apply: it then changes places with one before it.
+void apply(Batch& batch, uint32_t index, const Push& p) {
+    if (batch.rests(index)) {
+        if (dot(p.force, p.force) == 0.0 && dot(p.torque, p.torque) == 0.0) return;
+        index = batch.wake(index);
+    }
+    if (continuous(p.mode)) {
+        const bool force = p.mode == LR_FORCE_MODE_FORCE;
+        batch.external.add(index, p.frame, force ? force_newton : force_acceleration, p.force);
+        batch.external.add(index, p.frame, force ? force_torque : force_spin, p.torque);
+        return;
+    }
+    BodyState body = batch.read(index);
+    const Kick kick = kick_of(batch, body, p);
+    put(to_float(to_double(vector_of(body.value + field_vx)) + kick.v), body.value + field_vx);
+    put(to_float(to_double(vector_of(body.value + field_wx)) + kick.w), body.value + field_wx);
+    batch.write(index, body);
+    batch.judge(index);
+}
+
+Push push_of(const lr_body_force& f, const Batch& batch, uint32_t index) {
+    Push p{f.mode, static_cast<size_t>(f.frame), to_double(vector_of(f.force)), to_double(vector_of(f.torque))};
+    if ((f.flags & LR_FORCE_AT_POINT) == 0) return p;
+    Double3 arm = to_double(vector_of(f.point));
+    if (f.frame == LR_FRAME_WORLD) arm = arm - to_double(vector_in(batch.arrays().field, field_x, index));
+    p.torque = p.torque + cross(arm, p.force);
+    return p;
+}
+
+const char* wrong_in(const lr_body_force& f) {
+    if (const char* why = unknown_in(f.mode, f.frame)) return why;
+    if (f.flags & ~LR_FORCE_AT_POINT) return "unknown flags";
+    if ((f.flags & LR_FORCE_AT_POINT) && (f.mode == LR_FORCE_MODE_ACCELERATION || f.mode == LR_FORCE_MODE_VELOCITY))
+        return "only forces and impulses act at a point";
+    if (f.reserved != 0) return "reserved is not 0";
+    return nullptr;
+}
+
+// Three arrays of equal stride, or none.
+struct Arrays {
+    const unsigned char* at[3];
+    uint64_t stride;
+
+    bool given() const { return at[0] != nullptr; }
+    Double3 value(uint32_t body) const {
+        const auto one = [&](const unsigned char* from) {
+            return wide(*reinterpret_cast<const float*>(from + stride * body));
+        };
+        return given() ? Double3{one(at[0]), one(at[1]), one(at[2])} : Double3{};
+    }
+};
+
+Arrays arrays_of(const float* const (&from)[3], uint32_t stride) {
+    Arrays a{{}, stride == 0 ? sizeof(float) : stride};
+    for (size_t i = 0; i < 3; ++i) a.at[i] = reinterpret_cast<const unsigned char*>(from[i]);
+    return a;
+}
+
+bool some_missing(const float* const (&from)[3]) {
+    const auto missing = std::count(std::begin(from), std::end(from), nullptr);
+    return missing == 1 || missing == 2;
+}
+
+bool misaligned(const float* const (&from)[3]) {
+    return std::any_of(std::begin(from), std::end(from),
+                       [](const float* p) { return reinterpret_cast<uintptr_t>(p) % alignof(float) != 0; });
+}
+
+// Calls each(vector, its place among the components) for those of an lr_batch_force.
+template <class Force, class Each> void each_force(Force& f, const Each& each) {
+    each(f.force, force_component(LR_FRAME_WORLD, force_newton));
+    each(f.torque, force_component(LR_FRAME_WORLD, force_torque));
+    each(f.acceleration, force_component(LR_FRAME_WORLD, force_acceleration));
+    each(f.angular_acceleration, force_component(LR_FRAME_WORLD, force_spin));
+    each(f.body_force, force_component(LR_FRAME_BODY, force_newton));
+    each(f.body_torque, force_component(LR_FRAME_BODY, force_torque));
+    each(f.body_acceleration, force_component(LR_FRAME_BODY, force_acceleration));
+    each(f.body_angular_acceleration, force_component(LR_FRAME_BODY, force_spin));
 }
 
 } // namespace
 
+// Arrays without gaps.
+static void tell(Call& call, const lr_force_arrays* arrays) {
+    lr_force_arrays a{};
+    if (!call.structure(arrays, a)) return;
+    for (const auto* three : {&a.force, &a.torque}) {
+        const Arrays all = arrays_of(*three, a.stride);
+        for (const unsigned char* from : all.at) {
+            call.value(static_cast<uint32_t>(from ? recording::Where::here : recording::Where::null));
+            for (uint32_t i = 0; from && i < a.count; ++i) call.raw(from + all.stride * i, sizeof(float));
+        }
+    }
+}
+
+} // namespace lr::api
+
+using namespace lr;
+using namespace lr::api;
+
 extern "C" {
 
-lr_status lr_body_desc_init(lr_body_desc* desc, uint32_t struct_size) {
-    const lr_status status = begin_init(desc, struct_size);
-    if (status == LR_OK) init_pose(desc);
-    return status;
+lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count, lr_body* out_ids) {
+    const auto create = [](lr_world& w, Batch& b, const Structs<lr_body_desc>& all, Out<lr_body> ids) -> Outcome {
+        if (all.count > b.capacity() - b.count()) return LR_ERROR_CAPACITY;
+        if (const Outcome outcome = all.check(check<lr_body_desc>); outcome.refused()) return outcome;
+        if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
+        all.visit([&](const lr_body_desc& d) {
+            BodyState state = to_storage(d);
+            if (state.noise_seed == 0) state.noise_seed = w.take_key();
+            const lr_body id = b.add(state);
+            if (ids.first) *ids.first++ = id;
+        });
+        return {};
+    };
+    return change(world, __func__, args(batch, Structs{descs, count}, Out{out_ids, count}), create);
 }
 
-lr_status lr_inner_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count,
-                               lr_body* out_ids) {
-    const lr::FloatMode mode;
-    constexpr const char* name = "lr_body_create";
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    lr::Batch* const b = world->find(batch);
-    if (!b) return refuse(world, name, LR_ERROR_STALE_BATCH);
-    if (count == 0) return LR_OK;
-    if (!descs) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
-    if (count > b->capacity() - b->count()) return refuse(world, name, LR_ERROR_CAPACITY);
-
-    const ArrayOf<lr_body_desc> all(descs);
-    // All or none: the whole array is checked before the first is made.
-    for (uint32_t i = 0; i < count; ++i) {
-        lr_body_desc d;
-        const lr_status status = all.read(i, d);
-        if (status != LR_OK) return refuse(world, name, status);
-        if (!all_finite(d)) return refuse(world, name, LR_ERROR_NOT_FINITE);
-        if (const char* why = wrong_in(d)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
-    }
-    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
-    for (uint32_t i = 0; i < count; ++i) {
-        lr_body_desc d;
-        all.read(i, d);
-        lr::BodyState state = to_storage(d);
-        if (state.key == 0) state.key = world->take_key();
-        const lr_body id = b->add(state);
-        if (out_ids) out_ids[i] = id;
-    }
-    return LR_OK;
+lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count) {
+    const auto destroy = [](lr_world& w, const Handles<lr_body>& all) -> Outcome {
+        return w.destroy_bodies(all.first, all.count);
+    };
+    return change(world, __func__, args(Handles{bodies, count}), destroy);
 }
 
-lr_status lr_inner_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count) {
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    if (count == 0) return LR_OK;
-    if (!bodies) return refuse(world, "lr_body_destroy", LR_ERROR_NULL_ARGUMENT);
-    const lr_status status = world->destroy_bodies(bodies, count);
-    return status == LR_OK ? status : refuse(world, "lr_body_destroy", status);
+int32_t lr_body_is_valid(const lr_world* world, lr_body body) {
+    return is_valid<Body>(world, "lr_body_is_valid", body);
 }
 
-lr_status lr_body_state_init(lr_body_state* state, uint32_t struct_size) {
-    const lr_status status = begin_init(state, struct_size);
-    if (status == LR_OK) init_pose(state);
-    return status;
+lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state) {
+    const auto get = [](const lr_world&, Body at, lr_body_state& out) {
+        const BodyState s = at.batch.read(at.index);
+        const Rotation q = rotation_of(s.value + field_qx);
+        put(vector_of(s.value + field_x), out.position);
+        put(q, out.orientation);
+        put(to_float(rotate(to_double(q), to_double(vector_of(s.value + field_vx)))), out.linear_velocity);
+        put(to_float(rotate(to_double(q), to_double(vector_of(s.value + field_wx)))), out.angular_velocity);
+        out.scale = s.value[field_scale];
+        out.age = s.value[field_age];
+        out.noise_seed = s.noise_seed;
+        out.user = s.user;
+        out.sleep_state = at.batch.rests(at.index)  ? LR_SLEEP_ASLEEP
+                          : at.batch.held(at.index) ? LR_SLEEP_HELD
+                                                    : LR_SLEEP_AWAKE;
+    };
+    return query(world, __func__, args(body, state), get);
 }
 
-lr_status lr_inner_body_get_state(const lr_world* world, lr_body body, lr_body_state* state) {
-    const lr::FloatMode mode;
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    uint32_t index = 0;
-    const lr::Batch* const b = world->find(body, index);
-    if (!b) return refuse(world, "lr_body_get_state", LR_ERROR_STALE_BODY);
-    const lr_status status = check_size(state);
-    if (status != LR_OK) return refuse(world, "lr_body_get_state", status);
-    const lr::BodyState s = b->read(index);
-    lr_body_state out{};
-    double q[4];
-    for (size_t i = 0; i < 4; ++i) {
-        out.orientation[i] = s.value[lr::field_qx + i];
-        q[i] = static_cast<double>(out.orientation[i]);
-    }
-    const WideVector v = rotate(q, &s.value[lr::field_vx], false), w = rotate(q, &s.value[lr::field_wx], false);
-    for (size_t i = 0; i < 3; ++i) {
-        out.position[i] = s.value[lr::field_x + i];
-        out.linear_velocity[i] = static_cast<float>(v.v[i]);
-        out.angular_velocity[i] = static_cast<float>(w.v[i]);
-    }
-    out.scale = s.value[lr::field_scale];
-    out.age = s.value[lr::field_age];
-    out.key = s.key;
-    out.resting = b->rests(index) ? LR_REST_RESTING : b->held(index) ? LR_REST_HELD : LR_REST_AWAKE;
-    write_struct(out, state);
-    return LR_OK;
+lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
+    const auto set = [](lr_world& w, Body at, const lr_body_state& s) -> Outcome {
+        if (const Outcome outcome = check(s); outcome.refused()) return outcome;
+        const uint32_t index = at.batch.rests(at.index) ? at.batch.wake(at.index) : at.index;
+        w.leave(at.batch, index);
+        at.batch.write(index, to_storage(s));
+        at.batch.users()[index] = s.user;
+        w.wake_left();
+        return {};
+    };
+    return change(world, __func__, args(body, state), set);
 }
 
-lr_status lr_inner_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
-    const lr::FloatMode mode;
-    constexpr const char* name = "lr_body_set_state";
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    uint32_t index = 0;
-    lr::Batch* const b = world->find(body, index);
-    if (!b) return refuse(world, name, LR_ERROR_STALE_BODY);
-    lr_body_state s;
-    const lr_status status = read_struct(state, s);
-    if (status != LR_OK) return refuse(world, name, status);
-    if (!all_finite(s)) return refuse(world, name, LR_ERROR_NOT_FINITE);
-    if (const char* why = wrong_in(s)) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, why);
-    if (b->rests(index)) index = b->wake(index);
-    world->leave(*b, index);
-    b->write(index, to_storage(s));
-    world->wake_left();
-    return LR_OK;
+lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest) {
+    const auto set = [](lr_world& w, int32_t to, const Handles<lr_body>& all) -> Outcome {
+        if (to != LR_SLEEP_AWAKE && to != LR_SLEEP_ASLEEP)
+            return invalid("rest is neither LR_SLEEP_AWAKE nor LR_SLEEP_ASLEEP");
+        return w.set_rest(all.first, all.count, to == LR_SLEEP_ASLEEP);
+    };
+    return change(world, __func__, args(rest, Handles{bodies, count}), set);
 }
 
-lr_status lr_inner_body_set_rest(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest) {
-    constexpr const char* name = "lr_body_set_rest";
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    if (rest != LR_REST_AWAKE && rest != LR_REST_RESTING)
-        return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "rest is neither LR_REST_AWAKE nor LR_REST_RESTING");
-    if (count == 0) return LR_OK;
-    if (!bodies) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
-    const lr::FloatMode mode;
-    const lr_status status = world->set_rest(bodies, count, rest == LR_REST_RESTING);
-    return status == LR_OK ? status : refuse(world, name, status);
-}
-
-lr_status lr_inner_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {
-    const lr::FloatMode mode;
-    constexpr const char* name = "lr_world_wake_box";
+lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {
     if (woken) *woken = 0;
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    if (!low || !high) return refuse(world, name, LR_ERROR_NULL_ARGUMENT);
-    float from[3], to[3];
-    std::copy(low, low + 3, from);
-    std::copy(high, high + 3, to);
-    if (!finite(from) || !finite(to)) return refuse(world, name, LR_ERROR_NOT_FINITE);
-    for (size_t k = 0; k < 3; ++k)
-        if (from[k] > to[k]) return refuse(world, name, LR_ERROR_INVALID_ARGUMENT, "low is above high");
-    if (!accepted(world)) return refuse(world, name, LR_ERROR_OUT_OF_MEMORY);
-    const uint32_t count = world->wake_box({lr::vector_of(from), lr::vector_of(to)});
-    if (woken) *woken = count;
-    return LR_OK;
+    const auto wake = [](lr_world& w, const float* lows, const float* highs, Out<uint32_t> out) -> Outcome {
+        if (!lows || !highs) return LR_ERROR_NULL_ARGUMENT;
+        const Vector from = vector_of(lows), to = vector_of(highs);
+        for (uint32_t k = 0; k < 3; ++k)
+            if (!finite(from[k], to[k])) return LR_ERROR_NOT_FINITE;
+        if (from.x > to.x || from.y > to.y || from.z > to.z) return invalid("low is above high");
+        if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
+        const uint32_t count = w.wake_box({from, to});
+        if (out.first) *out.first = count;
+        return {};
+    };
+    return change(world, __func__, args(low, high, Out{woken}), wake);
+}
+
+lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32_t count) {
+    const auto add = [](lr_world& w, const Structs<lr_body_force>& all) -> Outcome {
+        uint32_t index = 0;
+        const Outcome outcome = all.check([&](const lr_body_force& f) -> Outcome {
+            const Batch* const batch = w.find(f.body, index);
+            if (!batch) return LR_ERROR_STALE_BODY;
+            if (!finite(f.force, f.torque, f.point)) return LR_ERROR_NOT_FINITE;
+            if (const char* why = wrong_in(f)) return invalid(why);
+            return invalid(too_large(*batch, index, push_of(f, *batch, index)));
+        });
+        if (outcome.refused()) return outcome;
+        bool reserved = accepted(w);
+        all.visit([&](const lr_body_force& f) {
+            if (continuous(f.mode)) reserved = reserved && w.find(f.body, index)->reserve_forces();
+        });
+        if (!reserved) return LR_ERROR_OUT_OF_MEMORY;
+        all.visit([&](const lr_body_force& f) {
+            Batch& batch = *w.find(f.body, index);
+            apply(batch, index, push_of(f, batch, index));
+        });
+        return {};
+    };
+    return change(world, __func__, args(Structs{forces, count}), add);
+}
+
+lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays) {
+    const auto add = [](lr_world& w, Batch& b, const lr_force_arrays& a) -> Outcome {
+        if (const char* why = unknown_in(a.mode, a.frame)) return invalid(why);
+        if (a.stride % sizeof(float) != 0 || misaligned(a.force) || misaligned(a.torque))
+            return invalid("stride or alignment is wrong for floats");
+        if (a.first > b.count() || a.count > b.count() - a.first)
+            return invalid("first + count exceeds the batch's bodies");
+        if (some_missing(a.force) || some_missing(a.torque)) return LR_ERROR_NULL_ARGUMENT;
+        const Arrays force = arrays_of(a.force, a.stride), torque = arrays_of(a.torque, a.stride);
+        if (a.count == 0 || (!force.given() && !torque.given())) return {};
+        const auto push = [&](uint32_t i) {
+            return Push{a.mode, static_cast<size_t>(a.frame), force.value(i), torque.value(i)};
+        };
+        for (uint32_t i = 0; i < a.count; ++i) {
+            const Push p = push(i);
+            if (!finite(p.force.x, p.force.y, p.force.z, p.torque.x, p.torque.y, p.torque.z))
+                return LR_ERROR_NOT_FINITE;
+            if (const char* why = too_large(b, a.first + i, p)) return invalid(why);
+        }
+        if (!accepted(w) || (continuous(a.mode) && !b.reserve_forces())) return LR_ERROR_OUT_OF_MEMORY;
+        // From the first to the last: a body that changes places with one that wakes has been served.
+        for (uint32_t i = 0; i < a.count; ++i) apply(b, a.first + i, push(i));
+        return {};
+    };
+    return change(world, __func__, args(batch, arrays), add);
+}
+
+lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force) {
+    const auto set = [](lr_world&, Batch& b, const lr_batch_force* f) -> Outcome {
+        float values[force_components] = {};
+        if (f) {
+            each_force(*f, [&](const float(&v)[3], size_t at) { std::copy(v, v + 3, values + at); });
+            if (!finite(values)) return LR_ERROR_NOT_FINITE;
+            if (f->reserved != 0) return invalid("reserved is not 0");
+            if (const char* why = wrong_batch_force(values)) return invalid(why);
+        }
+        // Compared as they are kept, without negative zeros.
+        if (!std::equal(values, values + force_components, b.external.batch())) b.wake_all();
+        b.external.set_batch(values);
+        return {};
+    };
+    return change(world, __func__, args(batch, force), set);
+}
+
+lr_status lr_batch_get_force(const lr_world* world, lr_batch batch, lr_batch_force* force) {
+    const auto get = [](const lr_world&, const Batch& b, lr_batch_force& out) {
+        each_force(out, [&](float(&v)[3], size_t at) { std::copy_n(b.external.batch() + at, 3, v); });
+    };
+    return query(world, __func__, args(batch, force), get);
 }
 
 } // extern "C"

@@ -1,12 +1,17 @@
 // A call as it goes into a recording: its arguments before it is carried out, if it is, and what came out after it.
 #pragma once
 
-#include "api/arguments.h"
-#include "record/recorder.h"
+#include "api/check_arguments.h"
+#include "recording/recorder.h"
 
 #include <type_traits>
 
 namespace lr::api {
+
+template <class T>
+concept Handle = requires(T handle) {
+    handle.id;
+};
 
 // What is recorded of a call is said once, by a function that takes a Call. It is gone through up to four times: to see whether anything is
 // named that would have to be read; for large arrays; to write the arguments; for what came out. The caller's memory is read in the middle two
@@ -15,7 +20,8 @@ class Call {
 public:
     enum class Pass { ask, survey, write, output };
 
-    Call(record::Recorder& recorder, record::Op op) : recorder_(&recorder), op_(op) {}
+    Call(recording::Recorder& recorder, const char* function, recording::Kind kind = recording::Kind::call)
+        : recorder_(&recorder), op_(recording::op_of(function)), kind_(kind) {}
 
     // Whether it names anything in the caller's memory.
     template <class Tell> bool names_memory(Tell&& tell) {
@@ -26,7 +32,7 @@ public:
     template <class Tell> bool arguments(Tell&& tell) {
         pass_ = Pass::survey;
         tell(*this);
-        open(starved_ ? record::call_cut : uint16_t{0});
+        open(starved_ ? recording::call_cut : uint16_t{0});
         pass_ = Pass::write;
         if (!starved_) tell(*this);
         close();
@@ -34,7 +40,7 @@ public:
     }
     // It has accepted nothing, and is recorded without arguments.
     void refused() {
-        open(record::call_cut);
+        open(recording::call_cut);
         close();
     }
     bool recorded() const { return recorded_; }
@@ -50,27 +56,20 @@ public:
     }
     // Whether what this points to may be read now. That there is nothing is recorded.
     bool reads(const void* from) {
-        if (!from) value(static_cast<uint32_t>(record::Where::null));
+        if (!from) value(static_cast<uint32_t>(recording::Where::null));
         if (from && pass_ == Pass::ask) names_memory_ = true;
         return from && (pass_ == Pass::survey || pass_ == Pass::write);
-    }
-    // A number or a struct.
-    template <class T> void argument(T v) {
-        if constexpr (std::is_pointer_v<T>)
-            structure(v);
-        else
-            value(v);
     }
     // Bytes that the call reads whole, whatever they say. Null too.
     void array(const void* bytes, uint64_t size) {
         if (!reads(bytes) || pass_ != Pass::write) return;
-        recorder_->value(record::Where::here);
+        recorder_->value(recording::Where::here);
         recorder_->value(size);
         recorder_->put(bytes, size);
     }
     // The same of what may be large, and given again.
     void shared_array(const void* bytes, uint64_t size) {
-        if (size <= record::most_here) return array(bytes, size);
+        if (size <= recording::most_here) return array(bytes, size);
         if (!reads(bytes)) return;
         if (pass_ == Pass::survey) {
             blobs_[blob_count_ % most_blobs] = recorder_->blob(bytes, size);
@@ -79,16 +78,16 @@ public:
         }
         // Of colliders there may be many: those that were not kept are found again.
         const uint64_t hash =
-            blob_count_ <= most_blobs ? blobs_[blobs_written_++] : record::Recorder::blob_hash(bytes, size);
-        recorder_->value(record::Where::blob);
+            blob_count_ <= most_blobs ? blobs_[blobs_written_++] : recording::Recorder::blob_hash(bytes, size);
+        recorder_->value(recording::Where::blob);
         recorder_->value(size);
         recorder_->value(hash);
     }
     // A struct; false where there is none, or it is not read now.
     template <class T> bool structure(const T* given, T& out) {
         if (!reads(given)) return false;
-        read_struct(given, out);
-        value(static_cast<uint32_t>(record::Where::here));
+        copy_struct(given, out);
+        value(static_cast<uint32_t>(recording::Where::here));
         write(out);
         return true;
     }
@@ -100,11 +99,11 @@ public:
     template <class T, class Each> void structures(const T* given, uint32_t count, Each&& each) {
         value(count);
         if (!reads(count != 0 ? given : nullptr)) return;
-        value(static_cast<uint32_t>(record::Where::here));
+        value(static_cast<uint32_t>(recording::Where::here));
         const ArrayOf<T> all(given);
         T one;
         for (uint32_t i = 0; i < count; ++i) {
-            all.read(i, one);
+            all.copy(i, one);
             write(one);
             each(one);
         }
@@ -126,33 +125,37 @@ public:
     template <class T> void output(const T* out, uint32_t count = 1) {
         if (pass_ != Pass::output || !out || count == 0) return;
         if (count == 1) {
-            output_ = static_cast<uint64_t>(*out);
+            if constexpr (Handle<T>)
+                output_ = out->id;
+            else
+                output_ = static_cast<uint64_t>(*out);
             return;
         }
-        record::Hash hash(count);
+        recording::Hash hash(count);
         hash.add(out, sizeof(T) * uint64_t{count});
         output_ = hash.value();
     }
 
 private:
     template <class T> void write(const T& s) {
-        value(record::recorded_bytes<T>);
-        raw(&s, record::recorded_bytes<T>);
+        value(recording::recorded_bytes<T>);
+        raw(&s, recording::recorded_bytes<T>);
     }
     void open(uint16_t flags) {
         recorded_ = true;
-        recorder_->open(record::Kind::call);
-        recorder_->value(static_cast<uint16_t>(op_));
+        recorder_->open(kind_);
+        recorder_->value(op_);
         recorder_->value(flags);
     }
     void close() {
         recorder_->close();
-        recorder_->enter();
+        if (kind_ == recording::Kind::call) recorder_->enter();
     }
 
     static constexpr uint32_t most_blobs = 8;
-    record::Recorder* recorder_;
-    record::Op op_;
+    recording::Recorder* recorder_;
+    recording::Op op_;
+    recording::Kind kind_;
     Pass pass_ = Pass::ask;
     bool names_memory_ = false, recorded_ = false, starved_ = false;
     uint64_t output_ = 0;

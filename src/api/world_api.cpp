@@ -1,160 +1,313 @@
-#include "api/refuse.h"
-#include "world/snapshot.h"
-#include "world/world.h"
+// Worlds: their making, steps, snapshots, recordings and queries.
+#include "api/checked_call.h"
 
-#include <algorithm>
-
+namespace lr::api {
 namespace {
 
-using namespace lr::api;
+static_assert(sizeof(lr_ray_hit) == 56);
+
+// Null when fine, else what is wrong. Of finite numbers only.
+const char* wrong_in(const lr_ray& r) {
+    if (r.flags == 0 || (r.flags & ~(LR_RAY_BODIES | LR_RAY_COLLIDERS)) != 0) return "flags are not bits LR_RAY_*";
+    if (!within(r.origin, most_place)) return "origin is over 1e9 m";
+    double square = 0.0;
+    for (float x : r.direction) square += static_cast<double>(x) * static_cast<double>(x);
+    if (!in_range(square, 0.999e-12, 1.001e12)) return "direction is not 1e-6 to 1e6 long";
+    if (!in_range(r.max_distance, 0.0, most_place)) return "max_distance is not 0 to 1e9 m";
+    return r.reserved != 0 ? "reserved is not 0" : nullptr;
+}
+
+const char* wrong_in(const lr_overlap_desc& d) {
+    if (d.shape != LR_OVERLAP_SPHERE && d.shape != LR_OVERLAP_BOX) return "unknown shape";
+    if (!within(d.position, most_place)) return "position is over 1e9 m";
+    if (!normalisable(d.orientation)) return "orientation cannot be normalised";
+    for (int k = 0; k < (d.shape == LR_OVERLAP_SPHERE ? 1 : 3); ++k)
+        if (!(d.size[k] > 0.0f) || !in_range(d.size[k], 0.0, most_size)) return "size is not above 0 and up to 1e6 m";
+    return d.reserved != 0 ? "reserved is not 0" : nullptr;
+}
 
 bool known_simd(int32_t target) {
     return target >= LR_SIMD_AUTO && target <= LR_SIMD_PLAIN;
 }
 
+// Of finite numbers.
+const char* wrong_in(const lr_world_desc& d) {
+    if (d.worker_count > WorkerPool::max_workers) return "worker_count is over 64";
+    if (!in_range(d.fluid_density, 0.0, 1e6)) return "fluid_density is not 0 to 1e6 kg/m^3";
+    if (!in_range(d.fluid_viscosity, 0.0, 1e3)) return "fluid_viscosity is not 0 to 1e3 m^2/s";
+    if (!known_simd(d.simd_target)) return "unknown simd_target";
+    if (!d.allocator.allocate != !d.allocator.release) return "one function of `allocator` is null, the other is not";
+    if (!d.jobs.enqueue != !d.jobs.finish) return "one function of `jobs` is null, the other is not";
+    if ((d.checks & ~LR_CHECK_THREADS) != 0) return "unknown checks";
+    return d.reserved != 0 ? "reserved is not 0" : wrong_gravity(d.gravity);
+}
+
+// A call that makes again what was there. False when out of memory.
+template <class... A> bool set_up(recording::Recorder& recorder, const char* function, const A&... given) {
+    Call call(recorder, function, recording::Kind::setup);
+    return call.arguments([&](Call& c) { (tell(c, given), ...); });
+}
+
+lr_batch_desc desc_of(const Batch& batch) {
+    const BatchSettings& s = batch.settings();
+    lr_batch_desc d{};
+    d.struct_size = sizeof d;
+    d.asset = &batch.asset();
+    d.capacity = batch.capacity();
+    d.load_model = s.loads == Loads::none       ? LR_LOADS_NONE
+                   : s.loads == Loads::langevin ? LR_LOADS_LANGEVIN
+                                                : LR_LOADS_AERODYNAMIC;
+    d.clock = s.clock == Clock::age ? LR_CLOCK_AGE : LR_CLOCK_SPEED;
+    d.table_end = s.loop ? LR_TABLE_LOOP : LR_TABLE_CLAMP;
+    d.integrator = s.integrator == Integrator::rk4 ? LR_INTEGRATOR_RK4 : LR_INTEGRATOR_SPLITTING;
+    d.damping_gain = static_cast<float>(s.gains.damping);
+    d.noise_gain = static_cast<float>(s.gains.noise);
+    return d;
+}
+
+// Samples of grids, and what hulls, heightfields and meshes are made of: snapshots name them by their hash alone.
+bool set_up_geometry(recording::Recorder& recorder, const lr_world& world) {
+    bool enough = true;
+    world.wind.visit_grids([&](SourceDesc desc, uint64_t hash, const float* samples) {
+        if (recorder.seen(hash)) return;
+        desc.samples = samples;
+        lr_wind_grid_desc grid;
+        desc_of(source_type::wind_grid, desc, &grid);
+        enough = set_up(recorder, "lr_world_add_wind_grid", SourceOf{source_type::wind_grid, &grid}) && enough;
+    });
+    world.colliders.visit_shared([&](uint64_t hash, const lr_collider_desc& desc) {
+        if (recorder.seen(hash)) return;
+        enough = set_up(recorder, "lr_collider_create", Structs{&desc, 1}) && enough;
+        recorder.whole(recording::Kind::geometry, hash);
+    });
+    return enough;
+}
+
+// The present state: batches with their assets, geometry, and all else as a snapshot. LR_OK, or why it cannot be recorded.
+lr_status begin_recording(recording::Recorder& recorder, lr_world& world) {
+    recorder.begin(world);
+    for (uint32_t i = 0; i < world.batch_slots; ++i) {
+        const Batch* const batch = world.batches[i].batch;
+        const lr_batch_desc desc = batch ? desc_of(*batch) : lr_batch_desc{};
+        if (!batch)
+            recorder.whole(recording::Kind::hole);
+        else if (!set_up(recorder, "lr_batch_create", &desc))
+            return LR_ERROR_OUT_OF_MEMORY;
+    }
+    Buffer<unsigned char> snapshot;
+    const uint64_t size = snapshot_size(world);
+    if (!set_up_geometry(recorder, world) || !snapshot.allocate(world.allocator, size)) return LR_ERROR_OUT_OF_MEMORY;
+    const lr_status status = snapshot_save(world, snapshot.data(), size, nullptr);
+    if (status != LR_OK) return status;
+    set_up(recorder, "lr_world_snapshot_restore", Snapshot{snapshot.data(), size});
+    if (world.events.on())
+        set_up(recorder, "lr_world_set_events", static_cast<uint32_t>(world.events.items.size()), world.events.kinds);
+    if (world.wind.callback()) set_up(recorder, "lr_world_set_wind_callback", 1u);
+    if (world.surface.callback()) set_up(recorder, "lr_world_set_water_callback", 1u);
+    recorder.whole(recording::Kind::begun, world.hash());
+    if (recorder.failed()) return LR_ERROR_INVALID_ARGUMENT;
+    recorder.listen(world);
+    return LR_OK;
+}
+
 } // namespace
+
+void end_recording(lr_world& world, const char* why) {
+    world.recorder->end(world);
+    recording::Recorder::destroy(world.recorder);
+    world.recorder = nullptr;
+    if (why) world.log(LR_LOG_WARNING, "lr_world_record_start", why);
+}
+
+} // namespace lr::api
+
+using namespace lr;
+using namespace lr::api;
 
 extern "C" {
 
-lr_status lr_world_desc_init(lr_world_desc* desc, uint32_t struct_size) {
-    const lr_status status = begin_init(desc, struct_size);
-    if (status == LR_OK) desc->gravity[1] = -9.81f;
-    return status;
-}
-
 lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
-    if (!out) return LR_ERROR_NULL_ARGUMENT;
-    *out = nullptr;
-    lr_world_desc d;
-    lr_status status = read_struct(desc, d);
-    if (status != LR_OK) return status;
-    if (!finite(d.gravity) || !std::isfinite(d.fluid_density) || !std::isfinite(d.fluid_viscosity))
-        return LR_ERROR_NOT_FINITE;
-    if (d.worker_count > lr::WorkerPool::max_workers || !in_range(d.fluid_density, 0.0, 1e6) ||
-        !known_simd(d.simd_target) || !in_range(d.fluid_viscosity, 0.0, 1e3) || (d.checks & ~LR_CHECK_THREADS) != 0 ||
-        d.reserved != 0 || !d.allocator.allocate != !d.allocator.release || !d.jobs.enqueue != !d.jobs.finish)
-        return LR_ERROR_INVALID_ARGUMENT;
-    if (lr::wrong_gravity(d.gravity)) return LR_ERROR_INVALID_ARGUMENT;
-    return guarded([&] {
-        *out = lr_world::create(d, status);
+    if (out) *out = nullptr;
+    const auto create = [&]() -> Outcome {
+        lr_world_desc d{};
+        lr_status status = out ? read_struct(desc, d) : LR_ERROR_NULL_ARGUMENT;
+        if (status != LR_OK) return status;
+        if (!finite(d.gravity, d.fluid_density, d.fluid_viscosity)) return LR_ERROR_NOT_FINITE;
+        if (const char* why = wrong_in(d)) return invalid(why);
+        status = guarded([&] {
+            *out = lr_world::create(d, status);
+            return status;
+        });
         return status;
-    });
+    };
+    return told("lr_world_create", create());
 }
 
-lr_status lr_world_info_init(lr_world_info* info, uint32_t struct_size) {
-    return begin_init(info, struct_size);
+void lr_world_destroy(lr_world* world) {
+    if (!world) return;
+    // Kept until the end: whoever calls from another thread, or from the allocator, is told.
+    if (world->call_guard.checked() && enter(*world, "lr_world_destroy") != LR_OK) return;
+    if (world->recorder) end_recording(*world, nullptr);
+    lr_world::destroy(world);
 }
 
-lr_status lr_inner_world_get_info(const lr_world* world, lr_world_info* info) {
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    const lr_status status = check_size(info);
-    if (status != LR_OK) return status;
-    lr_world_info out{};
-    out.simd_target = world->target->simd;
-    out.worker_count = world->crew.helpers();
-    for (uint32_t i = 0; i < world->batch_slots; ++i) {
-        if (!world->batches[i].batch) continue;
-        ++out.batch_count;
-        out.body_count += world->batches[i].batch->count();
-        out.awake_count += world->batches[i].batch->awake();
-    }
-    out.substep_count = world->substep_count;
-    out.time = world->time;
-    out.memory_bytes = world->allocator.bytes();
-    out.collider_count = world->colliders.count();
-    write_struct(out, info);
-    return LR_OK;
+lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
+    const auto get = [](const lr_world& w, lr_world_info& out) {
+        out.simd_target = w.target->simd;
+        out.worker_count = w.step_workers.helpers();
+        w.each_batch([&out](const Batch& batch, uint32_t) {
+            ++out.batch_count;
+            out.body_count += batch.count();
+            out.awake_count += batch.awake();
+        });
+        out.substep_count = w.substep_count;
+        out.time = w.time;
+        out.memory_bytes = w.allocator.bytes();
+        out.collider_count = w.colliders.count();
+        out.budget = w.pacing.record().budget;
+        std::copy(w.gravity, w.gravity + 3, out.gravity);
+    };
+    return query(world, __func__, args(info), get);
 }
 
-lr_status lr_inner_world_set_gravity(lr_world* world, const float* gravity) {
-    if (!world || !gravity) return LR_ERROR_NULL_ARGUMENT;
-    float to[3];
-    std::copy(gravity, gravity + 3, to);
-    if (!finite(to)) return refuse(world, "lr_world_set_gravity", LR_ERROR_NOT_FINITE);
-    if (const char* why = lr::wrong_gravity(to))
-        return refuse(world, "lr_world_set_gravity", LR_ERROR_INVALID_ARGUMENT, why);
-    world->set_gravity(to);
-    return LR_OK;
+lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
+    const auto set = [](lr_world& w, Triple to) -> Outcome {
+        if (const char* why = wrong_gravity(to)) return invalid(why);
+        w.set_gravity(to);
+        return {};
+    };
+    return change(world, __func__, args(gravity), set);
 }
 
-lr_status lr_inner_world_set_simd_target(lr_world* world, int32_t target) {
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    if (!known_simd(target)) return refuse(world, "lr_world_set_simd_target", LR_ERROR_INVALID_ARGUMENT);
-    const lr::KernelTarget* const found = lr::find_target(target);
-    if (!found) return refuse(world, "lr_world_set_simd_target", LR_ERROR_UNSUPPORTED);
-    world->target = found;
-    world->contact = &lr::contact_target(found->simd);
-    return LR_OK;
+lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
+    const auto set = [](lr_world& w, int32_t to) -> Outcome {
+        if (!known_simd(to)) return invalid("unknown target");
+        const KernelTarget* const found = find_target(to);
+        if (!found) return LR_ERROR_UNSUPPORTED;
+        w.target = found;
+        return {};
+    };
+    return change(world, __func__, args(target), set);
 }
 
-lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size) {
-    const lr_status status = begin_init(desc, struct_size);
-    if (status == LR_OK) desc->kind = LR_WIND_UNIFORM;
-    return status;
+lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
+    const FloatMode mode; // keeps the caller's, which is put back while its job system runs
+    const auto step = [&mode](lr_world& w, float t, uint32_t n) -> Outcome {
+        if (!std::isfinite(t)) return LR_ERROR_TIMESTEP_NOT_FINITE;
+        if (t == 0.0f) return LR_ERROR_TIMESTEP_ZERO;
+        if (t < 0.0f) return LR_ERROR_TIMESTEP_NEGATIVE;
+        if (n == 0 || n > LR_MAX_SUBSTEPS) return LR_ERROR_SUBSTEPS;
+        if (static_cast<double>(t) / n > static_cast<double>(LR_MAX_SUBSTEP)) return LR_ERROR_TIMESTEP_TOO_LARGE;
+        if (w.step(t, n, mode)) return {};
+        return {LR_ERROR_OUT_OF_MEMORY, "out of memory: the step was taken, but bodies may pass through each other"};
+    };
+    return change(world, __func__, args(dt, substeps), step);
 }
 
-lr_status lr_inner_world_set_wind(lr_world* world, const lr_wind_desc* desc) {
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    float wind[3] = {0.0f, 0.0f, 0.0f};
-    if (desc) {
-        lr_wind_desc d;
-        const lr_status status = read_struct(desc, d);
-        if (status != LR_OK) return refuse(world, "lr_world_set_wind", status);
-        if (!finite(d.velocity)) return refuse(world, "lr_world_set_wind", LR_ERROR_NOT_FINITE);
-        if ((d.kind != LR_WIND_NONE && d.kind != LR_WIND_UNIFORM) || d.reserved != 0)
-            return refuse(world, "lr_world_set_wind", LR_ERROR_INVALID_ARGUMENT, "unknown kind of wind");
-        if (const char* why = lr::wrong_wind(d.velocity))
-            return refuse(world, "lr_world_set_wind", LR_ERROR_INVALID_ARGUMENT, why);
-        if (d.kind == LR_WIND_UNIFORM) std::copy(d.velocity, d.velocity + 3, wind);
-    }
-    std::copy(wind, wind + 3, world->wind.uniform.wind);
-    return LR_OK;
+lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps) {
+    const auto set = [](lr_world& w, uint64_t most) -> Outcome {
+        if (most > StepScheduler::largest_budget) return invalid("body_substeps is over 2^48");
+        w.pacing.set_budget(most);
+        return {};
+    };
+    return change(world, __func__, args(body_substeps), set);
 }
 
-lr_status lr_inner_world_step(lr_world* world, float dt, uint32_t substeps) {
-    const lr::FloatMode mode;
-    if (!world) return LR_ERROR_NULL_ARGUMENT;
-    lr_status status = LR_OK;
-    if (!std::isfinite(dt))
-        status = LR_ERROR_TIMESTEP_NOT_FINITE;
-    else if (dt == 0.0f)
-        status = LR_ERROR_TIMESTEP_ZERO;
-    else if (dt < 0.0f)
-        status = LR_ERROR_TIMESTEP_NEGATIVE;
-    else if (substeps == 0 || substeps > LR_MAX_SUBSTEPS)
-        status = LR_ERROR_SUBSTEPS;
-    else if (static_cast<double>(dt) / substeps > static_cast<double>(LR_MAX_SUBSTEP))
-        status = LR_ERROR_TIMESTEP_TOO_LARGE;
-    if (status != LR_OK) return refuse(world, "lr_world_step", status);
-    if (world->step(dt, substeps, mode)) return LR_OK;
-    return refuse(world, "lr_world_step", LR_ERROR_OUT_OF_MEMORY,
-                  "out of memory: the step was taken, and bodies went through each other in it");
+lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report) {
+    const auto get = [](const lr_world& w, lr_step_report& out) { out = w.pacing.report(); };
+    return query(world, __func__, args(report), get);
 }
 
-lr_status lr_inner_world_hash(const lr_world* world, uint64_t* out) {
-    if (!world || !out) return LR_ERROR_NULL_ARGUMENT;
-    *out = world->hash();
-    return LR_OK;
+lr_status lr_world_get_timings(const lr_world* world, lr_timings* timings) {
+    const auto get = [](const lr_world& w, lr_timings& out) { out = w.timings; };
+    return query(world, __func__, args(timings), get);
 }
 
-uint64_t lr_inner_world_snapshot_size(const lr_world* world) {
-    return world ? lr::snapshot_size(*world) : 0;
+lr_status lr_world_hash(const lr_world* world, uint64_t* out) {
+    const auto get = [](const lr_world& w, uint64_t& hash) { hash = w.hash(); };
+    return query(world, __func__, args(Required(out)), get);
 }
 
-lr_status lr_inner_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written) {
+uint64_t lr_world_snapshot_size(const lr_world* world) {
+    uint64_t size = 0;
+    const auto get = [](const lr_world& w, uint64_t& out) { out = snapshot_size(w); };
+    query(world, __func__, args(Required(&size)), get);
+    return size;
+}
+
+lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written) {
     if (written) *written = 0;
-    if (!world || !memory) return LR_ERROR_NULL_ARGUMENT;
-    const lr_status status = lr::snapshot_save(*world, memory, size, written);
-    return status == LR_OK ? status : refuse(world, "lr_world_snapshot_save", status);
+    const auto save = [&](const lr_world& w) -> Outcome {
+        return memory ? snapshot_save(w, memory, size, written) : LR_ERROR_NULL_ARGUMENT;
+    };
+    return query(world, __func__, args(), save);
 }
 
-lr_status lr_inner_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
-    const lr::FloatMode mode; // boxes of bodies at rest and constants of loads are made anew
-    if (!world || !memory) return LR_ERROR_NULL_ARGUMENT;
-    lr_status status = LR_ERROR_SNAPSHOT_FORMAT;
-    if (lr::snapshot_is_whole(memory, size))
-        status = accepted(world) ? lr::snapshot_restore(*world, memory) : LR_ERROR_OUT_OF_MEMORY;
-    return status == LR_OK ? status : refuse(world, "lr_world_snapshot_restore", status);
+lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
+    const auto restore = [](lr_world& w, Snapshot from) -> Outcome {
+        if (!from.memory) return LR_ERROR_NULL_ARGUMENT;
+        if (!snapshot_is_whole(from.memory, from.size)) return LR_ERROR_SNAPSHOT_FORMAT;
+        return accepted(w) ? snapshot_restore(w, from.memory) : LR_ERROR_OUT_OF_MEMORY;
+    };
+    return change(world, __func__, args(Snapshot{memory, size}), restore);
+}
+
+lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc) {
+    const auto start = [world](const lr_world&, const lr_recording_desc& d) -> Outcome {
+        if (!d.write) return {LR_ERROR_NULL_ARGUMENT, "desc->write is null"};
+        if ((d.flags & ~LR_RECORD_CALLBACKS) != 0 || d.reserved != 0)
+            return invalid("unknown flags, or reserved is not 0");
+        if (world->recorder) return invalid("the world is already being recorded");
+        recording::Recorder* const recorder = recording::Recorder::create(world->allocator, d);
+        if (!recorder) return LR_ERROR_OUT_OF_MEMORY;
+        const lr_status status = guarded([&] { return begin_recording(*recorder, *world); });
+        if (status == LR_OK) {
+            world->recorder = recorder;
+            return {};
+        }
+        recording::Recorder::destroy(recorder);
+        return {status, status == LR_ERROR_INVALID_ARGUMENT ? "`write` has refused" : nullptr};
+    };
+    return query(world, __func__, args(desc), start);
+}
+
+lr_status lr_world_record_stop(lr_world* world) {
+    const auto stop = [world](const lr_world&) -> Outcome {
+        if (!world->recorder) return invalid("the world is not being recorded");
+        end_recording(*world, nullptr);
+        return {};
+    };
+    return query(world, __func__, args(), stop);
+}
+
+lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits) {
+    const auto cast = [](const lr_world& w, const Structs<lr_ray>& all, lr_ray_hit* out) -> Outcome {
+        if (all.count != 0 && !out) return LR_ERROR_NULL_ARGUMENT;
+        const Outcome outcome = all.check([&](const lr_ray& r) -> Outcome {
+            if (!finite(r.origin, r.direction, r.max_distance)) return LR_ERROR_NOT_FINITE;
+            if (const char* why = wrong_in(r)) return invalid(why);
+            return r.batch.id != 0 && !w.find(r.batch) ? LR_ERROR_STALE_BATCH : LR_OK;
+        });
+        if (outcome.refused()) return outcome;
+        all.visit([&](const lr_ray& r) { *out++ = cast_ray(w, r, r.batch.id != 0 ? w.find(r.batch) : nullptr); });
+        return {};
+    };
+    return query(world, __func__, args(Structs{rays, count}, hits), cast);
+}
+
+lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity,
+                           uint32_t* count) {
+    if (count) *count = 0;
+    const auto find = [&](const lr_world& w, uint32_t& found, const lr_overlap_desc& d) -> Outcome {
+        if (!bodies && capacity != 0) return LR_ERROR_NULL_ARGUMENT;
+        if (!finite(d.position, d.orientation, d.size)) return LR_ERROR_NOT_FINITE;
+        if (const char* why = wrong_in(d)) return invalid(why);
+        const Batch* const only = d.batch.id != 0 ? w.find(d.batch) : nullptr;
+        if (d.batch.id != 0 && !only) return LR_ERROR_STALE_BATCH;
+        found = find_overlaps(w, d, only, bodies, capacity);
+        return found <= capacity ? LR_OK : LR_ERROR_BUFFER_TOO_SMALL;
+    };
+    return query(world, __func__, args(Required(count), desc), find);
 }
 
 } // extern "C"

@@ -1,8 +1,7 @@
 #include "asset/asset.h"
 
-#include "format/asset_file.h"
-#include "format/coupling.h"
-#include "format/matrix6.h"
+#include "asset/asset_file.h"
+#include "base/matrix6.h"
 
 namespace {
 
@@ -16,10 +15,8 @@ lr::AssetData&& settled(lr::AssetData&& d) {
     for (size_t i = 0; i < 6; ++i) nearly[i * 7] += 1e-12; // rounding
     if (lr::is_positive_definite(nearly, 0.0)) return std::move(d);
     lr::make_semi_definite(scaled);
-    for (size_t i = 0; i < 6; ++i)
-        for (size_t j = 0; j < 6; ++j)
-            d.added_mass[i * 6 + j] =
-                scaled[i * 6 + j] * (unit * (i < 3 ? 1.0 : d.length_d) * (j < 3 ? 1.0 : d.length_d));
+    lr::scale_to_unit(scaled, 1.0 / unit, 1.0 / d.length_d); // and back
+    d.added_mass = scaled;
     return std::move(d);
 }
 
@@ -27,7 +24,8 @@ lr::AssetData&& settled(lr::AssetData&& d) {
 
 lr_asset::lr_asset(lr::AssetData&& from, uint32_t version, const std::array<double, 3>& size)
     : data(settled(std::move(from))), content_hash(lr::content_hash(data)), diagonal(lr::is_diagonal(data)),
-      format_version(version), extents(size) {}
+      format_version(version), extents(size), shape(lr::make_body_shape(data, extents)),
+      meeting(lr::make_pair_hull(shape)) {}
 
 namespace lr {
 

@@ -1,5 +1,7 @@
 #include "baker/bake.h"
 
+#include "asset/asset_file.h"
+#include "asset/closed_forms/ellipsoid_asset.h"
 #include "baker/added_mass/added_mass.h"
 #include "baker/aerodynamics/mesh_geometry.h"
 #include "baker/aerodynamics/principal_axes.h"
@@ -9,12 +11,9 @@
 #include "baker/mesh/ellipsoid_mesh.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh_check.h"
-#include "baker/text.h"
+#include "baker/printable_text.h"
 #include "baker/turbulence/stream_body.h"
 #include "baker/turbulence/turbulence.h"
-#include "format/asset_file.h"
-#include "shape/body_scales.h"
-#include "shape/ellipsoid.h"
 
 #include <Eigen/Geometry>
 

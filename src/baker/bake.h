@@ -1,10 +1,10 @@
 // The whole bake: from a mesh file or three semi-axes to an asset.
 #pragma once
 
+#include "asset/asset_data.h"
+#include "asset/input_faults.h"
 #include "baker/card/card.h"
 #include "baker/mesh/mesh.h"
-#include "format/asset_data.h"
-#include "format/fault.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "baker/bake_input.h"
 
-#include "baker/text.h"
+#include "baker/printable_text.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,10 +1,11 @@
 // The public C++ API: translates, and lets no exception out.
 #include "langevin_rigid_baker.hpp"
 
+#include "asset/asset_file.h"
+#include "baker/asset_report.h"
 #include "baker/bake.h"
-#include "baker/phases.h"
-#include "baker/report.h"
-#include "format/asset_file.h"
+#include "baker/bake_progress.h"
+#include "baker/fault_text.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,7 +2,7 @@
 // What is wrong with files, in words: the same on every system.
 #pragma once
 
-#include "format/fault.h"
+#include "asset/input_faults.h"
 
 #include <cerrno>
 #include <string>

@@ -1,7 +1,7 @@
 #include "baker/file_io.h"
 
 #include "baker/file_faults.h"
-#include "baker/signals_held.h"
+#include "baker/hold_signals.h"
 
 #include <dirent.h>
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 // Whole files in and out. What is written appears complete under its name or not at all.
 #pragma once
 
-#include "format/fault.h"
+#include "asset/input_faults.h"
 
 #include <cstddef>
 #include <cstdint>

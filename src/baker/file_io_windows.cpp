@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "baker/file_faults.h"
 #include "baker/file_io.h"
-#include "baker/signals_held.h"
+#include "baker/hold_signals.h"
 #include "baker/windows_text.h"
 
 #include <algorithm>

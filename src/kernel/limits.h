@@ -2,13 +2,15 @@
 // is kept below them: a world's own snapshot is always taken back.
 #pragma once
 
-#include "kernel/constants.h"
-#include "kernel/faults.h"
+#include "kernel/body_constants.h"
+#include "kernel/divergence.h"
+#include "langevin_rigid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
 
 namespace lr {
 
@@ -32,6 +34,33 @@ template <class T> bool in_range(T value, double low, double high) {
 }
 template <class T, size_t N> bool within(const T (&values)[N], double most) {
     return std::all_of(std::begin(values), std::end(values), [&](T v) { return in_range(v, -most, most); });
+}
+// Of numbers and of arrays of them.
+template <class... T> bool finite(const T&... values) {
+    const auto one = [](const auto& value) {
+        if constexpr (std::is_array_v<std::remove_cvref_t<decltype(value)>>)
+            return std::all_of(std::begin(value), std::end(value), [](auto v) { return std::isfinite(v); });
+        else
+            return std::isfinite(value);
+    };
+    return (one(values) && ...);
+}
+// Of a quaternion or direction: whether it is long enough to be made a unit one.
+template <size_t N> bool normalisable(const float (&v)[N]) {
+    double square = 0.0;
+    for (float x : v) square += static_cast<double>(x) * static_cast<double>(x);
+    return in_range(square, 1e-12, 1e12);
+}
+
+// Whether something given can be used. A refusal says why, unless its status says it all.
+struct Outcome {
+    Outcome(lr_status s = LR_OK, const char* w = nullptr) : status(s), why(w) {}
+    bool refused() const { return status != LR_OK; }
+    lr_status status;
+    const char* why;
+};
+inline Outcome invalid(const char* why) { // null: nothing is
+    return {why ? LR_ERROR_INVALID_ARGUMENT : LR_OK, why};
 }
 
 // Null when fine, else what is wrong.

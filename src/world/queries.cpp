@@ -1,9 +1,9 @@
-#include "world/queries.h"
-
-#include "contact/distance.h"
-#include "contact/pose_rows.h"
-#include "contact/ray.h"
+// Ray casts and overlap tests.
 #include "world/world.h"
+
+#include "base/pose.h"
+#include "collision/convex_separation.h"
+#include "collision/ray_cast.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +15,18 @@ namespace {
 constexpr uint32_t nothing = UINT32_MAX;
 
 constexpr uint32_t filter_block = 256;
-// Of the distance: more than what single precision takes from it here.
+// Share of the distance: more than the rounding of single precision here.
 constexpr float rounding = 2e-6f;
 
-// Bodies whose spheres a ray may meet, or one without length, a sphere.
+// Filters bodies by their spheres, along a ray or, without length, a sphere.
 struct RayFilter {
     Vector origin, direction; // m; unit
     float radius, reach;      // m, of the ray; of a body of scale 1
     float most;               // m, along the ray
 };
 
-// Of bodies [begin, end), filter_block at most: a loop over arrays that compilers make vectors of. It lets pass some that are not met,
-// never the other way round. Returns whether any is marked.
+// For bodies [begin, end), at most filter_block: a loop over arrays that compilers vectorise. It may pass bodies that are not hit, but
+// never drops one that is. Returns whether any is marked.
 bool filter_bodies(const RayFilter& f, const BatchArrays& arrays, uint32_t begin, uint32_t end,
                    uint32_t (&marks)[filter_block]) {
     const float *const x = arrays.field[field_x] + begin, *const y = arrays.field[field_y] + begin,
@@ -49,7 +49,7 @@ bool filter_bodies(const RayFilter& f, const BatchArrays& arrays, uint32_t begin
     return any != 0;
 }
 
-// Calls fn(index) for bodies of the batch that pass the filter, which fn may narrow.
+// Calls fn(index) for bodies of the batch that pass the filter; fn may narrow the filter.
 template <class Function> void for_passing(const Batch& batch, const RayFilter& filter, Function&& fn) {
     uint32_t marks[filter_block];
     for (uint32_t at = 0; at < batch.count(); at += filter_block) {
@@ -69,18 +69,18 @@ struct FirstHit {
 
 void cast_at_bodies(const Batch& batch, const Ray& ray, double most, FirstHit& nearest) {
     // A little more, for rounding.
-    RayFilter filter{to_float(ray.origin), to_float(ray.direction), 0.0f, 1.001f * batch.shape.reach, 0.0f};
+    RayFilter filter{to_float(ray.origin), to_float(ray.direction), 0.0f, 1.001f * batch.asset().shape.reach, 0.0f};
     const auto shorten = [&] { filter.most = 1.000001f * static_cast<float>(std::min(most, nearest.hit.distance)); };
     shorten();
     for_passing(batch, filter, [&](uint32_t i) {
         RayHit hit{};
         const float scale = batch.arrays().field[field_scale][i];
-        if (!ray_meets_body(batch.shape, scale, pose_of(batch.arrays(), i), ray, std::min(most, nearest.hit.distance),
-                            hit))
+        if (!ray_meets_body(batch.asset().shape, scale, pose_of(batch.arrays(), i), ray,
+                            std::min(most, nearest.hit.distance), hit))
             return;
         const bool alike = hit.distance == nearest.hit.distance;
         if (hit.distance > nearest.hit.distance || (alike && nearest.batch != &batch)) return;
-        if (alike && batch.arrays().key[i] >= batch.arrays().key[nearest.body]) return;
+        if (alike && batch.arrays().noise_seed[i] >= batch.arrays().noise_seed[nearest.body]) return;
         nearest.batch = &batch;
         nearest.body = i;
         nearest.hit = hit;
@@ -99,7 +99,7 @@ void cast_at_colliders(const Colliders& colliders, uint32_t layers, const Ray& r
             continue;
         nearest.body = nothing;
         nearest.collider = slot;
-        nearest.hit = {hit.distance, turned(c.begin.rotation, hit.normal)};
+        nearest.hit = {hit.distance, rotate(to_double(c.begin.rotation), hit.normal)};
     }
 }
 
@@ -107,12 +107,7 @@ void cast_at_colliders(const Colliders& colliders, uint32_t layers, const Ray& r
 class OverlapTest {
 public:
     explicit OverlapTest(const lr_overlap_desc& desc) {
-        double q[4], n = 0.0;
-        for (const float e : desc.orientation) n += wide(e) * wide(e);
-        for (size_t k = 0; k < 4; ++k) q[k] = wide(desc.orientation[k]) / std::sqrt(n);
-        frame_ = {
-            {desc.position[0], desc.position[1], desc.position[2]},
-            {static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2]), static_cast<float>(q[3])}};
+        frame_ = {vector_of(desc.position), unit_of(to_double(rotation_of(desc.orientation)))};
         const bool sphere = desc.shape == LR_OVERLAP_SPHERE;
         geometry_.kind = sphere ? ColliderKind::sphere : ColliderKind::box;
         std::copy(desc.size, desc.size + 3, geometry_.size);
@@ -121,16 +116,16 @@ public:
     }
     // A ray without length, as thick as the sphere around it.
     RayFilter filter(const Batch& batch) const {
-        return {frame_.position, {1.0f, 0.0f, 0.0f}, reach_, 1.001f * batch.shape.reach, 0.0f};
+        return {frame_.position, {1.0f, 0.0f, 0.0f}, reach_, 1.001f * batch.asset().shape.reach, 0.0f};
     }
     bool holds(const Batch& batch, uint32_t i) const {
         const float scale = batch.arrays().field[field_scale][i];
         const Pose at = relative(frame_, pose_of(batch.arrays(), i));
-        // Most of what is in a large box has its middle there, and most of what is not is far.
-        const Vector middle = at.position + rotate(at.rotation, scale * batch.shape.center);
+        // Most bodies in a large box have their middle in it, and most others are far.
+        const Vector middle = at.position + rotate(at.rotation, scale * batch.asset().shape.center);
         if (depth(middle) <= 0.0) return true;
-        if (depth(at.position) > 1.001 * wide(scale * batch.shape.reach)) return false;
-        const PlacedBody body(batch.shape, scale, at);
+        if (depth(at.position) > 1.001 * wide(scale * batch.asset().shape.reach)) return false;
+        const PlacedBody body(batch.asset().shape, scale, at);
         const PlacedCollider collider(geometry_, at.position);
         const double sum = wide(body.radius) + collider.radius;
         const Nearest nearest = nearest_points(body, collider, sum);
@@ -138,7 +133,7 @@ public:
     }
 
 private:
-    // m: how far a point is outside, or not over 0.
+    // m: how far a point is outside; 0 or less inside.
     double depth(Vector p) const {
         if (geometry_.kind == ColliderKind::sphere) return length(to_double(p)) - wide(geometry_.size[0]);
         const auto beyond = [](float v, float half) { return std::max(wide(std::abs(v)) - wide(half), 0.0); };
@@ -158,17 +153,18 @@ lr_ray_hit cast_ray(const lr_world& world, const lr_ray& given, const Batch* onl
     const Ray ray{to_double(vector_of(given.origin)), 1.0 / length(direction) * direction};
     const double most = wide(given.max_distance);
     FirstHit nearest;
-    for (uint32_t b = 0; b < world.batch_slots && (given.flags & LR_RAY_BODIES) != 0; ++b) {
-        const Batch* const batch = world.batches[b].batch;
-        if (batch && (!only || batch == only)) cast_at_bodies(*batch, ray, most, nearest);
-    }
+    world.each_batch([&](const Batch& batch, uint32_t) {
+        if ((given.flags & LR_RAY_BODIES) != 0 && (!only || &batch == only)) cast_at_bodies(batch, ray, most, nearest);
+    });
     if (given.flags & LR_RAY_COLLIDERS) cast_at_colliders(world.colliders, given.collider_layers, ray, most, nearest);
     lr_ray_hit out{};
     if (nearest.body == nothing && nearest.collider == nothing) return out;
-    if (nearest.body != nothing)
+    if (nearest.body != nothing) {
         out.body = nearest.batch->ids()[nearest.body];
-    else
+        out.user = nearest.batch->users()[nearest.body];
+    } else {
         out.collider = world.colliders.id(nearest.collider);
+    }
     out.distance = static_cast<float>(nearest.hit.distance);
     put(to_float(ray.origin + nearest.hit.distance * ray.direction), out.position);
     put(to_float(1.0 / length(nearest.hit.normal) * nearest.hit.normal), out.normal);
@@ -179,24 +175,24 @@ uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const
                        uint32_t capacity) {
     const OverlapTest test(desc);
     uint32_t count = 0;
-    for (uint32_t b = 0; b < world.batch_slots; ++b) {
-        const Batch* const batch = world.batches[b].batch;
-        if (!batch || (only && batch != only)) continue;
+    world.each_batch([&](const Batch& batch, uint32_t) {
+        if (only && &batch != only) return;
         const uint32_t first = count;
-        for_passing(*batch, test.filter(*batch), [&](uint32_t i) {
-            if (!test.holds(*batch, i)) return;
-            if (count < capacity) bodies[count] = batch->ids()[i];
+        for_passing(batch, test.filter(batch), [&](uint32_t i) {
+            if (!test.holds(batch, i)) return;
+            if (count < capacity) bodies[count] = batch.ids()[i];
             ++count;
         });
-        if (count > capacity || count == first) continue;
+        if (count > capacity) return;
         std::sort(bodies + first, bodies + count, [&](lr_body a, lr_body c) {
             uint32_t at[2] = {0, 0};
-            batch->find(a, at[0]);
-            batch->find(c, at[1]);
-            const uint32_t* const key = batch->arrays().key;
-            return key[at[0]] != key[at[1]] ? key[at[0]] < key[at[1]] : unpack(a).slot < unpack(c).slot;
+            batch.find(a, at[0]);
+            batch.find(c, at[1]);
+            const uint32_t* const noise_seed = batch.arrays().noise_seed;
+            return noise_seed[at[0]] != noise_seed[at[1]] ? noise_seed[at[0]] < noise_seed[at[1]]
+                                                          : unpack(a).slot < unpack(c).slot;
         });
-    }
+    });
     return count;
 }
 

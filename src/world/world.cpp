@@ -1,100 +1,108 @@
 #include "world/world.h"
 
-#include "field/field_step.h"
-#include "world/crowd_step.h"
-#include "world/lifecycle.h"
-#include "world/lift_off.h"
-#include "world/mix.h"
-#include "world/wake_ahead.h"
+#include "base/counter_random.h"
+#include "base/last_error.h"
+#include "world/batch/lifecycle.h"
+#include "world/sleep/wake.h"
+#include "world/snapshot/snapshot_bytes.h"
+#include "world/step/step_in_wind.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
-#include <new>
 
-using lr::Batch;
+namespace lr {
+
+lr_status enter(const lr_world& world, const char* function) {
+    const lr_status status = world.call_guard.enter(function);
+    if (status == LR_OK || !world.call_guard.begin_telling()) return status;
+    const char* const other = world.call_guard.function();
+    char why[192];
+    std::snprintf(why, sizeof why,
+                  status == LR_ERROR_REENTRANT
+                      ? "called from a callback of %s, which is still inside the same world"
+                      : "called while %s is inside the same world, on another thread or in one of its callbacks",
+                  other ? other : "another function");
+    world.log(LR_LOG_ERROR, function, why);
+    world.call_guard.end_telling();
+    return status;
+}
+
+} // namespace lr
+
+using namespace lr;
 
 namespace {
 
-// Those that go through the same times as the first, before the others. Returns where they end.
-lr::StepItem* same_time(lr::StepItem* begin, lr::StepItem* end) {
-    if (begin == end) return end;
-    const lr::Pace& first = begin->batch->pace;
-    return std::partition(begin, end, [&](const lr::StepItem& item) { return item.batch->pace.at_same_time(first); });
+// Calls run(items, count) for each set of items on the same time grid.
+template <class Run> void by_time(StepItem* some, uint32_t count, const Run& run) {
+    for (StepItem* const end = some + count; some != end;) {
+        const BatchClock& first = some->batch->pace;
+        StepItem* const to =
+            std::partition(some, end, [&](const StepItem& item) { return item.batch->pace.at_same_time(first); });
+        run(some, static_cast<uint32_t>(to - some));
+        some = to;
+    }
 }
 
 } // namespace
 
 lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
-    const lr::KernelTarget* const target = lr::find_target(desc.simd_target);
-    if (!target) {
-        status = LR_ERROR_UNSUPPORTED;
-        return nullptr;
-    }
-    lr::Allocator allocator(desc.allocator);
-    void* const memory = allocator.allocate(sizeof(lr_world));
-    if (!memory) {
-        status = LR_ERROR_OUT_OF_MEMORY;
-        return nullptr;
-    }
-    lr_world* const world = new (memory) lr_world(allocator);
+    const KernelTarget* const target = find_target(desc.simd_target);
+    Allocator allocator(desc.allocator);
+    lr_world* const world = target ? allocator.make<lr_world>(allocator) : nullptr;
+    status = target ? LR_ERROR_OUT_OF_MEMORY : LR_ERROR_UNSUPPORTED;
+    if (!world) return nullptr;
     world->target = target;
-    world->contact = &lr::contact_target(target->simd);
     // Four lanes take two thirds of the time of the 16 or 32 that AVX2 and AVX-512 take together.
     if (desc.simd_target == LR_SIMD_AUTO && (target->simd == LR_SIMD_AVX512 || target->simd == LR_SIMD_AVX2))
-        world->narrow = lr::find_target(LR_SIMD_SSE4);
+        world->narrow = find_target(LR_SIMD_SSE4);
     world->seed = desc.seed;
     std::copy(desc.gravity, desc.gravity + 3, world->gravity);
     world->fluid_density = desc.fluid_density;
     world->fluid_viscosity = desc.fluid_viscosity;
     world->log_callback = desc.log;
     world->log_user = desc.log_user;
-    world->use.check(desc.checks);
+    world->call_guard.check(desc.checks);
     uint32_t workers = desc.worker_count;
     if (desc.jobs.enqueue && workers == 0) {
-        workers = lr::Crew::usual_helpers();
+        workers = StepWorkers::usual_helpers();
         world->log(LR_LOG_WARNING, "lr_world_create",
-                   "jobs without a worker_count, and how many threads they have is not known: one less than this "
-                   "machine's is taken");
+                   "worker_count is 0: assuming one thread less than this machine has for the job system");
     }
-    if (!world->crew.start(workers, desc.jobs)) {
-        status = LR_ERROR_THREADS;
-        destroy(world);
-        return nullptr;
-    }
-    status = LR_OK;
-    return world;
+    status = world->step_workers.start(workers, desc.jobs) ? LR_OK : LR_ERROR_THREADS;
+    if (status == LR_OK) return world;
+    destroy(world);
+    return nullptr;
 }
 
 void lr_world::destroy(lr_world* world) {
-    if (!world) return;
-    lr::Allocator allocator = world->allocator;
-    world->~lr_world();
-    allocator.release(world, sizeof(lr_world));
+    Allocator allocator = world->allocator; // must outlive the world
+    allocator.end(world);
 }
 
 lr_world::~lr_world() {
-    crew.stop();
-    for (uint32_t i = 0; i < batch_slots; ++i) Batch::destroy(batches[i].batch);
+    step_workers.stop();
+    each_batch([](Batch& batch, uint32_t) { Batch::destroy(&batch); });
 }
 
 Batch* lr_world::find(lr_batch batch) const {
-    const lr::BatchHandle h = lr::unpack_batch(batch);
+    const BatchHandle h = unpack(batch);
     if (h.index >= batch_slots || batches[h.index].generation != h.generation) return nullptr;
     return batches[h.index].batch;
 }
 
 Batch* lr_world::find(lr_body body, uint32_t& index) const {
-    const lr::BodyHandle h = lr::unpack(body);
+    const BodyHandle h = unpack(body);
     if (h.batch >= batch_slots) return nullptr;
     Batch* const batch = batches[h.batch].batch;
     return batch && batch->find(body, index) ? batch : nullptr;
 }
 
 bool lr_world::grow_batches() {
-    lr::Buffer<BatchSlot> larger;
-    lr::Buffer<lr::StepItem> more_items;
+    Buffer<BatchSlot> larger;
+    Buffer<StepItem> more_items;
     const size_t size = std::max<size_t>(8, 2 * batches.size());
     if (!larger.allocate(allocator, size) || !more_items.allocate(allocator, size) || !pacing.reserve(allocator, size))
         return false;
@@ -104,32 +112,28 @@ bool lr_world::grow_batches() {
     return true;
 }
 
-lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const lr::BatchSettings& settings,
+lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
                                  lr_batch& out) {
     uint32_t at = 0;
     while (at < batch_slots && batches[at].batch) ++at;
-    if (at == lr::max_batches) return LR_ERROR_CAPACITY;
+    if (at == max_batches) return LR_ERROR_CAPACITY;
     if (at == batches.size() && !grow_batches()) return LR_ERROR_OUT_OF_MEMORY;
     BatchSlot slot = at < batch_slots ? batches[at] : BatchSlot{nullptr, 1, 1};
     lr_status status = LR_OK;
     slot.batch = Batch::create(allocator, asset, capacity, settings, at, slot.body_generation, status);
     if (!slot.batch) return status;
-    if (colliders.any() && !slot.batch->reserve_contact()) {
-        Batch::destroy(slot.batch);
-        return LR_ERROR_OUT_OF_MEMORY;
-    }
-    if (contact_events.on() && !slot.batch->reserve_events()) {
+    if ((colliders.any() && !slot.batch->reserve_contact()) || (events.on() && !slot.batch->reserve_events())) {
         Batch::destroy(slot.batch);
         return LR_ERROR_OUT_OF_MEMORY;
     }
     batches[at] = slot;
     batch_slots = std::max(batch_slots, at + 1);
-    out = lr::pack(lr::BatchHandle{at, slot.generation});
+    out = pack(BatchHandle{at, slot.generation});
     return LR_OK;
 }
 
 void lr_world::destroy_batch(lr_batch batch) {
-    const uint32_t at = lr::unpack_batch(batch).index;
+    const uint32_t at = unpack(batch).index;
     pairs.visit_partners(at, [&](uint32_t other) {
         if (other == at) return;
         batches[other].batch->wake_all();
@@ -137,8 +141,8 @@ void lr_world::destroy_batch(lr_batch batch) {
     });
     pairs.remove(at);
     BatchSlot& slot = batches[at];
-    slot.body_generation = lr::next_generation(std::max(slot.body_generation, slot.batch->last_generation()));
-    slot.generation = slot.generation == lr::max_batch_generation ? 1 : slot.generation + 1;
+    slot.body_generation = next_generation(std::max(slot.body_generation, slot.batch->last_generation()));
+    slot.generation = slot.generation == max_batch_generation ? 1 : slot.generation + 1;
     Batch::destroy(slot.batch);
     slot.batch = nullptr;
 }
@@ -157,16 +161,13 @@ bool lr_world::set_pair(uint32_t a, uint32_t b, bool on) {
 }
 
 lr_status lr_world::destroy_bodies(const lr_body* bodies, uint32_t count) {
-    // All or none: every body is marked first, and one that is stale or marked already ends it.
+    // All or none: marks every body first; a stale or already marked one aborts.
     uint32_t index = 0, marked = 0;
     for (; marked < count; ++marked) {
         Batch* const batch = find(bodies[marked], index);
         if (!batch || !batch->mark(index)) break;
     }
-    for (uint32_t i = 0; i < marked; ++i) {
-        Batch* const batch = find(bodies[i], index);
-        batch->unmark(index);
-    }
+    for (uint32_t i = 0; i < marked; ++i) find(bodies[i], index)->unmark(index);
     if (marked < count) return LR_ERROR_STALE_BODY;
     for (uint32_t i = 0; i < count; ++i) {
         Batch& batch = *find(bodies[i], index);
@@ -191,108 +192,106 @@ lr_status lr_world::set_rest(const lr_body* bodies, uint32_t count, bool rest) {
             continue;
         }
         index = batch.rest(index);
-        if (batch.events()) batch.events()->take_back_woke(lr::unpack(batch.ids()[index]).slot);
-        batch.resting()->ask_again(); // it has perhaps never been in a step
+        if (batch.events()) batch.events()->take_back(unpack(batch.ids()[index]).slot, noted_waking);
+        batch.resting()->ask_again(); // it may never have been in a step
     }
     return LR_OK;
 }
 
-uint32_t lr_world::wake_box(const lr::Box& box) {
+uint32_t lr_world::wake_box(const Box& box) {
     uint32_t woken = 0;
-    for (uint32_t i = 0; i < batch_slots; ++i) {
-        Batch* const batch = batches[i].batch;
-        if (!batch) continue;
-        woken -= batch->awake();
-        batch->visit_resting(box, [&](uint32_t index) { batch->wake(index); });
-        woken += batch->awake();
-    }
+    each_batch([&](Batch& batch, uint32_t) {
+        woken -= batch.awake();
+        batch.wake_in(box);
+        woken += batch.awake();
+    });
     return woken;
 }
 
 void lr_world::leave(const Batch& batch, uint32_t index) {
-    const uint32_t slot = lr::unpack(batch.ids()[index]).batch;
+    const uint32_t slot = unpack(batch.ids()[index]).batch;
     if (!pairs.meets(slot)) return;
-    const double reach = 1.01 * batch.reach() * static_cast<double>(batch.arrays().field[lr::field_scale][index]);
-    const lr::Double3 x = to_double(lr::vector_in(batch.arrays().field, lr::field_x, index)), half{reach, reach, reach};
+    const double reach = 1.01 * batch.reach() * static_cast<double>(batch.arrays().field[field_scale][index]);
+    const Double3 x = to_double(vector_in(batch.arrays().field, field_x, index)), half{reach, reach, reach};
     left[left_count++] = {slot, {to_float(x - half), to_float(x + half)}};
 }
 
 void lr_world::wake_left() {
     for (uint32_t i = 0; i < left_count; ++i)
-        pairs.visit_partners(left[i].slot, [&](uint32_t other) {
-            Batch& partner = *batches[other].batch;
-            partner.visit_resting(left[i].box, [&](uint32_t index) { partner.wake(index); });
-        });
+        pairs.visit_partners(left[i].slot, [&](uint32_t other) { batches[other].batch->wake_in(left[i].box); });
     left_count = 0;
 }
 
 void lr_world::set_gravity(const float (&to)[3]) {
     if (std::equal(to, to + 3, gravity)) return;
     std::copy(to, to + 3, gravity);
-    for (uint32_t i = 0; i < batch_slots; ++i)
-        if (batches[i].batch) batches[i].batch->wake_all();
+    each_batch([](Batch& batch, uint32_t) { batch.wake_all(); });
 }
 
 uint32_t lr_world::take_key() {
-    const uint32_t key = next_key;
-    next_key = key == UINT32_MAX ? 1 : key + 1;
-    return key;
+    const uint32_t noise_seed = next_noise_seed;
+    next_noise_seed = noise_seed == UINT32_MAX ? 1 : noise_seed + 1;
+    return noise_seed;
 }
 
-void lr_world::pace_batches(float dt, uint32_t substeps) {
-    const lr::Pacing::Step step{step_count, substeps, static_cast<double>(dt) / substeps};
+void lr_world::schedule_batches(float dt, uint32_t substeps) {
+    const StepScheduler::Step step{step_count, substeps, static_cast<double>(dt) / substeps};
     pacing.begin();
-    for (uint32_t i = 0; i < batch_slots; ++i) {
-        Batch* const batch = batches[i].batch;
-        if (!batch) continue;
-        if (batch->awake() == 0) {
-            // What the batch had still to make up for passes for those at rest as well.
-            if (batch->count() != 0) batch->resting()->pass(batch->pace.behind(), 0);
-            batch->pace.rest();
-            continue;
+    each_batch([&](Batch& batch, uint32_t slot) {
+        if (batch.awake() == 0) {
+            // The time that the batch is behind passes for sleeping bodies too.
+            if (batch.count() != 0) batch.resting()->pass(batch.pace.behind(), 0);
+            return batch.pace.rest();
         }
-        batch->pace.wait(static_cast<double>(dt), substeps, time, substep_count, wind.uniform);
-        pacing.ask(*batch, i, step);
-    }
+        batch.pace.wait(static_cast<double>(dt), substeps, time, substep_count, wind.uniform);
+        pacing.ask(batch, slot, step);
+    });
     pacing.decide(step);
 }
 
-void lr_world::fill_input(Batch& batch, float dt, bool& unfit) {
-    const lr::Pace& pace = batch.pace;
-    const lr::StepTime t = pace.time();
-    const float(&begin)[3] = pace.record().wind;
-    const float(&end)[3] = wind.uniform.wind;
-    const bool made_up = pace.behind() != static_cast<double>(dt); // with earlier steps, or less of this one
-    const auto seconds = static_cast<float>(pace.behind());
+void lr_world::fill_input(Batch& batch, const StepTime& t, uint64_t first_substep, const float (&begin)[3],
+                          bool& unfit) {
     if (t.h != roots.h) {
         const double sqrt_h = std::sqrt(t.h);
         roots = {t.h, static_cast<float>(sqrt_h), static_cast<float>(1.0 / sqrt_h)};
     }
-    lr::StepInput& in = batch.step;
+    const float(&end)[3] = wind.uniform.wind;
+    StepInput& in = batch.step;
     in.seed = seed;
-    in.first_substep = pace.record().first_substep;
+    in.first_substep = first_substep;
     in.substeps = t.substeps;
     in.h = static_cast<float>(t.h);
     in.sqrt_h = roots.sqrt;
     in.inverse_sqrt_h = roots.inverse_sqrt;
     std::copy(gravity, gravity + 3, in.gravity);
-    if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.awake());
     batch.external.fill(in.external);
     in.water = surface.present() ? batch.water_body(surface.desc(), unfit) : nullptr;
     std::copy(begin, begin + 3, in.wind_begin);
     std::copy(end, end + 3, in.wind);
     in.wind_changes = !wind.active() && !std::equal(end, end + 3, begin);
-    if (!in.wind_changes) return;
-    // In a fluid that accelerates as a whole, bodies move as if gravity were less by it. Above the limit, which only
-    // steps of microseconds reach, the product with the step could overflow.
-    for (size_t k = 0; k < 3; ++k) in.gravity[k] -= std::clamp((end[k] - begin[k]) / seconds, -1e9f, 1e9f);
 }
 
-bool lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
+void lr_world::fill_step(Batch& batch, float dt, bool& unfit) {
+    const BatchClock& pace = batch.pace;
+    const bool made_up = pace.behind() != static_cast<double>(dt); // of several steps, or only part of this one
+    const auto seconds = static_cast<float>(pace.behind());
+    if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.awake());
+    StepInput& in = batch.step;
+    fill_input(batch, pace.time(), pace.record().first_substep, pace.record().wind, unfit);
+    // In a fluid that accelerates as a whole, bodies move as if gravity were less by it. Above the limit, which only
+    // steps of microseconds reach, the product with the step could overflow.
+    for (size_t k = 0; k < 3 && in.wind_changes; ++k)
+        in.gravity[k] -= std::clamp((in.wind[k] - in.wind_begin[k]) / seconds, -1e9f, 1e9f);
+}
+
+bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
-    contact_events.begin_step();
-    if (pairs.any() && any_resting()) lr::wake_ahead(*this, dt, mode);
+    events.begin_step();
+    lap(timings.total);
+    timings = {};
+    const auto began = lapped;
+    if (pairs.any() && any_resting()) wake_before_hit(*this, dt, mode);
     if (colliders.any()) {
         const bool resting = any_resting();
         colliders.for_fresh([&](uint32_t slot) {
@@ -301,115 +300,117 @@ bool lr_world::step(float dt, uint32_t substeps, const lr::FloatMode& mode) {
         colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
         if (resting) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
     }
-    pace_batches(dt, substeps); // so that those that have woken are stepped
+    lap(timings.colliders);
+    schedule_batches(dt, substeps); // so that woken bodies are stepped
     uint32_t item_count = 0;
     bool unfit = false;
-    for (uint32_t i = 0; i < batch_slots; ++i) {
-        Batch* const batch = batches[i].batch;
-        if (!batch || batch->awake() == 0 || batch->pace.granted() == 0) continue;
-        items[item_count++] = {batch, lr::pack(lr::BatchHandle{i, batches[i].generation}), 0};
-        fill_input(*batch, dt, unfit);
-        if (batch->events()) batch->events()->begin_step(colliders.any() && batch->contact.layers != 0);
-    }
-    const lr::SurfaceStep at_surface{target, &surface, {}, gravity};
-    const lr::SurfaceStep* const water = surface.present() ? &at_surface : nullptr;
-    // Bodies that meet others go through the step together.
-    lr::StepItem* const crowds = std::partition(items.data(), items.data() + item_count, [&](const lr::StepItem& item) {
-        return !pairs.meets(lr::unpack_batch(item.handle).index);
+    each_batch([&](Batch& batch, uint32_t slot) {
+        if (batch.awake() == 0 || batch.pace.granted() == 0) return;
+        items[item_count++] = {&batch, handle(slot), 0};
+        fill_step(batch, dt, unfit);
+        if (batch.events()) batch.events()->begin_step(colliders.any() && batch.contact.layers != 0);
     });
-    const auto alone = static_cast<uint32_t>(crowds - items.data());
-    run_alone(items.data(), alone, water, mode);
-    const bool met = run_crowds(crowds, item_count - alone, water, mode);
+    const WaterStep at_surface{target, &surface, {}, gravity};
+    const WaterStep* const water = surface.present() ? &at_surface : nullptr;
+    // Batches with body contact go through the step together.
+    StepItem* const with_body_contact =
+        std::partition(items.data(), items.data() + item_count,
+                       [&](const StepItem& item) { return !pairs.meets(unpack(item.handle).index); });
+    const auto alone = static_cast<uint32_t>(with_body_contact - items.data());
+    const auto run_here = [&](StepItem* some, uint32_t count) { run(some, count, water, mode); };
+    // A field is prepared for moments in time.
+    if (wind.active())
+        by_time(items.data(), alone, run_here);
+    else
+        run_here(items.data(), alone);
+    lap(timings.motion);
+    bool met = true;
+    by_time(with_body_contact, item_count - alone, [&](StepItem* some, uint32_t count) {
+        BodyContactStep together(*this, some, count, water, mode);
+        const bool ready = together.prepare();
+        ready ? together.run() : run_here(some, count);
+        met = met && ready && !together.starved();
+    });
+    if (alone < item_count) lap(timings.body_contact);
     if (wind.active() && wind.take_blame())
-        log(LR_LOG_WARNING, "wind callback", "a value was not finite or too large, and counted as 0");
-    const bool lift_off = (colliders.any() || pairs.any()) && any_resting();
-    if (lift_off) lr::LiftOff(*this, items.data(), {time, static_cast<double>(dt) / substeps, 1}).run(mode);
+        log(LR_LOG_WARNING, "wind callback", "a result was not finite or too large, and was taken as 0");
+    const bool flow_may_wake = (colliders.any() || pairs.any()) && any_resting();
+    if (flow_may_wake) {
+        WakeByFlow(*this, items.data(), {time, static_cast<double>(dt) / substeps, 1}).run(mode);
+        lap(timings.wake);
+    }
     wind.end_step(dt);
     if (colliders.any()) colliders.end_step();
     if (unfit)
-        log(LR_LOG_WARNING, "surface", "a batch's mass matrix is singular in its fluid, which is not there for it");
+        log(LR_LOG_WARNING, "water", "a batch's mass matrix would be singular in water: it stays in its own fluid");
     if (surface.present() && surface.take_blame())
-        log(LR_LOG_WARNING, "surface callback", "a value was no surface's, and the plane was taken instead");
+        log(LR_LOG_WARNING, "water callback", "a result was invalid, and was replaced by the plane's");
     ++step_count;
     substep_count += substeps;
     time += static_cast<double>(dt);
     finish_batches(static_cast<double>(dt));
+    lap(timings.emit_and_rules);
+    each_batch([&](Batch& batch, uint32_t slot) {
+        const int32_t ended = batch.lifecycle() ? batch.lifecycle()->ended_kind() : LR_EVENT_KILLED;
+        if (batch.events())
+            batch.events()->tell(batch, handle(slot), colliders, batch.pace.granted() != 0, ended, events);
+    });
+    if (events.on()) lap(timings.events);
+    wake_left();
+    lap(timings.total);
+    timings.total = std::chrono::duration<double>(lapped - began).count();
     return met;
 }
 
-void lr_world::run_alone(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at_surface,
-                         const lr::FloatMode& mode) {
-    if (!wind.active()) return run(some, count, at_surface, mode);
-    // The field is prepared for moments in time: those that go through the same ones, together.
-    for (lr::StepItem* const end = some + count; some != end;) {
-        lr::StepItem* const to = same_time(some, end);
-        run(some, static_cast<uint32_t>(to - some), at_surface, mode);
-        some = to;
-    }
-}
-
-bool lr_world::run_crowds(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at_surface,
-                          const lr::FloatMode& mode) {
-    bool met = true;
-    for (lr::StepItem* const end = some + count; some != end;) {
-        lr::StepItem* const to = same_time(some, end);
-        const auto here = static_cast<uint32_t>(to - some);
-        lr::CrowdStep step(*this, some, here, at_surface, mode);
-        const bool ready = step.prepare();
-        if (ready)
-            step.run();
-        else
-            run(some, here, at_surface, mode);
-        met = met && ready && !step.starved();
-        some = to;
-    }
-    return met;
-}
-
-// All of one time, where there is a field.
-void lr_world::run(lr::StepItem* some, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode) {
+// All items have the same time if there is a wind field.
+void lr_world::run(StepItem* some, uint32_t count, const WaterStep* at_surface, const FloatMode& mode) {
     const bool field = wind.active();
     uint64_t blocks = 0, work = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const Batch& batch = *some[i].batch;
         some[i].begin = blocks;
-        blocks += batch.padded_awake() / lr::lane_block;
-        // In a field the workers are called for each slice of the step.
-        const uint32_t at_a_time = field ? std::min(batch.step.substeps, lr::WindField::slice) : batch.step.substeps;
+        blocks += batch.padded_awake() / lane_block;
+        // In a wind field the workers are called once per slice of the step.
+        const uint32_t at_a_time = field ? std::min(batch.step.substeps, WindField::slice) : batch.step.substeps;
         work += uint64_t{batch.padded_awake()} * at_a_time;
     }
-    lr::StepChunks chunks(*this, some, count, blocks, work, crew.helpers());
+    StepChunks chunks(*this, some, count, blocks, work, step_workers.helpers());
     chunks.surface = at_surface;
     chunks.colliders = colliders.any();
-    if (!field || count == 0) {
-        crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
-        return;
-    }
-    const lr::Pace& pace = some[0].batch->pace;
-    const lr::StepTime t = pace.time();
-    const lr::UniformWind uniform = pace.wind(wind.uniform);
-    lr::SurfaceStep here{};
+    const auto run_chunks = [&] {
+        step_workers.run(
+            chunks.count(), chunks.helpers(), [&](uint32_t chunk) { chunks.run(chunk); }, mode);
+    };
+    if (!field || count == 0) return run_chunks();
+    const BatchClock& pace = some[0].batch->pace;
+    const StepTime t = pace.time();
+    const UniformWind uniform = pace.wind(wind.uniform);
+    WaterStep here{};
     if (at_surface) {
         here = *at_surface;
         here.time = t;
     }
-    lr::FieldSlice slice{target, &wind, t, 0, 0, at_surface ? &here : nullptr};
+    FieldSlice slice{target, &wind, t, 0, 0, at_surface ? &here : nullptr};
     chunks.slice = &slice;
     for (; slice.first < t.substeps; slice.first += slice.count) {
-        slice.count = std::min(lr::WindField::slice, t.substeps - slice.first);
+        slice.count = std::min(WindField::slice, t.substeps - slice.first);
+        lap(timings.motion);
         wind.prepare(t, uniform, slice.first, slice.count, seed);
-        crew.run(chunks.count(), chunks.helpers(), &lr::StepChunks::run, &chunks, mode);
+        lap(timings.wind);
+        run_chunks();
     }
 }
 
-// Of the largest bodies of scale 1 and their way in a step, at the speeds of things that flutter and what the wind adds.
+void lr_world::lap(double& phase) {
+    const auto last = std::exchange(lapped, std::chrono::steady_clock::now());
+    phase += std::chrono::duration<double>(lapped - last).count();
+}
+
+// Reach of the largest bodies at scale 1 plus their way in a step, at typical speeds of fluttering bodies plus the wind.
 float lr_world::contact_reach(float dt) const {
     float most = 0.0f;
-    for (uint32_t i = 0; i < batch_slots; ++i)
-        if (batches[i].batch) most = std::max(most, batches[i].batch->shape.reach);
-    const float(&g)[3] = gravity, (&w)[3] = wind.uniform.wind;
-    const float pull = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    const float blow = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    each_batch([&](const Batch& batch, uint32_t) { most = std::max(most, batch.asset().shape.reach); });
+    const float pull = length(vector_of(gravity)), blow = length(vector_of(wind.uniform.wind));
     return 1.5f * most + dt * (4.5f + 2.5f * blow + 2.0f * dt * pull);
 }
 
@@ -418,133 +419,97 @@ void lr_world::wake_at(uint32_t collider) {
 }
 
 bool lr_world::any_resting() const {
-    for (uint32_t i = 0; i < batch_slots; ++i)
-        if (batches[i].batch && batches[i].batch->awake() < batches[i].batch->count()) return true;
-    return false;
+    bool any = false;
+    each_batch([&](const Batch& batch, uint32_t) { any = any || batch.awake() < batch.count(); });
+    return any;
 }
 
 bool lr_world::reserve_contact() {
-    for (uint32_t i = 0; i < batch_slots; ++i)
-        if (batches[i].batch && !batches[i].batch->reserve_contact()) return false;
-    return true;
+    bool enough = true;
+    each_batch([&](Batch& batch, uint32_t) { enough = enough && batch.reserve_contact(); });
+    return enough;
 }
 
-// Gravity twice, for what else pulls; part of the wind, which light bodies take on within a step; and much for forces from
-// outside, which may be anything.
+// Twice gravity, for other loads; part of the wind, which light bodies take on within a step; and a large value for external
+// forces, which may be anything.
 float lr_world::contact_gain(const Batch& batch, float dt) const {
-    const auto size = [](const float(&v)[3]) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); };
     const float forced = batch.step.external.any ? 50.0f : 0.0f;
-    return 2.0f * dt * size(gravity) + 0.5f * size(wind.uniform.wind) + forced;
+    return 2.0f * dt * length(vector_of(gravity)) + 0.5f * length(vector_of(wind.uniform.wind)) + forced;
 }
 
 void lr_world::finish_batches(double dt) {
-    lr::FaultReport faults;
-    for (uint32_t i = 0; i < batch_slots; ++i) {
-        Batch* const batch = batches[i].batch;
-        if (!batch) continue;
-        // Since the step began; some may wake at its end.
-        const bool still = !batch->pace.waits(), waits = !still && batch->pace.granted() == 0;
-        lr::Lifecycle* const lifecycle = batch->lifecycle();
-        const lr_batch handle = lr::pack(lr::BatchHandle{i, batches[i].generation});
+    FaultReport faults;
+    each_batch([&](Batch& batch, uint32_t slot) {
+        // State since the step began; bodies may wake at its end.
+        const bool still = !batch.pace.waits(), waits = !still && batch.pace.granted() == 0;
+        Lifecycle* const lifecycle = batch.lifecycle();
         if (waits) {
-            batch->wake_noted();
-            batch->faults.last = 0;
+            batch.wake_noted();
+            batch.faults.last = 0;
             if (lifecycle) lifecycle->pass();
-            if (batch->events()) batch->events()->tell(*batch, handle, colliders, false, contact_events);
-            continue;
+        } else {
+            const double seconds = still ? dt : batch.pace.behind();
+            const uint32_t steps = still ? 1 : batch.pace.record().steps;
+            batch.external.stepped();
+            batch.grow_older(seconds);
+            batch.pace.stepped(batch.awake());
+            const bool turn = batch.awake() < batch.count() && batch.resting()->pass(seconds, steps);
+            if (lifecycle && turn) lifecycle->judge_rest(target->ended, batch);
+            settle_faults(*this, batch, handle(slot), faults);
+            if (lifecycle) lifecycle->finish(batch, *this, seconds);
+            batch.wake_noted(); // rules have not checked them as awake bodies
+            batch.settle_noted();
         }
-        const double seconds = still ? dt : batch->pace.behind();
-        const uint32_t steps = still ? 1 : batch->pace.record().steps;
-        batch->external.stepped();
-        batch->grow_older(seconds);
-        batch->pace.stepped(batch->awake());
-        const bool turn = batch->awake() < batch->count() && batch->resting()->pass(seconds, steps);
-        if (lifecycle && turn) lifecycle->judge_rest(target->ended, *batch);
-        lr::settle_faults(*this, *batch, handle, faults);
-        if (lifecycle) lifecycle->finish(*batch, *this, seconds);
-        batch->wake_noted(); // rules have not judged them as bodies that move
-        batch->settle_noted();
-        if (batch->events()) batch->events()->tell(*batch, handle, colliders, !still, contact_events);
-    }
-    lr::log_faults(*this, faults);
-    wake_left();
+    });
+    log_faults(*this, faults);
 }
 
 void lr_world::sample_wind(const float* positions, uint32_t count, float* velocities) const {
     wind.prepare_now(time, seed);
-    lr::sample_field(*target, wind, time, 0, positions, count, velocities);
+    sample_field(*target, wind, time, {}, positions, count, velocities);
 }
 
 uint64_t lr_world::hash() const {
-    uint64_t result = lr::mix64(substep_count + 0x9e3779b97f4a7c15ull);
+    uint64_t result = mix64(substep_count + 0x9e3779b97f4a7c15ull);
     bool paced = false;
-    for (uint32_t b = 0; b < batch_slots; ++b) {
-        if (!batches[b].batch) continue;
-        const Batch& batch = *batches[b].batch;
-        // A sum over bodies, so that their order in memory does not matter.
-        uint64_t sum = 0;
-        for (uint32_t i = 0; i < batch.count(); ++i) {
-            const bool rests = batch.rests(i);
-            uint64_t body = lr::mix64(batch.arrays().key[i] + 1ull);
-            for (size_t f = 0; f < (rests ? lr::field_age : lr::field_age_rest); ++f)
-                body = lr::mix64(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
-            // What most bodies do not have goes in only where it is.
-            const auto rare = [&](uint64_t tag, uint32_t bits) {
-                if (bits != 0) body = lr::mix64(body ^ (bits + (tag << 32)));
-            };
-            if (rests)
-                body = lr::mix64(body ^ lr::mix64(std::bit_cast<uint64_t>(batch.resting()->birth(i)) + 1ull));
-            else
-                rare(lr::field_age_rest, std::bit_cast<uint32_t>(batch.arrays().field[lr::field_age_rest][i]));
-            if (batch.step.loads == lr::Loads::aerodynamic)
-                for (size_t f : {lr::field_gust_x, lr::field_gust_y, lr::field_gust_z})
-                    body =
-                        lr::mix64(body ^ (std::bit_cast<uint32_t>(batch.arrays().field[f][i]) + (uint64_t{f} << 32)));
-            if (batch.lifecycle()) rare(lr::field_count, batch.lifecycle()->life(i));
-            if (batch.external.pending())
-                for (size_t c = 0; c < lr::force_components; ++c)
-                    rare(64 + c, std::bit_cast<uint32_t>(batch.external.bodies()[c * batch.external.stride() + i]));
-            if (const lr::ContactArrays noted = batch.contact_arrays(); noted.rest_time) {
-                rare(128, std::bit_cast<uint32_t>(noted.rest_time[i]));
-                for (size_t k = 0; k < lr::most_touched; ++k) rare(129 + k, noted.touching[k][i]);
-                for (size_t k = 0; k < lr::stay_rows; ++k) rare(136 + k, std::bit_cast<uint32_t>(noted.stay[k][i]));
-            }
-            sum += body;
+    const auto mix = [&result](uint64_t word) { result = mix64(result ^ word); };
+    each_batch([&](const Batch& batch, uint32_t slot) {
+        mix(mix64(slot));
+        result += batch.columns().hash(batch.awake(), batch.count());
+        if (const lr_batch_contact& c = batch.contact; !same(c, initial_contact)) {
+            mix(c.layers);
+            for (float v : {c.friction, c.restitution, c.rolling_resistance, c.ground_effect})
+                mix(std::bit_cast<uint32_t>(v));
+            mix(may_rest(c));
         }
-        result = lr::mix64(result ^ lr::mix64(b)) + sum;
-        if (const lr::ContactSettings& c = batch.contact; !(c == lr::ContactSettings{}))
-            for (uint32_t word :
-                 {c.layers, std::bit_cast<uint32_t>(c.friction), std::bit_cast<uint32_t>(c.restitution),
-                  std::bit_cast<uint32_t>(c.rolling), std::bit_cast<uint32_t>(c.ground_effect), c.may_rest ? 1u : 0u})
-                result = lr::mix64(result ^ word);
-        if (batch.faults.policy != LR_FAULT_AUTO)
-            result = lr::mix64(result ^ static_cast<uint32_t>(batch.faults.policy));
+        lr::hash(batch.options, mix);
         if (batch.awake() < batch.count()) {
-            const lr::Resting::Record rest = batch.resting()->record(batch.awake());
-            for (uint64_t word : {std::bit_cast<uint64_t>(rest.clock), rest.steps | uint64_t{rest.unjudged} << 32})
-                result = lr::mix64(result ^ word);
+            const SleepingBodies::State& rest = batch.resting()->state();
+            mix(std::bit_cast<uint64_t>(rest.clock));
+            mix(rest.steps | uint64_t{rest.unjudged} << 32);
         }
-        batch.pace.hash([&](uint64_t word) { result = lr::mix64(result ^ word); });
+        batch.pace.hash(mix);
         paced = paced || !batch.pace.plain();
-        if (batch.lifecycle() && batch.lifecycle()->has_emitter())
-            for (uint64_t word : {uint64_t{next_key}, std::bit_cast<uint64_t>(batch.lifecycle()->due()),
-                                  std::bit_cast<uint64_t>(batch.lifecycle()->burst_clock())})
-                result = lr::mix64(result ^ word);
-    }
-    // Whose turn it is to be tried by the wind.
-    if (paced || pacing.limited() || ((colliders.any() || pairs.any()) && any_resting()))
-        result = lr::mix64(result ^ step_count);
-    pacing.hash([&](uint64_t word) { result = lr::mix64(result ^ word); });
-    if (const uint64_t sources = wind.hash(time)) result = lr::mix64(result ^ sources);
-    if (const uint64_t water = surface.hash()) result = lr::mix64(result ^ water);
-    if (const uint64_t solid = colliders.hash()) result = lr::mix64(result ^ solid);
-    pairs.visit([&](uint32_t low, uint32_t high) { result = lr::mix64(result ^ (low | uint64_t{high} << 32)); });
+        if (batch.lifecycle() && batch.lifecycle()->has_emitter()) {
+            mix(next_noise_seed);
+            mix(std::bit_cast<uint64_t>(batch.lifecycle()->state().due));
+            mix(std::bit_cast<uint64_t>(batch.lifecycle()->state().burst_clock));
+        }
+    });
+    // Decides whose turn the wind trial is.
+    if (paced || pacing.limited() || ((colliders.any() || pairs.any()) && any_resting())) mix(step_count);
+    pacing.hash(mix);
+    for (uint64_t word : {wind.hash(time), surface.hash(), colliders.hash()})
+        if (word != 0) mix(word);
+    pairs.visit([&](uint32_t low, uint32_t high) { mix(low | uint64_t{high} << 32); });
     return result;
 }
 
 void lr_world::log(int32_t level, const char* function, const char* message) const {
-    if (!log_callback) return;
-    char text[256];
-    std::snprintf(text, sizeof text, "%s: %s", function, message);
-    log_callback(log_user, level, text);
+    if (log_callback) {
+        char text[256];
+        std::snprintf(text, sizeof text, "%s: %s", function, message);
+        log_callback(log_user, level, text);
+    }
+    if (level == LR_LOG_ERROR) note_error(function, message); // last: the callback may have failed elsewhere
 }

@@ -1,24 +1,65 @@
 // The world: batches, time, wind, workers. Behind lr_world.
 #pragma once
 
-#include "contact/colliders.h"
-#include "field/surface.h"
-#include "field/wind_field.h"
+#include "base/allocator.h"
+#include "base/step_workers.h"
+#include "body_contact/batch_pairs.h"
+#include "body_contact/body_contact_step.h"
+#include "collision/colliders.h"
+#include "environment/water.h"
+#include "environment/wind_field.h"
 #include "langevin_rigid.h"
-#include "world/allocator.h"
-#include "world/batch.h"
-#include "world/batch_pairs.h"
-#include "world/crew.h"
-#include "world/crowd.h"
-#include "world/pacing.h"
-#include "world/step_chunks.h"
-#include "world/use.h"
+#include "world/batch/batch.h"
+#include "world/schedule/step_chunks.h"
 
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 
-namespace lr::record {
+namespace lr::recording {
 class Recorder;
 }
+
+struct lr_world;
+namespace lr {
+
+// Tracks which call is inside a world: detects misuse across threads and from callbacks if checks ask for it.
+class CallGuard {
+public:
+    // Called before the world is used.
+    void check(uint32_t checks) { checked_ = (checks & LR_CHECK_THREADS) != 0; }
+    bool checked() const { return checked_; }
+
+    // LR_OK: the calling thread owns the world until leave(). Else LR_ERROR_CONCURRENT_USE or LR_ERROR_REENTRANT.
+    lr_status enter(const char* function) {
+        ThreadId owner = nobody();
+        const ThreadId self = this_thread();
+        if (!owner_.compare_exchange_strong(owner, self, std::memory_order_acquire, std::memory_order_relaxed))
+            return owner == self ? LR_ERROR_REENTRANT : LR_ERROR_CONCURRENT_USE;
+        function_.store(function, std::memory_order_relaxed);
+        return LR_OK;
+    }
+    void leave() {
+        function_.store(nullptr, std::memory_order_relaxed);
+        owner_.store(nobody(), std::memory_order_release);
+    }
+    const char* function() const { return function_.load(std::memory_order_relaxed); } // null: between two calls
+
+    // Logging a refusal may call back into the library, which is refused again: log only once.
+    bool begin_telling() { return !telling_.exchange(true, std::memory_order_relaxed); }
+    void end_telling() { telling_.store(false, std::memory_order_relaxed); }
+
+private:
+    bool checked_ = false;
+    std::atomic<ThreadId> owner_{nobody()};
+    std::atomic<const char*> function_{nullptr};
+    std::atomic<bool> telling_{false};
+};
+
+// For checked worlds: CallGuard::enter, and logs a refusal.
+lr_status enter(const lr_world& world, const char* function);
+
+} // namespace lr
 
 struct lr_world {
     // Null after an error. The desc has been checked.
@@ -29,82 +70,95 @@ struct lr_world {
     // The batch and dense index of a living body; null for a stale one.
     lr::Batch* find(lr_body body, uint32_t& index) const;
 
+    // Calls fn(batch, its slot).
+    template <class Function> void each_batch(Function&& function) const {
+        for (uint32_t i = 0; i < batch_slots; ++i)
+            if (batches[i].batch) function(*batches[i].batch, i);
+    }
+    lr_batch handle(uint32_t slot) const { return lr::pack(lr::BatchHandle{slot, batches[slot].generation}); }
     lr_status create_batch(const lr_asset& asset, uint32_t capacity, const lr::BatchSettings& settings, lr_batch& out);
     void destroy_batch(lr_batch batch);
-    // By slots of batches. A change wakes their bodies. False when out of memory, and then nothing has changed.
+    // By slots of batches. A change wakes their bodies. False when out of memory; nothing has then changed.
     bool set_pair(uint32_t a, uint32_t b, bool on);
     lr_status destroy_bodies(const lr_body* bodies, uint32_t count);
 
     // All or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
     lr_status set_rest(const lr_body* bodies, uint32_t count, bool rest);
     uint32_t wake_box(const lr::Box& box); // how many
-    // A body goes away or elsewhere: what may lie on it is woken by wake_left().
+    // A body is removed or moved away: bodies that may lie on it are woken by wake_left().
     void leave(const lr::Batch& batch, uint32_t index);
     void wake_left();
-    // meets(slot): whether bodies of that batch will meet others. False when out of memory.
+    // meets(slot): whether that batch will have body contact. False when out of memory.
     template <class Meets> bool reserve_left(const Meets& meets) {
-        size_t count = 0; // their bodies are in memory
-        for (uint32_t i = 0; i < batch_slots; ++i)
-            if (batches[i].batch && meets(i)) count += batches[i].batch->capacity();
+        size_t count = 0; // bodies that need room
+        each_batch([&](const lr::Batch& batch, uint32_t slot) { count += meets(slot) ? batch.capacity() : 0; });
         return lr::grow(allocator, left, count);
     }
-    void set_gravity(const float (&to)[3]); // wakes all where it changes
+    void set_gravity(const float (&to)[3]); // a change wakes all bodies
 
-    uint32_t take_key(); // that tells the next body from all others
+    uint32_t take_key(); // the noise seed of the next body
 
-    // mode: what the caller's floating-point mode is kept in. False where bodies went through each other for want of memory: the
-    // step has been taken all the same.
+    // mode: stores the caller's floating-point mode. False if, for lack of memory, bodies passed through each other; the step was
+    // still taken.
     bool step(float dt, uint32_t substeps, const lr::FloatMode& mode);
     void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
 
-    // Bodies at rest at a collider, over its way in the step.
+    // Wakes sleeping bodies along a collider's way in the step.
     void wake_at(uint32_t collider);
     bool any_resting() const;
-    // capacity 0 ends them.
-    lr_status set_contact_events(uint32_t capacity, uint32_t kinds);
+    // capacity 0 disables them.
+    lr_status set_events(uint32_t capacity, uint32_t kinds);
     void recheck_contacts();             // colliders have been destroyed
-    void resume_contact_events();        // what there is has been restored: no events
+    void resume_events();                // after a restore: contacts exist, without events
     bool reserve_contact();              // of all batches; false when out of memory
     float contact_reach(float dt) const; // m, for the broad phase
-    // m/s that the bodies of a batch may gain in so long beside what they have: how far they look for what they may touch.
+    // m/s that bodies of a batch may gain in `dt`: limits how far they search for contacts.
     float contact_gain(const lr::Batch& batch, float dt) const;
 
+    // For substeps in a uniform wind that was `begin` before them. unfit: set if a batch cannot be in the water.
+    void fill_input(lr::Batch& batch, const lr::StepTime& time, uint64_t first_substep, const float (&begin)[3],
+                    bool& unfit);
+
+    void lap(double& phase); // of `timings`: what has passed since the last lap was that phase
+
+    // An error is also the calling thread's last one.
     void log(int32_t level, const char* function, const char* message) const;
 
-    lr::Crew crew; // first: it is aligned to cache lines
+    lr::StepWorkers step_workers; // first: it is aligned to cache lines
     mutable lr::Allocator allocator;
     const lr::KernelTarget* target = nullptr;
-    const lr::ContactTarget* contact = nullptr; // of the same instruction set
-    const lr::KernelTarget* narrow = nullptr;   // for the last few bodies of a batch; null: they go with the others
+    const lr::KernelTarget* narrow = nullptr; // for the last few bodies of a batch; null: no special case
     uint64_t seed = 0;
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
-    lr::Surface surface;
+    lr::Water surface;
     lr::Colliders colliders{allocator};
     lr::BatchPairs pairs;
-    lr::Crowd crowd{allocator}; // whose bodies meet each other
-    lr::EventList contact_events;
+    lr::BodyContactBuffers body_contact_buffers{allocator}; // of batches with body contact
+    lr::EventList events;
+    lr_timings timings{}; // of the last step
+    std::chrono::steady_clock::time_point lapped;
     uint64_t step_count = 0, substep_count = 0;
     double time = 0.0; // s
-    lr::Pacing pacing;
+    lr::StepScheduler pacing;
 
     struct BatchSlot {
         lr::Batch* batch;
         uint32_t generation;      // of the batch in it, or of the next
-        uint32_t body_generation; // that bodies of the next batch begin with
+        uint32_t body_generation; // first generation of bodies of the next batch
     };
     lr::Buffer<BatchSlot> batches;
-    lr::Buffer<lr::StepItem> items; // room for as many, for the length of a step
+    lr::Buffer<lr::StepItem> items; // scratch of a step, with room for all batches
 
-    // Where bodies were that others may have lain on. Room for each of those that meet others: one leaves once in a call.
+    // Former places of bodies that others may have lain on. Room for every body with body contact: each leaves once per call.
     struct Left {
         uint32_t slot; // of the batch
         lr::Box box;
     };
     lr::Buffer<Left> left;
 
-    mutable lr::Use use;
-    lr::record::Recorder* recorder = nullptr; // while there is a recording
+    mutable lr::CallGuard call_guard;
+    lr::recording::Recorder* recorder = nullptr; // while there is a recording
 
     lr_log_fn log_callback = nullptr;
     void* log_user = nullptr;
@@ -112,25 +166,44 @@ struct lr_world {
     float gravity[3] = {0.0f, 0.0f, 0.0f}; // m/s^2
     float fluid_density = 0.0f;            // kg/m^3; 0: each asset's own
     float fluid_viscosity = 0.0f;          // m^2/s; 0: each asset's own
-    uint32_t next_key = 1;
+    uint32_t next_noise_seed = 1;
     uint32_t batch_slots = 0; // used part of `batches`
     uint32_t left_count = 0;  // and of `left`
 
 private:
-    // Of the last substep's length: a few per cent of the step of one body.
+    friend class lr::Allocator;
+    // Cached for the last substep's length: saves a few per cent of the step of one body.
     struct Roots {
         double h;
         float sqrt, inverse_sqrt;
     };
     Roots roots{0.0, 0.0f, 0.0f};
 
-    void pace_batches(float dt, uint32_t substeps);
-    void fill_input(lr::Batch& batch, float dt, bool& unfit);
-    void run(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
-    void run_alone(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
-    bool run_crowds(lr::StepItem* items, uint32_t count, const lr::SurfaceStep* at_surface, const lr::FloatMode& mode);
+    void schedule_batches(float dt, uint32_t substeps);
+    void fill_step(lr::Batch& batch, float dt, bool& unfit);
+    void run(lr::StepItem* items, uint32_t count, const lr::WaterStep* at_surface, const lr::FloatMode& mode);
     void finish_batches(double dt);
     explicit lr_world(const lr::Allocator& from) : allocator(from) {}
     ~lr_world();
     bool grow_batches();
 };
+
+namespace lr {
+
+// Snapshots, checked as a whole before anything is restored.
+uint64_t snapshot_size(const lr_world& world);
+lr_status snapshot_save(const lr_world& world, void* memory, uint64_t size, uint64_t* written);
+// Whether the memory begins with an undamaged snapshot, by header and seal; snapshot_bytes() is then at most `size`.
+bool snapshot_is_whole(const void* memory, uint64_t size);
+uint64_t snapshot_bytes(const void* memory);
+// Requires snapshot_is_whole().
+lr_status snapshot_restore(lr_world& world, const void* memory);
+
+// Queries with checked arguments. only: restricts to bodies of this batch; null: all.
+lr_ray_hit cast_ray(const lr_world& world, const lr_ray& ray, const Batch* only);
+
+// Returns how many bodies overlap; writes up to `capacity` ids, sorted if there is room for all.
+uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const Batch* only, lr_body* bodies,
+                       uint32_t capacity);
+
+} // namespace lr

@@ -186,7 +186,7 @@ TEST_CASE("foreign, newer and impossible files say so, with numbered faults") {
 
 TEST_CASE("an asset lives as long as anyone holds it") {
     const World world = make(world_desc());
-    lr_batch batch = 0;
+    lr_batch batch{};
     {
         const Asset asset = leaf();
         batch = add_batch(world, asset, 10);
@@ -307,10 +307,10 @@ TEST_CASE("added mass that a solver's error left below zero is zero, and does no
     bd.load_model = LR_LOADS_LANGEVIN;
     const lr_body body = add_body(world, add_batch(world, bd, needle, 1), body_desc());
     set_wind(world, 8.0f, 0.0f, 0.0f);
-    lr_surface_desc sea = initialised(lr_surface_desc_init);
-    REQUIRE(lr_world_set_surface(world.get(), &sea) == LR_OK);
+    lr_water_desc sea = initialised(lr_water_desc_init);
+    REQUIRE(lr_world_set_water(world.get(), &sea) == LR_OK);
     steps(world, 300, 1.0f / 60.0f, 1);
     const lr_body_state s = state_of(world, body);
-    CHECK(s.resting != LR_REST_HELD); // it has not left physics
+    CHECK(s.sleep_state != LR_SLEEP_HELD); // it has not left physics
     for (float w : s.angular_velocity) CHECK(std::abs(w) < 1e5f);
 }

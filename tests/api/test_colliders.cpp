@@ -55,7 +55,7 @@ TEST_CASE("each kind of collider is made, and tells what it is") {
     const std::vector<lr_collider> ids = each.add(world);
     CHECK(info_of(world).collider_count == 7);
     for (size_t i = 0; i < ids.size(); ++i) {
-        CHECK(ids[i] != 0);
+        CHECK(ids[i].id != 0);
         const lr_collider_state s = state_of_collider(world, ids[i]);
         CHECK(s.kind == static_cast<int32_t>(i) + 1);
         CHECK(s.position[0] == static_cast<float>(i));
@@ -164,9 +164,9 @@ TEST_CASE("all or none: one that is bad, anywhere in an array, keeps all others 
     for (size_t at = 0; at <= each.descs.size(); ++at) {
         std::vector<lr_collider_desc> descs = each.descs;
         descs.insert(descs.begin() + static_cast<std::ptrdiff_t>(at), hull_collider(flat));
-        std::vector<lr_collider> ids(descs.size(), 77);
+        std::vector<lr_collider> ids(descs.size(), lr_collider{77});
         CHECK(lr_collider_create(world.get(), descs.data(), 8, ids.data()) == LR_ERROR_INVALID_ARGUMENT);
-        CHECK(ids == std::vector<lr_collider>(8, 77));
+        CHECK(ids == std::vector<lr_collider>(8, {77}));
         CHECK(snapshot_of(world) == before);
     }
 }
@@ -182,15 +182,17 @@ TEST_CASE("destroyed colliders are stale, and their slots' next tenants are othe
     }
     add_collider(world, d);
     lr_collider_state s = initialised(lr_collider_state_init);
-    const lr_collider_surface rough = initialised(lr_collider_surface_init);
+    const lr_material rough = initialised(lr_material_init);
     for (lr_collider id : seen)
         if (lr_collider_get_state(world.get(), id, &s) != LR_ERROR_STALE_COLLIDER ||
             lr_collider_destroy(world.get(), &id, 1) != LR_ERROR_STALE_COLLIDER ||
             try_move(world, motion_of(id, LR_MOVE_TO)) != LR_ERROR_STALE_COLLIDER ||
-            lr_collider_set_surface(world.get(), &id, 1, &rough) != LR_ERROR_STALE_COLLIDER)
+            lr_collider_set_material(world.get(), &id, 1, &rough) != LR_ERROR_STALE_COLLIDER)
             FAIL("an old id found a collider");
-    for (lr_collider id : {lr_collider{0}, lr_collider{1}, ~lr_collider{0}, lr_collider{1} << 32 | 5u})
+    for (uint64_t forged : {uint64_t{0}, uint64_t{1}, ~uint64_t{0}, uint64_t{1} << 32 | 5u}) {
+        const lr_collider id{forged};
         CHECK(lr_collider_destroy(world.get(), &id, 1) == LR_ERROR_STALE_COLLIDER);
+    }
     CHECK(info_of(world).collider_count == 1);
 }
 
@@ -202,11 +204,11 @@ TEST_CASE("destroying, moving and setting surfaces of many is all or none") {
     std::vector<lr_collider> twice = ids;
     twice.push_back(ids[3]);
     CHECK(lr_collider_destroy(world.get(), twice.data(), 8) == LR_ERROR_STALE_COLLIDER);
-    twice.back() = ids[3] + (lr_collider{1} << 32);
+    twice.back().id += uint64_t{1} << 32;
     CHECK(lr_collider_destroy(world.get(), twice.data(), 8) == LR_ERROR_STALE_COLLIDER);
-    lr_collider_surface rough = initialised(lr_collider_surface_init);
+    lr_material rough = initialised(lr_material_init);
     rough.friction = 2.0f;
-    CHECK(lr_collider_set_surface(world.get(), twice.data(), 8, &rough) == LR_ERROR_STALE_COLLIDER);
+    CHECK(lr_collider_set_material(world.get(), twice.data(), 8, &rough) == LR_ERROR_STALE_COLLIDER);
     std::vector<lr_collider_motion> motions;
     motions.reserve(twice.size());
     for (lr_collider id : twice) motions.push_back(motion_of(id, LR_MOVE_TO));
@@ -230,11 +232,11 @@ TEST_CASE("destroying, moving and setting surfaces of many is all or none") {
     refused(LR_ERROR_INVALID_ARGUMENT, [](M& m) { m.mode = LR_MOVE_VELOCITY, m.linear_velocity[2] = 2e6f; });
     CHECK(snapshot_of(world) == before);
     rough.friction = nan;
-    CHECK(lr_collider_set_surface(world.get(), ids.data(), 7, &rough) == LR_ERROR_NOT_FINITE);
+    CHECK(lr_collider_set_material(world.get(), ids.data(), 7, &rough) == LR_ERROR_NOT_FINITE);
     rough.friction = 2.0f, rough.restitution = 1.5f;
-    CHECK(lr_collider_set_surface(world.get(), ids.data(), 7, &rough) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(lr_collider_set_material(world.get(), ids.data(), 7, &rough) == LR_ERROR_INVALID_ARGUMENT);
     rough.restitution = 0.9f, rough.layers = 6;
-    CHECK(lr_collider_set_surface(world.get(), ids.data(), 7, &rough) == LR_OK);
+    CHECK(lr_collider_set_material(world.get(), ids.data(), 7, &rough) == LR_OK);
     for (lr_collider id : ids) {
         const lr_collider_state s = state_of_collider(world, id);
         CHECK((s.friction == 2.0f && s.restitution == 0.9f && s.layers == 6));
@@ -464,7 +466,7 @@ TEST_CASE("operator new fails anywhere while geometry is built: a status, and no
     CHECK(failures > 5);
 }
 
-TEST_CASE("a world without colliders has the hash that it had; each property of a collider is in it") {
+TEST_CASE("a world without colliders has the hash that it had, each property of a collider is in it") {
     const World world = make(world_desc());
     const uint64_t none = hash_of(world);
     const lr_collider_desc d = box_collider(1.0f, 2.0f, 3.0f);

@@ -1,6 +1,6 @@
 // How batches meet colliders, through the public API: arguments, what is kept, snapshots.
 #include "support/contact.h"
-#include "support/seal.h"
+#include "support/reseal_snapshot.h"
 
 #include <cmath>
 #include <limits>
@@ -60,7 +60,7 @@ TEST_CASE("contact out of its range is refused and changes nothing") {
     for (uint32_t bit = 1; bit < 32; ++bit) refused(LR_ERROR_INVALID_ARGUMENT, [&](C& c) { c.flags = 1u << bit; });
     CHECK(hash_of(world) == hash);
     lr_batch_contact c = held;
-    for (lr_batch stale : {lr_batch{0}, batch + 1, ~lr_batch{0}}) {
+    for (lr_batch stale : {lr_batch{0}, lr_batch{batch.id + 1}, lr_batch{~0u}}) {
         CHECK(lr_batch_set_contact(world.get(), stale, &c) == LR_ERROR_STALE_BATCH);
         CHECK(lr_batch_get_contact(world.get(), stale, &c) == LR_ERROR_STALE_BATCH);
     }
@@ -142,7 +142,7 @@ TEST_CASE("a snapshot taken after a collider was placed wakes what lies there, a
         m.position[0] = 50.0f;
         REQUIRE(lr_collider_move(first.get(), &m, 1) == LR_OK);
         steps(first, 2, 0.01f);
-        REQUIRE(lr_body_set_rest(first.get(), &body, 1, LR_REST_RESTING) == LR_OK);
+        REQUIRE(lr_body_set_sleep(first.get(), &body, 1, LR_SLEEP_ASLEEP) == LR_OK);
         m.position[0] = 0.0f;
         m.position[1] = state_of(first, body).position[1] - 0.1f;
         REQUIRE(lr_collider_move(first.get(), &m, 1) == LR_OK);
@@ -150,6 +150,6 @@ TEST_CASE("a snapshot taken after a collider was placed wakes what lies there, a
         REQUIRE(lr_world_snapshot_restore(second.get(), snapshot.data(), snapshot.size()) == LR_OK);
         const World& world = through ? second : first;
         steps(world, 1, 0.01f);
-        CHECK(state_of(world, body).resting == LR_REST_AWAKE);
+        CHECK(state_of(world, body).sleep_state == LR_SLEEP_AWAKE);
     }
 }

@@ -1,4 +1,5 @@
-// Where, when and how bodies are born.
+// Where, when and how bodies are spawned.
+#include "support/contact_events.h"
 #include "support/lifecycle.h"
 #include "support/random.h"
 #include "support/vector.h"
@@ -175,13 +176,13 @@ TEST_CASE("orientations are all alike, or the one that is given") {
     }
 }
 
-TEST_CASE("a body's birth depends on seed and key, not on who was born before it") {
+TEST_CASE("a body's birth depends on seed and noise seed, not on who was spawned before it") {
     lr_emitter_desc d = emitter_desc();
     d.shape = LR_EMIT_SPHERE;
     d.size[0] = d.size[1] = d.size[2] = 1.0f;
     const Source one, other;
     const auto a = one.bodies(d, 100);
-    add_body(other.world, other.batch, body_desc()); // takes the first key
+    add_body(other.world, other.batch, body_desc()); // takes the first noise seed
     const auto b = other.bodies(d, 99);
     std::set<float> places;
     for (size_t i = 0; i < 99; ++i) {
@@ -197,19 +198,23 @@ TEST_CASE("a body's birth depends on seed and key, not on who was born before it
     CHECK_FALSE(same_bits(seeded.bodies(d, 100)[0], a[0]));
 }
 
-TEST_CASE("bodies are born at their rate and in bursts, up to the capacity") {
+TEST_CASE("bodies are spawned at their rate and in bursts, up to the capacity") {
     const Source s(1000);
     lr_emitter_desc d = emitter_desc();
     d.rate = 100.0f;
     set_emitter(s.world, s.batch, d);
-    uint64_t born = 0;
+    keep_events(s.world);
+    uint64_t spawned = 0;
     for (int i = 1; i <= 200; ++i) {
         steps(s.world, 1, 0.015625f, 2);
-        const lr_batch_events e = events_of(s.world, s.batch);
-        born += e.born;
-        CHECK(born == static_cast<uint64_t>(100.0 * 0.015625 * i));
-        CHECK(info_of(s.world).body_count == born);
-        for (uint32_t k = 0; k < e.born; ++k) CHECK(state_of(s.world, e.born_ids[k]).age == 0.0f);
+        const lr_batch_counts e = counts_of(s.world, s.batch);
+        spawned += e.spawned;
+        CHECK(spawned == static_cast<uint64_t>(100.0 * 0.015625 * i));
+        CHECK(info_of(s.world).body_count == spawned);
+        const std::vector<lr_event> told = events_of(s.world);
+        REQUIRE(told.size() == e.spawned);
+        for (const lr_event& event : told)
+            CHECK((event.kind == LR_EVENT_SPAWNED && state_of(s.world, event.body).age == 0.0f));
         // Another emitter carries on with the half body that is due.
         if (i % 2 == 0) set_emitter(s.world, s.batch, d);
     }
@@ -218,33 +223,33 @@ TEST_CASE("bodies are born at their rate and in bursts, up to the capacity") {
     d.burst_interval = 0.25f;
     set_emitter(s.world, s.batch, d);
     steps(s.world, 15, 0.015625f); // 0.234 s
-    CHECK(info_of(s.world).body_count == born);
+    CHECK(info_of(s.world).body_count == spawned);
     steps(s.world, 1, 0.015625f);
-    CHECK(info_of(s.world).body_count == born + 300);
+    CHECK(info_of(s.world).body_count == spawned + 300);
     steps(s.world, 1, 0.5f, 8); // two bursts, for which there is no room
-    const lr_batch_events e = events_of(s.world, s.batch);
-    CHECK(e.born == 1000 - born - 300);
-    CHECK(e.missed == 600 - e.born);
+    const lr_batch_counts e = counts_of(s.world, s.batch);
+    CHECK(e.spawned == 1000 - spawned - 300);
+    CHECK(e.missed == 600 - e.spawned);
     CHECK(info_of(s.world).body_count == 1000);
-    CHECK(e.total_born == 1000);
+    CHECK(e.total_spawned == 1000);
     CHECK(e.total_missed == e.missed);
     REQUIRE(lr_batch_set_emitter(s.world.get(), s.batch, nullptr) == LR_OK);
     steps(s.world, 5, 0.5f, 8);
-    CHECK(events_of(s.world, s.batch).missed == 0);
+    CHECK(counts_of(s.world, s.batch).missed == 0);
 }
 
 TEST_CASE("emitting by hand is all or none") {
     const Source s(10);
-    CHECK(lr_batch_emit(s.world.get(), s.batch, 1, nullptr) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(lr_batch_spawn(s.world.get(), s.batch, 1, nullptr) == LR_ERROR_INVALID_ARGUMENT);
     set_emitter(s.world, s.batch, emitter_desc());
-    CHECK(lr_batch_emit(s.world.get(), s.batch, 11, nullptr) == LR_ERROR_CAPACITY);
-    CHECK(lr_batch_emit(s.world.get(), s.batch, 0, nullptr) == LR_OK);
+    CHECK(lr_batch_spawn(s.world.get(), s.batch, 11, nullptr) == LR_ERROR_CAPACITY);
+    CHECK(lr_batch_spawn(s.world.get(), s.batch, 0, nullptr) == LR_OK);
     CHECK(info_of(s.world).body_count == 0);
-    CHECK(lr_batch_emit(s.world.get(), s.batch, 7, nullptr) == LR_OK);
-    CHECK(lr_batch_emit(s.world.get(), s.batch, 0xffffffffu, nullptr) == LR_ERROR_CAPACITY);
-    CHECK(emit(s.world, s.batch, 3).back() != 0);
-    CHECK(lr_batch_emit(s.world.get(), s.batch, 1, nullptr) == LR_ERROR_CAPACITY);
-    CHECK(lr_batch_emit(s.world.get(), 0, 1, nullptr) == LR_ERROR_STALE_BATCH);
+    CHECK(lr_batch_spawn(s.world.get(), s.batch, 7, nullptr) == LR_OK);
+    CHECK(lr_batch_spawn(s.world.get(), s.batch, 0xffffffffu, nullptr) == LR_ERROR_CAPACITY);
+    CHECK(emit(s.world, s.batch, 3).back().id != 0);
+    CHECK(lr_batch_spawn(s.world.get(), s.batch, 1, nullptr) == LR_ERROR_CAPACITY);
+    CHECK(lr_batch_spawn(s.world.get(), {}, 1, nullptr) == LR_ERROR_STALE_BATCH);
     CHECK(info_of(s.world).body_count == 10);
 }
 
@@ -286,5 +291,5 @@ TEST_CASE("impossible emitters are refused and change nothing") {
     CHECK(refused([](lr_emitter_desc& d) { d.burst_count = 1; }) == invalid); // without an interval
     CHECK(refused([](lr_emitter_desc& d) { d.burst_count = 0xffffffffu, d.burst_interval = 1.0f; }) == invalid);
     CHECK(refused([](lr_emitter_desc& d) { d.reserved = 1; }) == invalid);
-    CHECK(lr_batch_set_emitter(s.world.get(), 0, &good) == LR_ERROR_STALE_BATCH);
+    CHECK(lr_batch_set_emitter(s.world.get(), {}, &good) == LR_ERROR_STALE_BATCH);
 }

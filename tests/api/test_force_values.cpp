@@ -63,8 +63,8 @@ TEST_CASE("forces on bodies are taken all or none") {
     for (int32_t mode : {LR_FORCE_MODE_ACCELERATION, LR_FORCE_MODE_VELOCITY})
         refused([&](lr_body_force& f) { f.mode = mode, f.flags = LR_FORCE_AT_POINT; }, invalid);
     refused([](lr_body_force& f) { f.flags = LR_FORCE_AT_POINT, f.point[1] = 1e30f; }, invalid);
-    refused([](lr_body_force& f) { f.body = 0; }, LR_ERROR_STALE_BODY);
-    refused([](lr_body_force& f) { f.body += 1; }, LR_ERROR_STALE_BODY);
+    refused([](lr_body_force& f) { f.body = {}; }, LR_ERROR_STALE_BODY);
+    refused([](lr_body_force& f) { ++f.body.id; }, LR_ERROR_STALE_BODY);
     refused([](lr_body_force& f) { f.struct_size += 8; }, LR_ERROR_STRUCT_SIZE);
     const lr_body_force f = s.good();
     CHECK(lr_body_add_force(w, &f, 1) == LR_OK);
@@ -106,7 +106,7 @@ TEST_CASE("arrays of forces are taken all or none") {
         CHECK(with([&](lr_force_arrays& a) { a.mode = mode; }) == invalid);
         values[3] = 1e-3f;
     }
-    CHECK(lr_batch_add_forces(w, 0, nullptr) == LR_ERROR_STALE_BATCH);
+    CHECK(lr_batch_add_forces(w, {}, nullptr) == LR_ERROR_STALE_BATCH);
     CHECK(snapshot_of(s.world) == before);
     CHECK(with([](lr_force_arrays&) {}) == LR_OK);
     CHECK(snapshot_of(s.world) != before);
@@ -137,10 +137,10 @@ TEST_CASE("a batch's force must be finite and in range") {
     f.reserved = 1;
     CHECK(lr_batch_set_force(w, s.batch, &f) == LR_ERROR_INVALID_ARGUMENT);
     f.reserved = 0;
-    CHECK(lr_batch_set_force(w, 0, &f) == LR_ERROR_STALE_BATCH);
+    CHECK(lr_batch_set_force(w, {}, &f) == LR_ERROR_STALE_BATCH);
 }
 
-TEST_CASE("the first force takes memory; none left is a status, and steps take none") {
+TEST_CASE("the first force takes memory, none left is a status, and steps take none") {
     CountingAllocator memory;
     lr_world_desc d = world_desc();
     d.allocator = memory.callbacks();
@@ -174,7 +174,7 @@ TEST_CASE("the first force takes memory; none left is a status, and steps take n
     CHECK(memory.calls == calls);
 }
 
-TEST_CASE("restoring forces and rules into a world without them takes memory; none left changes nothing") {
+TEST_CASE("restoring forces and rules into a world without them takes memory, none left changes nothing") {
     const Asset asset = leaf();
     const auto scene = [&](CountingAllocator& memory, lr_batch& batch) {
         lr_world_desc d = world_desc();
@@ -184,7 +184,7 @@ TEST_CASE("restoring forces and rules into a world without them takes memory; no
         return world;
     };
     CountingAllocator memory, other;
-    lr_batch batch = 0, other_batch = 0;
+    lr_batch batch{}, other_batch{};
     const World from = scene(memory, batch), to = scene(other, other_batch);
     lr_body_force f = initialised(lr_body_force_init);
     f.body = add_body(from, batch, body_desc());
@@ -201,6 +201,6 @@ TEST_CASE("restoring forces and rules into a world without them takes memory; no
         CHECK(status == LR_ERROR_OUT_OF_MEMORY);
         CHECK(snapshot_of(to) == before);
     }
-    CHECK(n > 4);
+    CHECK(n > 2);
     CHECK(snapshot_of(to) == snapshot);
 }

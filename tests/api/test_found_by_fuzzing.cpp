@@ -18,35 +18,34 @@ TEST_CASE("destroying colliders wakes nobody when it is refused") {
     REQUIRE(lr_collider_destroy(world.get(), &gone, 1) == LR_OK);
     const Asset asset = brick();
     const lr_body body = add_body(world, add_batch(world, unloaded(), asset, 4), body_desc());
-    REQUIRE(lr_body_set_rest(world.get(), &body, 1, LR_REST_RESTING) == LR_OK);
+    REQUIRE(lr_body_set_sleep(world.get(), &body, 1, LR_SLEEP_ASLEEP) == LR_OK);
     uint64_t before = 0, after = 0;
     REQUIRE(lr_world_hash(world.get(), &before) == LR_OK);
     const lr_collider lists[2][2] = {{plane, gone}, {plane, plane}};
     for (const auto& list : lists) {
         CHECK(lr_collider_destroy(world.get(), list, 2) == LR_ERROR_STALE_COLLIDER);
-        CHECK(state_of(world, body).resting == LR_REST_RESTING);
+        CHECK(state_of(world, body).sleep_state == LR_SLEEP_ASLEEP);
         REQUIRE(lr_world_hash(world.get(), &after) == LR_OK);
         CHECK(after == before);
     }
     CHECK(lr_collider_destroy(world.get(), &plane, 1) == LR_OK);
-    CHECK(state_of(world, body).resting == LR_REST_AWAKE);
+    CHECK(state_of(world, body).sleep_state == LR_SLEEP_AWAKE);
 }
 
 TEST_CASE("the least lengths and times that the header names are taken in single precision too") {
     const World world = make(world_desc());
-    lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_TURBULENCE);
-    d.size = 1e-4f;
-    add_source(world, d);
-    d.size = 0.99e-4f;
-    lr_wind_source none = 0;
-    CHECK(lr_world_add_wind(world.get(), &d, &none) == LR_ERROR_INVALID_ARGUMENT);
+    lr_turbulence_desc turbulence = initialised(lr_turbulence_desc_init);
+    turbulence.integral_length = 1e-4f;
+    add_source(world, turbulence);
+    turbulence.integral_length = 0.99e-4f;
+    CHECK(lr_world_add_turbulence(world.get(), &turbulence, nullptr) == LR_ERROR_INVALID_ARGUMENT);
     const std::vector<float> samples(3 * 8, 1.0f);
-    d = source_desc(LR_WIND_SOURCE_GRID);
+    lr_wind_grid_desc d = initialised(lr_wind_grid_desc_init);
     d.samples = samples.data();
     for (size_t k = 0; k < 3; ++k) d.counts[k] = 2, d.spacing[k] = 1e-4f;
     add_source(world, d);
     d.spacing[2] = 0.99e-4f;
-    CHECK(lr_world_add_wind(world.get(), &d, &none) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(lr_world_add_wind_grid(world.get(), &d, nullptr) == LR_ERROR_INVALID_ARGUMENT);
 
     const Asset asset = brick();
     const lr_batch batch = add_batch(world, unloaded(), asset, 4);

@@ -1,6 +1,8 @@
 // Ids of what is gone, never was, or is half right: a status, never a crash, never another body.
+#include "support/colliders.h"
 #include "support/random.h"
 #include "support/scene.h"
+#include "support/wind.h"
 
 #include <algorithm>
 #include <set>
@@ -11,6 +13,7 @@ namespace {
 
 // Every function that takes a body.
 void check_stale(const World& world, lr_body body) {
+    CHECK(lr_body_is_valid(world.get(), body) == 0);
     lr_body_state state = body_state();
     CHECK(lr_body_get_state(world.get(), body, &state) == LR_ERROR_STALE_BODY);
     CHECK(lr_body_set_state(world.get(), body, &state) == LR_ERROR_STALE_BODY);
@@ -20,6 +23,7 @@ void check_stale_batch(const World& world, lr_batch batch) {
     lr_body_desc desc = body_desc();
     lr_batch_view view = initialised(lr_batch_view_init);
     float transform[16];
+    CHECK(lr_batch_is_valid(world.get(), batch) == 0);
     CHECK(lr_batch_destroy(world.get(), batch) == LR_ERROR_STALE_BATCH);
     CHECK(lr_batch_set_turbulence_table(world.get(), batch, nullptr) == LR_ERROR_STALE_BATCH);
     CHECK(lr_batch_get_view(world.get(), batch, &view) == LR_ERROR_STALE_BATCH);
@@ -45,11 +49,11 @@ TEST_CASE("a destroyed body is stale, and its slot's next tenant is another body
     std::set<lr_body> seen;
     for (int life = 0; life < 1000; ++life) {
         const lr_body body = add_body(world, batch, body_desc());
-        CHECK(body != 0);
+        CHECK(body.id != 0);
         CHECK(seen.insert(body).second);
         CHECK(lr_body_destroy(world.get(), &body, 1) == LR_OK);
     }
-    add_body(world, batch, body_desc());
+    CHECK(lr_body_is_valid(world.get(), add_body(world, batch, body_desc())) == 1);
     for (lr_body body : seen) {
         lr_body_state state = body_state();
         if (lr_body_get_state(world.get(), body, &state) != LR_ERROR_STALE_BODY) FAIL("an old id found a body");
@@ -63,7 +67,7 @@ TEST_CASE("destroying a batch ends its bodies, also when another takes its place
     std::vector<lr_batch> old_batches;
     for (int life = 0; life < 20; ++life) {
         const lr_batch batch = add_batch(world, asset, 4);
-        CHECK(batch != 0);
+        CHECK(batch.id != 0);
         for (lr_body body : add_row(world, batch, 4)) old.push_back(body);
         // Lives of slots before the batch ends must not be lived again by the next one.
         CHECK(lr_body_destroy(world.get(), &old.back(), 1) == LR_OK);
@@ -91,11 +95,11 @@ TEST_CASE("forged ids are stale") {
     const std::set<lr_body> alive(ids.begin(), ids.end());
     const uint64_t before = hash_of(world);
 
-    check_stale(world, 0);
-    check_stale(world, ~lr_body{0});
+    check_stale(world, {});
+    check_stale(world, lr_body{~uint64_t{0}});
     for (lr_body body : {ids[0], ids[69], more[2]})
         for (int bit = 0; bit < 64; ++bit) {
-            const lr_body forged = body ^ (lr_body{1} << bit);
+            const lr_body forged{body.id ^ uint64_t{1} << bit};
             if (alive.count(forged) == 0) check_stale(world, forged);
         }
     Random random(1);
@@ -103,8 +107,8 @@ TEST_CASE("forged ids are stale") {
     uint32_t found = 0;
     for (int i = 0; i < 100000; ++i) {
         // Random in all bits, or only in those of slots and small generations, where it might well hit.
-        lr_body forged = random.bits();
-        if (i % 2) forged &= 0x00040000040000ffull;
+        lr_body forged{random.bits()};
+        if (i % 2) forged.id &= 0x00040000040000ffull;
         if (alive.count(forged) != 0) {
             ++found;
             continue;
@@ -115,14 +119,14 @@ TEST_CASE("forged ids are stale") {
     }
     CHECK(found > 100); // else the second kind is not near the mark
 
-    check_stale_batch(world, 0);
-    check_stale_batch(world, ~lr_batch{0});
+    check_stale_batch(world, {});
+    check_stale_batch(world, lr_batch{~0u});
     for (int bit = 0; bit < 32; ++bit) {
-        const lr_batch forged = batch ^ (lr_batch{1} << bit);
+        const lr_batch forged{batch.id ^ 1u << bit};
         if (forged != second) check_stale_batch(world, forged);
     }
     for (int i = 0; i < 1000; ++i) {
-        const auto forged = static_cast<lr_batch>(random.bits());
+        const lr_batch forged{static_cast<uint32_t>(random.bits())};
         if (forged != batch && forged != second) check_stale_batch(world, forged);
     }
     CHECK(hash_of(world) == before);
@@ -130,6 +134,39 @@ TEST_CASE("forged ids are stale") {
     const World other = make(world_desc());
     check_stale(other, ids[0]);
     check_stale_batch(other, batch);
+}
+
+TEST_CASE("a handle is valid as long as its object exists, and in no other world") {
+    const Asset asset = leaf();
+    const World world = make(world_desc()), other = make(world_desc());
+    lr_world* const w = world.get();
+    const lr_batch batch = add_batch(world, asset, 4);
+    const lr_body body = add_body(world, batch, body_desc());
+    const lr_collider collider = add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+    const lr_wind_source source = add_source(world, initialised(lr_gusts_desc_init));
+    const uint64_t before = hash_of(world);
+    const auto valid = [&](const lr_world* in) {
+        return lr_batch_is_valid(in, batch) + 10 * lr_body_is_valid(in, body) +
+               100 * lr_collider_is_valid(in, collider) + 1000 * lr_wind_source_is_valid(in, source);
+    };
+    CHECK(valid(w) == 1111);
+    CHECK(valid(other.get()) == 0);
+    CHECK(valid(nullptr) == 0);
+    CHECK(hash_of(world) == before);
+    REQUIRE(lr_world_remove_wind(w, source) == LR_OK);
+    CHECK(valid(w) == 111);
+    REQUIRE(lr_collider_destroy(w, &collider, 1) == LR_OK);
+    CHECK(valid(w) == 11);
+    REQUIRE(lr_batch_destroy(w, batch) == LR_OK);
+    CHECK(valid(w) == 0);
+    add_body(world, add_batch(world, asset, 4), body_desc());
+    add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+    add_source(world, initialised(lr_gusts_desc_init));
+    CHECK(valid(w) == 0); // the same slots
+    for (uint32_t id : {0u, ~0u}) {
+        CHECK(lr_collider_is_valid(w, {id}) == 0);
+        CHECK(lr_wind_source_is_valid(w, {id}) == 0);
+    }
 }
 
 TEST_CASE("bodies beyond the capacity: all or none") {
@@ -142,7 +179,7 @@ TEST_CASE("bodies beyond the capacity: all or none") {
     lr_body out[10] = {};
     for (uint32_t count : {4u, 10u}) {
         CHECK(lr_body_create(world.get(), batch, descs.data(), count, out) == LR_ERROR_CAPACITY);
-        CHECK(out[0] == 0);
+        CHECK(out[0].id == 0);
     }
     // No desc is read when there is no room: a count beyond all memory is refused like any other.
     CHECK(lr_body_create(world.get(), batch, descs.data(), UINT32_MAX, out) == LR_ERROR_CAPACITY);
@@ -191,7 +228,7 @@ TEST_CASE("any order of births and deaths keeps each id with its body") {
     const World world = make(wd);
     const lr_batch batch = add_batch(world, asset, 300);
     Random random(7);
-    std::vector<std::pair<lr_body, float>> model; // id and the mark it was born with
+    std::vector<std::pair<lr_body, float>> model; // id and the mark it was spawned with
     std::vector<lr_body> dead;
     float mark = 0.0f;
     for (int round = 0; round < 400; ++round) {
@@ -212,7 +249,7 @@ TEST_CASE("any order of births and deaths keeps each id with its body") {
         dead.insert(dead.end(), deaths.begin(), deaths.end());
     }
     REQUIRE(info_of(world).body_count == model.size());
-    for (const auto& [id, born] : model) CHECK(state_of(world, id).position[2] == born);
+    for (const auto& [id, spawned] : model) CHECK(state_of(world, id).position[2] == spawned);
     lr_body_state state = body_state();
     for (lr_body id : dead)
         if (lr_body_get_state(world.get(), id, &state) != LR_ERROR_STALE_BODY) FAIL("a dead id found a body");
@@ -221,10 +258,10 @@ TEST_CASE("any order of births and deaths keeps each id with its body") {
     REQUIRE(view.count == model.size());
     const std::set<lr_body> listed(view.ids, view.ids + view.count);
     CHECK(listed.size() == model.size());
-    for (const auto& [id, born] : model) CHECK(listed.count(id) == 1);
+    for (const auto& [id, spawned] : model) CHECK(listed.count(id) == 1);
 }
 
-TEST_CASE("bodies of one call and of many calls get the same noise keys") {
+TEST_CASE("bodies of one call and of many calls get the same noise seeds") {
     const Asset asset = leaf();
     const World one = make(world_desc()), many = make(world_desc());
     const lr_batch a = add_batch(one, asset, 50), b = add_batch(many, asset, 50);
@@ -239,13 +276,13 @@ TEST_CASE("bodies of one call and of many calls get the same noise keys") {
     steps(many, 5, 0.01f, 2);
     CHECK(hash_of(one) == hash_of(many));
     const lr_batch_view view = view_of(one, a);
-    CHECK(std::set<uint32_t>(view.key, view.key + 50).size() == 50);
-    // A refused call uses up no keys.
+    CHECK(std::set<uint32_t>(view.noise_seed, view.noise_seed + 50).size() == 50);
+    // A refused call uses up no noise seeds.
     lr_body_desc bad[2] = {body_desc(), body_desc()};
     bad[1].scale = -1.0f;
     const lr_batch more = add_batch(one, asset, 3);
     CHECK(lr_body_create(one.get(), more, bad, 2, nullptr) == LR_ERROR_INVALID_ARGUMENT);
-    CHECK(state_of(one, add_body(one, more, body_desc())).key == 51);
+    CHECK(state_of(one, add_body(one, more, body_desc())).noise_seed == 51);
 }
 
 TEST_CASE("more batches than the first table holds") {

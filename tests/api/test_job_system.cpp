@@ -1,6 +1,6 @@
 // Job systems of every temper: the same bits, nothing missed, nothing asked of them for small worlds.
 #include "support/counting_memory.h"
-#include "support/played_scene.h"
+#include "support/determinism_scenes.h"
 
 #include <algorithm>
 #include <atomic>
@@ -105,7 +105,7 @@ private:
 struct Crowd {
     Asset asset = leaf();
     World world;
-    lr_batch batch = 0;
+    lr_batch batch{};
     Crowd(const lr_world_desc& d, uint32_t bodies) : world(make(d)) {
         batch = add_batch(world, asset, bodies);
         std::vector<lr_body_desc> descs(bodies, body_desc());
@@ -160,10 +160,9 @@ TEST_CASE("wind prepared in slices and rules go through a job system too" * doct
         if (jobs) d.jobs = jobs->callbacks();
         d.worker_count = 2;
         const Crowd c(d, 6000);
-        lr_wind_source_desc turbulence = initialised(lr_wind_source_desc_init);
-        turbulence.kind = LR_WIND_SOURCE_TURBULENCE;
-        lr_wind_source source = 0;
-        REQUIRE(lr_world_add_wind(c.world.get(), &turbulence, &source) == LR_OK);
+        lr_turbulence_desc turbulence = initialised(lr_turbulence_desc_init);
+        lr_wind_source source{};
+        REQUIRE(lr_world_add_turbulence(c.world.get(), &turbulence, &source) == LR_OK);
         lr_batch_rules r = initialised(lr_batch_rules_init);
         r.volume_count = 1;
         r.volumes[0] = {LR_VOLUME_SPHERE, LR_KILL_OUTSIDE, {0.0f, 0.0f, 0.0f}, {0.02f, 0.0f, 0.0f}};

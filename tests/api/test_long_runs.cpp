@@ -1,7 +1,7 @@
 // Worlds that have run for very long: counters past 32 bits, and times at which a float would no longer do. They are put there
 // through a snapshot in which a number has been replaced. docs/maintainers/testing.md
 #include "support/lifecycle.h"
-#include "support/seal.h"
+#include "support/reseal_snapshot.h"
 #include "support/water.h"
 #include "support/wind.h"
 
@@ -148,19 +148,19 @@ TEST_CASE("totals of births and ends go past 2^32") {
     set_rules(w, batch, r);
     emit(w, batch, 7);
     steps(w, 202, 0.01f); // 7 in every other step
-    const uint64_t respawned = events_of(w, batch).total_respawned;
+    const uint64_t respawned = counts_of(w, batch).total_respawned;
     REQUIRE(respawned == 707);
     std::vector<unsigned char> bytes = snapshot_of(w);
     replace<uint64_t>(bytes, respawned, wrap - 3);
     restore(w, bytes);
     steps(w, 2, 0.01f);
-    CHECK(events_of(w, batch).total_respawned == wrap + 4);
-    CHECK(events_of(w, batch).respawned + 0u == (events_of(w, batch).respawned == 0 ? 0u : 7u));
+    CHECK(counts_of(w, batch).total_respawned == wrap + 4);
+    CHECK(counts_of(w, batch).respawned + 0u == (counts_of(w, batch).respawned == 0 ? 0u : 7u));
     restore(w, snapshot_of(w));
-    CHECK(events_of(w, batch).total_respawned == wrap + 4);
+    CHECK(counts_of(w, batch).total_respawned == wrap + 4);
 }
 
-TEST_CASE("after 2^32 births keys begin again, without the 0 that none has") {
+TEST_CASE("after 2^32 births noise seeds begin again, without the 0 that none has") {
     const World w = make(world_desc());
     const Asset asset = leaf();
     const lr_batch batch = add_batch(w, asset, 1000);
@@ -168,33 +168,31 @@ TEST_CASE("after 2^32 births keys begin again, without the 0 that none has") {
     const std::vector<lr_body> first = emit(w, batch, 775);
     REQUIRE(lr_body_destroy(w.get(), first.data(), 775) == LR_OK);
     std::vector<unsigned char> bytes = snapshot_of(w);
-    // In the slots' queue each number of a slot is there with its highest bit set, in the header the next key without.
+    // In the slots' queue each number of a slot is there with its highest bit set, in the header the next noise seed without.
     replace<uint32_t>(bytes, 776, UINT32_MAX - 1);
     restore(w, bytes);
-    std::vector<uint32_t> keys;
-    for (lr_body body : emit(w, batch, 5)) keys.push_back(state_of(w, body).key);
-    CHECK(keys == std::vector<uint32_t>{UINT32_MAX - 1, UINT32_MAX, 1, 2, 3});
+    std::vector<uint32_t> noise_seeds;
+    for (lr_body body : emit(w, batch, 5)) noise_seeds.push_back(state_of(w, body).noise_seed);
+    CHECK(noise_seeds == std::vector<uint32_t>{UINT32_MAX - 1, UINT32_MAX, 1, 2, 3});
     steps(w, 10, 0.01f);
     for (uint32_t i = 0; i < 5; ++i) CHECK(std::isfinite(view_of(w, batch).position[1][i]));
 }
 
 TEST_CASE("wind is as smooth after a day, after months and after decades as at first") {
     const std::vector<float> samples = grid_samples();
-    const auto source = [&](int32_t kind) {
-        lr_wind_source_desc d = source_desc(kind);
-        d.speed = 2.0f, d.size = 0.7f, d.period = 3.0f, d.spread = 0.4f;
-        if (kind == LR_WIND_SOURCE_GRID) {
-            d.counts[0] = 4, d.counts[1] = 3, d.counts[2] = 5, d.frames = 3;
-            d.samples = samples.data();
-            d.outside = LR_WIND_OUTSIDE_REPEAT;
-        }
-        return d;
-    };
-    for (int32_t kind : {LR_WIND_SOURCE_GUSTS, LR_WIND_SOURCE_TURBULENCE, LR_WIND_SOURCE_GRID}) {
+    lr_gusts_desc gusts = initialised(lr_gusts_desc_init);
+    gusts.rms = 2.0f, gusts.integral_time = 3.0f, gusts.angle_rms = 0.4f;
+    lr_turbulence_desc turbulence = initialised(lr_turbulence_desc_init);
+    turbulence.rms = 2.0f, turbulence.integral_length = 0.7f, turbulence.eddy_life = 3.0f;
+    lr_wind_grid_desc grid = initialised(lr_wind_grid_desc_init);
+    grid.counts[0] = 4, grid.counts[1] = 3, grid.counts[2] = 5, grid.frames = 3, grid.frame_time = 3.0f;
+    grid.samples = samples.data();
+    grid.outside = LR_WIND_OUTSIDE_REPEAT;
+    for (const AnySource& source : std::vector<AnySource>{gusts, turbulence, grid}) {
         const auto run = [&](double time) {
             const World w = at_time(time, [&](const World& world) {
-                add_source(world, source(kind));
-                set_wind(world, kind == LR_WIND_SOURCE_TURBULENCE ? 1.25f : 0.0f, 0.0f, 0.0f);
+                add_source(world, source);
+                set_wind(world, std::holds_alternative<lr_turbulence_desc>(source) ? 1.25f : 0.0f, 0.0f, 0.0f);
             });
             return smoothness([&] {
                 steps(w, 1, 1.0f / 60.0f);
@@ -205,7 +203,7 @@ TEST_CASE("wind is as smooth after a day, after months and after decades as at f
         REQUIRE(first.step > 1e-3);
         CHECK(first.still < 12);
         for (double time : {86400.0, 1e7, 1e8, 1e9}) {
-            CAPTURE(kind);
+            CAPTURE(source.index());
             CAPTURE(time);
             const Smoothness late = run(time);
             // Other pieces of the same random function; of a grid the corners between its frames are the same.
@@ -222,7 +220,7 @@ namespace {
 // The height of the waves at one place, as a surface callback is told.
 struct Told {
     double height = 0.0;
-    static void tell(void* user, const lr_surface_query* query) {
+    static void tell(void* user, const lr_water_query* query) {
         static_cast<Told*>(user)->height = wide(query->height[0]);
     }
 };
@@ -235,7 +233,7 @@ TEST_CASE("waves are as smooth after a day, after months and after decades as at
         const World w = at_time(time, [&](const World& world) { set_water(world, sea()); });
         const lr_batch batch = add_batch(w, asset, 1);
         Told told;
-        REQUIRE(lr_world_set_surface_callback(w.get(), &Told::tell, &told) == LR_OK);
+        REQUIRE(lr_world_set_water_callback(w.get(), &Told::tell, &told) == LR_OK);
         const lr_body body = add_body(w, batch, body_desc());
         const lr_body_state here = state_of(w, body);
         return smoothness([&] {

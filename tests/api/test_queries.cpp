@@ -13,7 +13,7 @@ struct Ball {
     Vec at;
     double radius;
     lr_body body;
-    uint32_t key;
+    uint32_t noise_seed;
 };
 
 lr_ray ray_of(Vec from, Vec along) {
@@ -55,7 +55,7 @@ struct Balls {
             const Vec at = random_vec(random, 5.0);
             for (size_t k = 0; k < 3; ++k) d.position[k] = narrow(at[k]);
             d.scale = narrow(random.logarithmic(0.01, 5.0));
-            d.key = 5000 - i;
+            d.noise_seed = 5000 - i;
             descs[i % 2].push_back(d);
         }
         for (size_t b = 0; b < 2; ++b) {
@@ -63,8 +63,9 @@ struct Balls {
             std::vector<lr_body> ids(600);
             REQUIRE(lr_body_create(world.get(), batches[b], descs[b].data(), 600, ids.data()) == LR_OK);
             for (size_t i = 0; i < 600; ++i)
-                all.push_back({vec(descs[b][i].position), 0.1 * wide(descs[b][i].scale), ids[i], descs[b][i].key});
-            REQUIRE(lr_body_set_rest(world.get(), ids.data(), 200, LR_REST_RESTING) == LR_OK);
+                all.push_back(
+                    {vec(descs[b][i].position), 0.1 * wide(descs[b][i].scale), ids[i], descs[b][i].noise_seed});
+            REQUIRE(lr_body_set_sleep(world.get(), ids.data(), 200, LR_SLEEP_ASLEEP) == LR_OK);
         }
     }
 };
@@ -91,8 +92,8 @@ TEST_CASE("a ray meets the nearest of many balls, where the sphere begins") {
             nearest = &b;
         }
         const lr_ray_hit hit = cast(balls.world, r);
-        CHECK(hit.collider == 0);
-        REQUIRE(hit.body == (nearest ? nearest->body : 0));
+        CHECK(hit.collider.id == 0);
+        REQUIRE(hit.body == (nearest ? nearest->body : lr_body{}));
         if (!nearest) continue;
         ++met;
         CHECK(wide(hit.distance) == doctest::Approx(least).epsilon(1e-5));
@@ -117,11 +118,11 @@ TEST_CASE("rays are told the same whatever order bodies lie in") {
     REQUIRE(lr_world_ray_cast(one.world.get(), rays.data(), 500, a.data()) == LR_OK);
     REQUIRE(lr_world_ray_cast(other.world.get(), rays.data(), 500, b.data()) == LR_OK);
     for (size_t i = 0; i < 500; ++i) {
-        if (a[i].body != 0) {
-            REQUIRE(b[i].body != 0);
-            CHECK(state_of(one.world, a[i].body).key == state_of(other.world, b[i].body).key);
+        if (a[i].body.id != 0) {
+            REQUIRE(b[i].body.id != 0);
+            CHECK(state_of(one.world, a[i].body).noise_seed == state_of(other.world, b[i].body).noise_seed);
         }
-        a[i].body = b[i].body = 0;
+        a[i].body = b[i].body = {};
         CHECK(std::memcmp(&a[i], &b[i], sizeof a[i]) == 0);
     }
 }
@@ -146,7 +147,7 @@ TEST_CASE("a ray through sheets of paper meets their upper side, to a fraction o
     CHECK(std::abs(wide(hit.position[2]) - (0.02 + height)) < 1e-8);
     CHECK(hit.normal[2] > 0.99f);
     r.origin[0] = 0.0401f;
-    CHECK(cast(world, r).body == 0);
+    CHECK(cast(world, r).body.id == 0);
 }
 
 TEST_CASE("rays meet colliders where these stand, moved and turned, by their layers") {
@@ -169,7 +170,7 @@ TEST_CASE("rays meet colliders where these stand, moved and turned, by their lay
         REQUIRE(lr_collider_create(world.get(), d, 1, &ids[at++]) == LR_OK);
     lr_ray r = ray_of({0.0, 0.0, 0.1}, {1.0, 0.0, 0.0});
     lr_ray_hit hit = cast(world, r);
-    CHECK((hit.collider == ids[1] && hit.body == 0));
+    CHECK((hit.collider == ids[1] && hit.body.id == 0));
     CHECK(wide(hit.distance) == doctest::Approx(2.75));
     CHECK(wide(hit.normal[0]) == doctest::Approx(-1.0));
     r.collider_layers = 1;
@@ -177,7 +178,7 @@ TEST_CASE("rays meet colliders where these stand, moved and turned, by their lay
     CHECK(hit.collider == ids[2]);
     CHECK(wide(hit.distance) == doctest::Approx(6.0 - std::sqrt(0.25 - 0.01)));
     r.flags = LR_RAY_BODIES;
-    CHECK(cast(world, r).collider == 0);
+    CHECK(cast(world, r).collider.id == 0);
     hit = cast(world, ray_of({-50.0, 1.0, 0.0}, {0.0, -2.0, 0.0}));
     CHECK(hit.collider == ids[0]);
     CHECK((hit.distance == 3.0f && hit.normal[1] == 1.0f && hit.position[1] == -2.0f));
@@ -190,7 +191,7 @@ TEST_CASE("rays meet colliders where these stand, moved and turned, by their lay
     d.position[0] = 6.0f;
     const lr_body body = add_body(world, batch, d);
     hit = cast(world, ray_of({6.0, 9.0, 0.0}, {0.0, -1.0, 0.0}));
-    CHECK((hit.body == body && hit.collider == 0));
+    CHECK((hit.body == body && hit.collider.id == 0));
     // They are where they have been moved.
     lr_collider_motion m = initialised(lr_collider_motion_init);
     m.mode = LR_MOVE_PLACE;
@@ -200,7 +201,7 @@ TEST_CASE("rays meet colliders where these stand, moved and turned, by their lay
     CHECK(cast(world, ray_of({-50.0, 1.0, 0.0}, {0.0, -1.0, 0.0})).distance == 2.0f);
 }
 
-TEST_CASE("overlaps of balls with spheres and boxes are those of closed forms, in order of batches and keys") {
+TEST_CASE("overlaps of balls with spheres and boxes are those of closed forms, in order of batches and noise seeds") {
     const Balls balls;
     Random random(4);
     size_t most = 0;
@@ -213,11 +214,11 @@ TEST_CASE("overlaps of balls with spheres and boxes are those of closed forms, i
         for (size_t k = 0; k < 4; ++k) d.orientation[k] = narrow(q[k]);
         for (float& s : d.size) s = narrow(random.logarithmic(0.01, 5.0));
         d.shape = round % 2 ? LR_OVERLAP_BOX : LR_OVERLAP_SPHERE;
-        d.batch = round % 3 ? 0 : balls.batches[1];
+        d.batch = round % 3 ? lr_batch{} : balls.batches[1];
         std::vector<const Ball*> expected;
         for (size_t i = 0; i < balls.all.size(); ++i) {
             const Ball& b = balls.all[i];
-            if (d.batch != 0 && i < 600) continue;
+            if (d.batch.id != 0 && i < 600) continue;
             const Vec p = to_body(quat(d.orientation), b.at - vec(d.position));
             double square = 0.0;
             for (size_t k = 0; k < 3; ++k) {
@@ -230,7 +231,7 @@ TEST_CASE("overlaps of balls with spheres and boxes are those of closed forms, i
         }
         std::stable_sort(expected.begin(), expected.end(), [&](const Ball* a, const Ball* b) {
             const bool first_a = a < &balls.all[600], first_b = b < &balls.all[600];
-            return first_a != first_b ? first_a : a->key < b->key;
+            return first_a != first_b ? first_a : a->noise_seed < b->noise_seed;
         });
         const std::vector<lr_body> got = overlaps(balls.world, d);
         REQUIRE(got.size() == expected.size());
@@ -308,12 +309,12 @@ TEST_CASE("queries refuse wrong arguments, change nothing, and do nothing in par
     rays[1].origin[1] = 2e9f, refused(LR_ERROR_INVALID_ARGUMENT);
     rays[1].max_distance = -1.0f, refused(LR_ERROR_INVALID_ARGUMENT);
     rays[1].max_distance = INFINITY, refused(LR_ERROR_NOT_FINITE);
-    rays[1].batch = 77, refused(LR_ERROR_STALE_BATCH);
+    rays[1].batch = {77}, refused(LR_ERROR_STALE_BATCH);
     rays[1].reserved = 1, refused(LR_ERROR_INVALID_ARGUMENT);
     rays[1].struct_size += 4, refused(LR_ERROR_STRUCT_SIZE);
     CHECK(lr_world_ray_cast(world.get(), nullptr, 0, nullptr) == LR_OK);
     uint32_t count = 9;
-    lr_body id = 0;
+    lr_body id{};
     const lr_overlap_desc fine = initialised(lr_overlap_desc_init);
     lr_overlap_desc d = fine;
     const auto overlap_refused = [&](lr_status status) {
@@ -326,7 +327,7 @@ TEST_CASE("queries refuse wrong arguments, change nothing, and do nothing in par
     d.size[2] = NAN, overlap_refused(LR_ERROR_NOT_FINITE);
     d.orientation[3] = 0.0f, overlap_refused(LR_ERROR_INVALID_ARGUMENT);
     d.position[0] = -2e9f, overlap_refused(LR_ERROR_INVALID_ARGUMENT);
-    d.batch = 77, overlap_refused(LR_ERROR_STALE_BATCH);
+    d.batch = {77}, overlap_refused(LR_ERROR_STALE_BATCH);
     d.reserved = 1, overlap_refused(LR_ERROR_INVALID_ARGUMENT);
     CHECK(lr_world_overlap(world.get(), &d, nullptr, 0, &count) == LR_ERROR_BUFFER_TOO_SMALL);
     CHECK(count > 0);

@@ -10,7 +10,7 @@ namespace {
 // Two batches on both tensor paths, births, deaths and time behind them.
 struct Lived {
     World world;
-    lr_batch leaves = 0, curled = 0;
+    lr_batch leaves{}, curled{};
     std::vector<lr_body> ids;
 
     explicit Lived(const Asset& leaf, const Asset& other, uint64_t seed = 5, bool live = true) {
@@ -37,9 +37,9 @@ struct Lived {
     }
 };
 
-void live_on(const World& world, lr_batch batch, std::vector<lr_body>& born) {
+void live_on(const World& world, lr_batch batch, std::vector<lr_body>& spawned) {
     for (int i = 0; i < 5; ++i) {
-        born.push_back(add_body(world, batch, body_desc()));
+        spawned.push_back(add_body(world, batch, body_desc()));
         steps(world, 3, 0.01f, 2);
     }
 }
@@ -58,10 +58,10 @@ TEST_CASE("a restored world has the same ids, the same hash and the same future"
         found.push_back(lr_body_get_state(lived.world.get(), id, &s));
         states.push_back(s);
     }
-    std::vector<lr_body> born;
-    live_on(lived.world, lived.leaves, born);
+    std::vector<lr_body> spawned;
+    live_on(lived.world, lived.leaves, spawned);
     const uint64_t later = hash_of(lived.world);
-    const lr_body doomed[] = {lived.ids[0], lived.ids[40], born[2]};
+    const lr_body doomed[] = {lived.ids[0], lived.ids[40], spawned[2]};
     REQUIRE(lr_body_destroy(lived.world.get(), doomed, 3) == LR_OK);
     REQUIRE(later != then);
 
@@ -82,7 +82,7 @@ TEST_CASE("a restored world has the same ids, the same hash and the same future"
         }
         std::vector<lr_body> again;
         live_on(*world, lived.leaves, again);
-        CHECK(again == born); // the same ids for the same births
+        CHECK(again == spawned); // the same ids for the same births
         CHECK(hash_of(*world) == later);
     }
 }
@@ -125,7 +125,7 @@ TEST_CASE("tables, gravity, wind and seed come back with a snapshot") {
     CHECK(same_bits(state_of(one, body), state_of(two, body)));
 }
 
-TEST_CASE("a buffer too small is refused and not touched; a larger one is filled in part") {
+TEST_CASE("a buffer too small is refused and not touched, a larger one is filled in part") {
     const Asset a = leaf(), b = curled_leaf();
     const Lived lived(a, b);
     const uint64_t size = lr_world_snapshot_size(lived.world.get());

@@ -111,29 +111,30 @@ TEST_CASE("the log says which function refused and why") {
     lr_body_state state = body_state();
     lr_batch_view view = initialised(lr_batch_view_init);
     const float nan3[3] = {std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f};
-    lr_wind_desc wind = wind_desc();
-    wind.kind = 50;
     lr_batch_desc bd = batch_desc();
-    lr_batch out = 0;
+    lr_batch out{};
     unsigned char bytes[8] = {};
-    const lr_body stale = body + 1;
+    const lr_body stale{body.id + 1};
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     const struct {
         const char* function;
         lr_status status;
     } refused[] = {{"lr_world_step", lr_world_step(w, -1.0f, 1)},
                    {"lr_world_set_gravity", lr_world_set_gravity(w, nan3)},
-                   {"lr_world_set_wind", lr_world_set_wind(w, &wind)},
+                   {"lr_world_set_uniform_wind", lr_world_set_uniform_wind(w, 1e4f, 0.0f, 0.0f)},
+                   {"lr_world_add_turbulence", lr_world_add_turbulence(w, nullptr, nullptr)},
+                   {"lr_world_update_turbulence", lr_world_update_turbulence(w, {}, nullptr)},
+                   {"lr_world_get_turbulence", lr_world_get_turbulence(w, {}, nullptr)},
                    {"lr_world_set_simd_target", lr_world_set_simd_target(w, 77)},
                    {"lr_world_snapshot_save", lr_world_snapshot_save(w, bytes, 8, nullptr)},
                    {"lr_world_snapshot_restore", lr_world_snapshot_restore(w, bytes, 8)},
                    {"lr_batch_create", lr_batch_create(w, &bd, &out)},
-                   {"lr_batch_destroy", lr_batch_destroy(w, 0)},
-                   {"lr_batch_set_turbulence_table", lr_batch_set_turbulence_table(w, 0, nullptr)},
-                   {"lr_batch_set_aerodynamics", lr_batch_set_aerodynamics(w, 0, nullptr)},
-                   {"lr_batch_get_aerodynamics", lr_batch_get_aerodynamics(w, 0, &loads)},
-                   {"lr_batch_set_load_gains", lr_batch_set_load_gains(w, 0, nullptr)},
-                   {"lr_batch_get_view", lr_batch_get_view(w, 0, &view)},
+                   {"lr_batch_destroy", lr_batch_destroy(w, {})},
+                   {"lr_batch_set_turbulence_table", lr_batch_set_turbulence_table(w, {}, nullptr)},
+                   {"lr_batch_set_aerodynamics", lr_batch_set_aerodynamics(w, {}, nullptr)},
+                   {"lr_batch_get_aerodynamics", lr_batch_get_aerodynamics(w, {}, &loads)},
+                   {"lr_batch_set_load_gains", lr_batch_set_load_gains(w, {}, nullptr)},
+                   {"lr_batch_get_view", lr_batch_get_view(w, {}, &view)},
                    {"lr_batch_write_transforms", lr_batch_write_transforms(w, batch, 99, bytes, 0, 1, nullptr)},
                    {"lr_body_create", lr_body_create(w, batch, &desc, 1, nullptr)},
                    {"lr_body_destroy", lr_body_destroy(w, &stale, 1)},

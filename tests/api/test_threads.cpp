@@ -1,6 +1,6 @@
 // What the header allows threads to do at the same time: worlds of their own, assets of all. For ThreadSanitizer, and for bits.
 #include "support/counting_memory.h"
-#include "support/played_scene.h"
+#include "support/determinism_scenes.h"
 #include "support/threads.h"
 #include "support/wind.h"
 
@@ -161,7 +161,7 @@ TEST_CASE("an asset is shared, asked and released by many threads, the last of w
             lr_batch_desc_init(&bd, sizeof bd);
             bd.asset = asset;
             bd.capacity = 100;
-            lr_batch batch = 0;
+            lr_batch batch{};
             lr_body_desc body;
             lr_body_desc_init(&body, sizeof body);
             lr_asset_info info;

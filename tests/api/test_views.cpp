@@ -13,7 +13,7 @@ namespace {
 struct Crowd {
     Asset asset = curled_leaf();
     World world = make(world_desc());
-    lr_batch batch = 0;
+    lr_batch batch{};
     std::vector<lr_body> ids;
 
     explicit Crowd(uint32_t count) {
@@ -45,7 +45,7 @@ TEST_CASE("a view holds what get_state says, in aligned arrays") {
     const lr_batch_view v = view_of(crowd.world, crowd.batch);
     REQUIRE(v.count == 36);
     CHECK(v.capacity == 42);
-    std::vector<const void*> arrays = {v.scale, v.age, v.key, v.ids};
+    std::vector<const void*> arrays = {v.scale, v.age, v.noise_seed, v.ids};
     arrays.insert(arrays.end(),
                   {v.position[0], v.position[1], v.position[2], v.velocity[0], v.velocity[1], v.velocity[2], v.spin[0],
                    v.spin[1], v.spin[2], v.orientation[0], v.orientation[1], v.orientation[2], v.orientation[3]});
@@ -63,7 +63,7 @@ TEST_CASE("a view holds what get_state says, in aligned arrays") {
             CHECK(s.orientation[k] == v.orientation[k][i]);
             q[k] = wide(v.orientation[k][i]);
         }
-        CHECK((s.scale == v.scale[i] && s.age == v.age[i] && s.key == v.key[i]));
+        CHECK((s.scale == v.scale[i] && s.age == v.age[i] && s.noise_seed == v.noise_seed[i]));
         CHECK(std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0) < 4e-7);
         CHECK(largest_difference(to_world(q, velocity), vec(s.linear_velocity)) < 1e-6);
         CHECK(largest_difference(to_world(q, spin), vec(s.angular_velocity)) < 1e-6);
@@ -91,16 +91,16 @@ TEST_CASE("what a body is created with is what it has") {
     }
 }
 
-TEST_CASE("setting the state that was read changes nothing but rounding, and never the key") {
+TEST_CASE("setting the state that was read changes nothing but rounding, and never the noise seed") {
     Crowd crowd(100);
     steps(crowd.world, 5, 0.01f, 2);
     for (lr_body id : crowd.ids) {
         lr_body_state before = state_of(crowd.world, id);
         lr_body_state given = before;
-        given.key = 123456;
+        given.noise_seed = 123456;
         REQUIRE(lr_body_set_state(crowd.world.get(), id, &given) == LR_OK);
         const lr_body_state after = state_of(crowd.world, id);
-        CHECK(after.key == before.key);
+        CHECK(after.noise_seed == before.noise_seed);
         CHECK(vec(after.position) == vec(before.position));
         CHECK((after.scale == before.scale && after.age == before.age));
         for (size_t k = 0; k < 4; ++k) CHECK(std::abs(after.orientation[k] - before.orientation[k]) < 1.5e-7f);

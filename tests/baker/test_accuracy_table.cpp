@@ -1,6 +1,6 @@
 // The tables of docs/maintainers/physics.md sections 2.1 and 2.2, printed and held.
+#include "asset/closed_forms/ellipsoid_formulas.h"
 #include "baker/added_mass/added_mass.h"
-#include "shape/lamb.h"
 #include "sheet_shapes.h"
 
 #include <doctest/doctest.h>

@@ -325,7 +325,7 @@ TEST_CASE("two distant bodies are the sum of both") {
     CHECK(solve(mesh).value(0, 0) == doctest::Approx(2.0 * alone).epsilon(1e-3));
 }
 
-TEST_CASE("same bits every time; progress runs from start to one; too many panels are refused") {
+TEST_CASE("same bits every time, progress runs from start to one, too many panels are refused") {
     const Mesh mesh = test::leaf(10, 3, 0.05, 0.2);
     std::vector<double> seen;
     AddedMass a, b;

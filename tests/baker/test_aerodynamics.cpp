@@ -1,13 +1,14 @@
 // From a mesh to the measures of its surface and the coefficients of its loads.
+#include "asset/asset_file.h"
+#include "asset/closed_forms/ellipsoid_formulas.h"
 #include "baker/aerodynamics/mesh_geometry.h"
 #include "baker/aerodynamics/principal_axes.h"
 #include "baker/aerodynamics/silhouette.h"
+#include "baker/asset_report.h"
 #include "baker/bake.h"
+#include "baker/fault_text.h"
 #include "baker/json.h"
 #include "baker/mesh/mass_properties.h"
-#include "baker/report.h"
-#include "format/asset_file.h"
-#include "format/coupling.h"
 #include "sheet_shapes.h"
 #include "support/random.h"
 

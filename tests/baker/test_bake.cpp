@@ -1,16 +1,16 @@
 #include "baker/bake.h"
+#include "baker/fault_text.h"
 #include "baker/json.h"
 
+#include "asset/asset_file.h"
+#include "asset/closed_forms/ellipsoid_asset.h"
+#include "asset/closed_forms/turbulence_closure.h"
+#include "baker/asset_report.h"
 #include "baker/file_io.h"
-#include "baker/report.h"
-#include "baker/text.h"
-#include "format/asset_file.h"
-#include "format/checksum.h"
-#include "format/coupling.h"
+#include "baker/printable_text.h"
+#include "base/fnv1a.h"
 #include "mesh_shapes.h"
 #include "scratch.h"
-#include "shape/ellipsoid.h"
-#include "shape/turbulence_closure.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // The public C++ API of the baker, as an importer meets it.
+#include "asset/asset_file.h"
 #include "baker/json.h"
-#include "format/asset_file.h"
 #include "langevin_rigid_baker.hpp"
 #include "mesh_shapes.h"
 #include "scene_files.h"

@@ -1,6 +1,7 @@
 // From the alpha channel of an image to a flat mesh.
 #include "baker/bake.h"
 #include "baker/card/card.h"
+#include "baker/fault_text.h"
 #include "baker/json.h"
 #include "mesh_shapes.h"
 #include "png_files.h"

@@ -61,7 +61,7 @@ TEST_CASE("hull of a cut-up box has eight corners, turned or not") {
         }
 }
 
-TEST_CASE("hull of points on a sphere keeps them all; inner points go") {
+TEST_CASE("hull of points on a sphere keeps them all, inner points go") {
     Mesh mesh = test::icosphere(3);
     std::vector<Eigen::Vector3d> points = mesh.vertices;
     std::mt19937 random(3);

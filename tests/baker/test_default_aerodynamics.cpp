@@ -1,9 +1,10 @@
 // The rules that turn a shape's measures into coefficients: what they must give for known bodies, and that they are
 // finite, continuous and of the right dimension for all.
-#include "shape/aerodynamics.h"
+#include "asset/closed_forms/aerodynamic_coefficients.h"
 
+#include "asset/asset_file.h"
+#include "asset/closed_forms/ellipsoid_formulas.h"
 #include "baker/aerodynamics/surface_measures.h"
-#include "format/asset_file.h"
 #include "support/asset_bytes.h"
 #include "support/random.h"
 

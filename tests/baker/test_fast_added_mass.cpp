@@ -181,7 +181,7 @@ TEST_CASE("fast matrix: products, symmetry, and nothing from a constant") {
     CHECK(x.col(0).dot(y.col(2)) == doctest::Approx(x.col(2).dot(y.col(0))).epsilon(1e-6));
 }
 
-TEST_CASE("fast added mass: progress runs from start to one; what cannot be solved is refused") {
+TEST_CASE("fast added mass: progress runs from start to one, what cannot be solved is refused") {
     std::vector<double> seen;
     AddedMass m;
     Faults faults;

@@ -1,6 +1,6 @@
 // Files that cannot be read or written, and bakes that are killed: docs/maintainers/testing.md.
+#include "asset/asset_file.h"
 #include "baker/file_io.h"
-#include "format/asset_file.h"
 #include "json.h"
 #include "mesh_shapes.h"
 #include "scratch.h"

@@ -1,5 +1,6 @@
 // Scenes through assimp: transforms, units, axes, names.
 #include "baker/bake.h"
+#include "baker/fault_text.h"
 #include "baker/json.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh.h"
@@ -319,7 +320,7 @@ TEST_CASE("--up turns by a proper rotation, and the inertia with it") {
     CHECK(up_rotation(UpAxis::x) * Eigen::Vector3d(1, 2, 3) == Eigen::Vector3d(-3, 2, 1));
 }
 
-TEST_CASE("vertices within a ten-millionth of the extent are one, at any scale; further apart they are not") {
+TEST_CASE("vertices within a ten-millionth of the extent are one, at any scale, further apart they are not") {
     for (const double scale : {1e-6, 1.0, 1e6})
         for (const bool apart : {false, true}) {
             CAPTURE(scale);

@@ -1,7 +1,8 @@
 // A body whose mass is not where its surface is: --mass-from, and BakeOptions::mass.
+#include "asset/asset_file.h"
 #include "baker/bake.h"
+#include "baker/fault_text.h"
 #include "baker/mesh/mass_properties.h"
-#include "format/asset_file.h"
 #include "langevin_rigid_baker.hpp"
 #include "scratch.h"
 #include "sheet_shapes.h"

@@ -1,3 +1,4 @@
+#include "baker/fault_text.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh.h"
 #include "baker/mesh/mesh_check.h"

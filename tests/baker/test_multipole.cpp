@@ -2,7 +2,7 @@
 #include "baker/added_mass/fast_double_layer.h"
 #include "baker/added_mass/multipole.h"
 #include "baker/added_mass/near_panels.h"
-#include "baker/parallel.h"
+#include "baker/parallel_for.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,5 @@
 // Faces that cross, and the exact predicates under them.
+#include "baker/fault_text.h"
 #include "baker/mesh/exact_predicates.h"
 #include "baker/mesh/mesh_check.h"
 #include "baker/mesh/self_intersection.h"

@@ -2,7 +2,7 @@
 
 #include "baker/turbulence/k_epsilon.h"
 #include "baker/turbulence/mean_flow.h"
-#include "shape/turbulence_closure.h"
+#include "baker/turbulence/turbulence_production.h"
 
 #include <doctest/doctest.h>
 

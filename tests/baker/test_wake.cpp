@@ -1,15 +1,15 @@
+#include "asset/asset_file.h"
+#include "baker/asset_report.h"
 #include "baker/bake.h"
 #include "baker/json.h"
 #include "baker/mesh/ellipsoid_mesh.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh_shapes.h"
-#include "baker/report.h"
 #include "baker/turbulence/k_epsilon.h"
 #include "baker/turbulence/mean_flow.h"
 #include "baker/turbulence/stream_body.h"
 #include "baker/turbulence/turbulence.h"
 #include "baker/turbulence/wake_history.h"
-#include "format/asset_file.h"
 
 #include <doctest/doctest.h>
 
@@ -284,7 +284,7 @@ TEST_CASE("the wake makes its own turbulence: little of the inflow's intensity i
     CHECK(k[2] > 0.02);
 }
 
-TEST_CASE("bodies that leave no room, or no number, are refused; closed pockets are not") {
+TEST_CASE("bodies that leave no room, or no number, are refused, closed pockets are not") {
     const MassProperties p = compute_mass_properties(test::cube(1));
     TurbulenceTable table;
     Faults faults;

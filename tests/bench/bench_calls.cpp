@@ -35,7 +35,7 @@ void blow(void*, const lr_wind_query* q) {
 
 struct Watched {
     lr_world* world = nullptr;
-    lr_batch batch = 0;
+    lr_batch batch{};
     std::vector<lr_body> bodies;
     uint64_t bytes = 0;
     double begin = 0.0; // ns that starting the recording took
@@ -59,7 +59,7 @@ struct Watched {
         bodies.resize(count_of_bodies);
         return lr_world_create(&wd, &world) == LR_OK && lr_batch_create(world, &bd, &batch) == LR_OK &&
                lr_batch_set_emitter(world, batch, &e) == LR_OK &&
-               lr_batch_emit(world, batch, count_of_bodies, bodies.data()) == LR_OK &&
+               lr_batch_spawn(world, batch, count_of_bodies, bodies.data()) == LR_OK &&
                lr_batch_set_emitter(world, batch, nullptr) == LR_OK &&
                (!wind || lr_world_set_wind_callback(world, blow, nullptr) == LR_OK);
     }
@@ -113,12 +113,11 @@ bool all(lr_asset* asset, uint32_t bodies, int turns, bool wind) {
     const auto step = [](Watched& w) { return lr_world_step(w.world, 0.016f, 2); };
     if (wind) return measure("step, callback", worlds, turns, 1, step);
     std::printf("%-16s %43.0f %10llu\n", "begin", worlds[3].begin, static_cast<unsigned long long>(worlds[3].bytes));
-    lr_wind_desc d;
-    lr_wind_desc_init(&d, sizeof d);
     lr_body_state s;
     lr_body_state_init(&s, sizeof s);
     if (lr_body_get_state(worlds[0].world, worlds[0].bodies[0], &s) != LR_OK) return false;
-    return measure("set_wind", worlds, turns, 1000, [&](Watched& w) { return lr_world_set_wind(w.world, &d); }) &&
+    return measure("set_wind", worlds, turns, 1000,
+                   [](Watched& w) { return lr_world_set_uniform_wind(w.world, 0.0f, 0.0f, 0.0f); }) &&
            measure("set_state", worlds, turns, 1000,
                    [&](Watched& w) { return lr_body_set_state(w.world, w.bodies[0], &s); }) &&
            measure("step", worlds, turns, 1, step);

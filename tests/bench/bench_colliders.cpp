@@ -1,8 +1,8 @@
 // Colliders alone: making them, a step in which they move, and who is near. `each` is a collider; of `candidates` a call.
 // `near` is the share of bodies in free places that the bits do not know to be far.
 //     bench_colliders --benchmark_counters_tabular=true
-#include "contact/colliders.h"
-#include "contact/marked.h"
+#include "collision/colliders.h"
+#include "collision/near_collider_marks.h"
 #include "support/random.h"
 
 #include <benchmark/benchmark.h>

@@ -1,5 +1,5 @@
 // What a pair costs: a leaf of 24 points near and far from each kind of collider.
-#include "contact/pairs.h"
+#include "collision/random_pairs.h"
 
 #include <benchmark/benchmark.h>
 

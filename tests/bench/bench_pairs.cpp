@@ -1,6 +1,9 @@
 // What it costs to find where two bodies touch.
-#include "contact/body_pair.h"
-#include "contact/pairs.h"
+#include "collision/found_pair.h"
+#include "collision/pair_contacts.h"
+#include "collision/random_pairs.h"
+#include "kernel/integrator/step.h"
+#include "langevin_rigid.h"
 
 #include <benchmark/benchmark.h>
 
@@ -16,7 +19,7 @@ struct Scene {
 
 void run(benchmark::State& state, const Scene& scene) {
     test::Random random(7);
-    const MeetingShape a = make_meeting_shape(scene.a), b = make_meeting_shape(scene.b);
+    const PairHull a = make_pair_hull(scene.a), b = make_pair_hull(scene.b);
     const float size = std::min(a.shape.reach, b.shape.reach),
                 margin = scene.lie == 1 || scene.lie == 4 ? 0.05f * size : 0.02f * size;
     struct Pair {
@@ -39,21 +42,29 @@ void run(benchmark::State& state, const Scene& scene) {
         } else {
             p.b.position = random.real(0.0, scene.lie == 2 ? 1.6 : 1.2) * size * test::any_direction(random);
         }
-        const uint32_t found = find_pair_contacts(a, 1.0f, p.a, b, 1.0f, p.b, margin, out);
+        const uint32_t found = test::find_pair_contacts(a, 1.0f, p.a, b, 1.0f, p.b, margin, out);
         float least = 1.0f;
         for (uint32_t i = 0; i < found; ++i) least = std::min(least, out[i].gap);
         const bool overlap = found > 0 && least < -(a.shape.radius + b.shape.radius);
         if (scene.lie >= 2 && scene.lie != 3 ? found > 0 : found == 0 || overlap != (scene.lie == 3)) continue;
         pairs.push_back(p);
     }
+    std::vector<PairBody> bodies;
+    for (const Pair& p : pairs) {
+        bodies.push_back({&a, 1.0f, p.a, p.a, {}, 0.0f});
+        bodies.push_back({&b, 1.0f, p.b, p.b, {}, 0.0f});
+    }
     size_t i = 0;
     double found = 0.0;
+    const auto take = [&](uint32_t, const WayContact*, uint32_t count) { found += count; };
+    PairBatch batch(find_target(LR_SIMD_AUTO)->search_pairs);
     for (auto _ : state) {
-        const Pair& p = pairs[i & 1023];
-        found += find_pair_contacts(a, 1.0f, p.a, b, 1.0f, p.b, margin, out);
+        const size_t at = 2 * (i & 1023);
+        batch.find(bodies[at], bodies[at + 1], margin, 0, take);
         benchmark::DoNotOptimize(found);
         ++i;
     }
+    batch.finish(take);
     state.counters["found"] = found / static_cast<double>(i);
 }
 

@@ -1,4 +1,4 @@
-// Rays and overlaps among 10^5 bodies that move, and what contact events cost a step.
+// Rays and overlaps among 10^5 bodies that move, and what events cost a step.
 #include "langevin_rigid.h"
 
 #include <benchmark/benchmark.h>
@@ -25,7 +25,7 @@ struct Storm {
         lr_batch_desc_init(&b, sizeof b);
         b.asset = asset;
         b.capacity = bodies;
-        lr_batch batch = 0;
+        lr_batch batch{};
         lr_batch_create(world, &b, &batch);
         lr_collider_desc plane;
         lr_collider_desc_init(&plane, sizeof plane);
@@ -78,14 +78,14 @@ void overlap(benchmark::State& state) {
 // 10^5 leaves of which more and more lie on the ground or touch it.
 void step(benchmark::State& state) {
     const Storm storm(100000, 0.5f);
-    if (state.range(0) != 0) lr_world_set_contact_events(storm.world, 65536, LR_EVENTS_ALL);
+    if (state.range(0) != 0) lr_world_set_events(storm.world, 65536, LR_EVENTS_ALL);
     for (int i = 0; i < 10; ++i) lr_world_step(storm.world, 1.0f / 60.0f, 2);
     double events = 0.0;
     for (auto _ : state) {
         lr_world_step(storm.world, 1.0f / 60.0f, 2);
-        lr_contact_event_list list;
-        lr_contact_event_list_init(&list, sizeof list);
-        lr_world_get_contact_events(storm.world, &list);
+        lr_event_list list;
+        lr_event_list_init(&list, sizeof list);
+        lr_world_get_events(storm.world, &list);
         events += list.count;
     }
     state.counters["events/step"] = events / static_cast<double>(state.iterations());

@@ -27,13 +27,13 @@ struct Forest {
             lr_batch_desc_init(&bd, sizeof bd);
             bd.asset = asset;
             bd.capacity = bodies;
-            lr_batch batch = 0;
+            lr_batch batch{};
             lr_emitter_desc e;
             lr_emitter_desc_init(&e, sizeof e);
             e.shape = LR_EMIT_BOX;
             for (float& s : e.size) s = 20.0f;
             if (lr_batch_create(world, &bd, &batch) != LR_OK || lr_batch_set_emitter(world, batch, &e) != LR_OK ||
-                lr_batch_emit(world, batch, bodies, nullptr) != LR_OK ||
+                lr_batch_spawn(world, batch, bodies, nullptr) != LR_OK ||
                 lr_batch_set_rate(world, batch, divisor) != LR_OK)
                 return false;
             trees.push_back(batch);

@@ -15,7 +15,7 @@ constexpr uint32_t bodies = 1000000;
 struct Floor {
     lr_asset* asset = nullptr;
     lr_world* world = nullptr;
-    lr_batch batch = 0;
+    lr_batch batch{};
     std::vector<lr_body> ids;
 
     bool make(bool rules) {
@@ -36,10 +36,10 @@ struct Floor {
         r.max_age = 1e6f;
         ids.resize(bodies);
         return lr_batch_create(world, &bd, &batch) == LR_OK && lr_batch_set_emitter(world, batch, &e) == LR_OK &&
-               lr_batch_emit(world, batch, bodies, ids.data()) == LR_OK &&
+               lr_batch_spawn(world, batch, bodies, ids.data()) == LR_OK &&
                lr_batch_set_rules(world, batch, rules ? &r : nullptr) == LR_OK;
     }
-    bool rest(uint32_t count) { return lr_body_set_rest(world, ids.data(), count, LR_REST_RESTING) == LR_OK; }
+    bool rest(uint32_t count) { return lr_body_set_sleep(world, ids.data(), count, LR_SLEEP_ASLEEP) == LR_OK; }
     ~Floor() {
         lr_world_destroy(world);
         lr_asset_release(asset);
@@ -59,7 +59,7 @@ void rest_and_wake(benchmark::State& state) {
     if (!floor.make(false)) return state.SkipWithError("no world");
     for (auto _ : state) {
         floor.rest(bodies);
-        lr_body_set_rest(floor.world, floor.ids.data(), bodies, LR_REST_AWAKE);
+        lr_body_set_sleep(floor.world, floor.ids.data(), bodies, LR_SLEEP_AWAKE);
     }
     state.counters["ns/body"] = benchmark::Counter(static_cast<double>(state.iterations()) * bodies * 1e-9,
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

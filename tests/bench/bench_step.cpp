@@ -15,7 +15,7 @@ enum Extra : int64_t { plain, batch_force, body_forces, one_volume, eight_volume
 struct Scene {
     lr_asset* asset = nullptr;
     lr_world* world = nullptr;
-    lr_batch batch = 0;
+    lr_batch batch{};
     std::vector<float> lift = std::vector<float>(bodies, 1e-5f);
 
     bool make(int64_t extra) {
@@ -35,7 +35,7 @@ struct Scene {
         lr_emitter_desc_init(&e, sizeof e);
         e.shape = LR_EMIT_BOX;
         e.size[0] = e.size[1] = e.size[2] = 50.0f;
-        if (lr_batch_set_emitter(world, batch, &e) != LR_OK || lr_batch_emit(world, batch, bodies, nullptr) != LR_OK)
+        if (lr_batch_set_emitter(world, batch, &e) != LR_OK || lr_batch_spawn(world, batch, bodies, nullptr) != LR_OK)
             return false;
         lr_batch_force f;
         lr_batch_force_init(&f, sizeof f);
@@ -69,9 +69,9 @@ void step(benchmark::State& state) {
             return state.SkipWithError("forces");
         if (lr_world_step(s.world, 1.0f / 60.0f, 1) != LR_OK) return state.SkipWithError("step");
     }
-    lr_batch_events e;
-    lr_batch_events_init(&e, sizeof e);
-    lr_batch_get_events(s.world, s.batch, &e);
+    lr_batch_counts e;
+    lr_batch_counts_init(&e, sizeof e);
+    lr_batch_get_counts(s.world, s.batch, &e);
     state.counters["respawned"] = static_cast<double>(e.respawned);
 }
 BENCHMARK(step)->DenseRange(plain, respawning)->Unit(benchmark::kMillisecond)->MinTime(1.0);

@@ -65,11 +65,11 @@ struct Scene {
         lr_body_desc_init(&b, sizeof b);
         b.linear_velocity[0] = 0.3f;
         b.angular_velocity[1] = 2.0f;
-        const std::vector<lr_body_desc> born(bodies, b);
+        const std::vector<lr_body_desc> spawned(bodies, b);
         for (uint32_t i = 0; i < batches; ++i) {
-            lr_batch batch = 0;
+            lr_batch batch{};
             if (lr_batch_create(world, &bd, &batch) != LR_OK ||
-                lr_body_create(world, batch, born.data(), bodies, nullptr) != LR_OK)
+                lr_body_create(world, batch, spawned.data(), bodies, nullptr) != LR_OK)
                 return false;
         }
         return true;

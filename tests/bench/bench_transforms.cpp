@@ -40,7 +40,7 @@ void transforms(benchmark::State& state) {
     lr_batch_desc_init(&bd, sizeof bd);
     lr_asset* const asset = bench::leaf_asset();
     lr_world* world = nullptr;
-    lr_batch batch = 0;
+    lr_batch batch{};
     if (!asset || lr_world_create(&wd, &world) != LR_OK) return state.SkipWithError("world");
     bd.asset = asset;
     bd.capacity = bodies;
@@ -49,7 +49,7 @@ void transforms(benchmark::State& state) {
     e.shape = LR_EMIT_BOX;
     e.size[0] = e.size[1] = e.size[2] = 50.0f;
     if (lr_batch_create(world, &bd, &batch) != LR_OK || lr_batch_set_emitter(world, batch, &e) != LR_OK ||
-        lr_batch_emit(world, batch, bodies, nullptr) != LR_OK)
+        lr_batch_spawn(world, batch, bodies, nullptr) != LR_OK)
         return state.SkipWithError("batch");
 
     const uint64_t bytes = stride * bodies;

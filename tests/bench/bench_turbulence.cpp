@@ -1,7 +1,7 @@
 // Turbulence tables, one thread: the paper's empty stream on 32x32x8, and the wake of a leaf.
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh_shapes.h"
-#include "baker/turbulence/projection.h"
+#include "baker/turbulence/pressure_projection.h"
 #include "baker/turbulence/stream_body.h"
 #include "baker/turbulence/turbulence.h"
 

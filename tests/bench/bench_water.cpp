@@ -1,6 +1,6 @@
 // What a body at a surface costs beside one in air: 20,000 of each on one core, ns a body and substep.
 //     bench_water --benchmark_repetitions=5
-#include "bench/full_path.h"
+#include "bench/full_mass_matrix.h"
 #include "langevin_rigid.h"
 
 #include <benchmark/benchmark.h>
@@ -23,18 +23,17 @@ struct Scene {
         shape.density = 500.0;
         lr_world_desc wd;
         lr_world_desc_init(&wd, sizeof wd);
-        lr_surface_desc surface;
-        lr_surface_desc_init(&surface, sizeof surface);
+        lr_water_desc surface;
+        lr_water_desc_init(&surface, sizeof surface);
         surface.position[1] = afloat ? 0.0f : -1e4f;
         lr_batch_desc bd;
         lr_batch_desc_init(&bd, sizeof bd);
         bd.capacity = bodies;
         bd.load_model = loads;
-        lr_batch batch = 0;
+        lr_batch batch{};
         if (lr_asset_create_ellipsoid(&shape, &asset) != LR_OK || lr_world_create(&wd, &world) != LR_OK) return false;
         bd.asset = asset;
-        if (lr_world_set_surface(world, &surface) != LR_OK || lr_batch_create(world, &bd, &batch) != LR_OK)
-            return false;
+        if (lr_world_set_water(world, &surface) != LR_OK || lr_batch_create(world, &bd, &batch) != LR_OK) return false;
         if (full && !take_full_path(world, batch)) return false;
         for (uint32_t i = 0; i < bodies; ++i) {
             lr_body_desc d;

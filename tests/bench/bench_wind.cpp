@@ -14,6 +14,14 @@ void need(lr_status status) {
     if (status != LR_OK) std::abort();
 }
 
+template <class D> D initialised(lr_status (*init)(D*, uint32_t)) {
+    D d;
+    need(init(&d, sizeof d));
+    return d;
+}
+
+enum Source : int64_t { gusts = 1, rankine, lamb_oseen, round_blower, slot_blower, turbulence, grid, ground };
+
 struct Scene {
     lr_world* world = nullptr;
 
@@ -32,7 +40,7 @@ struct Scene {
         need(lr_batch_desc_init(&bd, sizeof bd));
         bd.asset = asset;
         bd.capacity = bodies;
-        lr_batch batch = 0;
+        lr_batch batch{};
         need(lr_batch_create(world, &bd, &batch));
         lr_asset_release(asset);
         std::vector<lr_body_desc> descs(bodies);
@@ -50,24 +58,39 @@ struct Scene {
     Scene& operator=(const Scene&) = delete;
     ~Scene() { lr_world_destroy(world); }
 
-    void add(int32_t kind, float far, uint32_t octaves = 1) {
-        std::vector<float> samples(3 * 16 * 16 * 16 * 2, 1.0f);
-        lr_wind_source_desc d;
-        need(lr_wind_source_desc_init(&d, sizeof d));
-        d.kind = kind;
-        d.position[0] = far;
-        d.direction[1] = 1.0f;
-        d.octaves = octaves;
-        d.radius = d.half_length = 20.0f;
-        d.range = 30.0f;
-        if (kind == LR_WIND_SOURCE_GRID) {
-            for (float& x : d.position) x -= 8.0f;
+    void add(int64_t kind, float far, uint32_t octaves = 1) {
+        const std::vector<float> samples(3 * 16 * 16 * 16 * 2, 1.0f);
+        if (kind == gusts) {
+            const auto d = initialised(lr_gusts_desc_init);
+            need(lr_world_add_gusts(world, &d, nullptr));
+        } else if (kind == rankine || kind == lamb_oseen) {
+            auto d = initialised(lr_vortex_desc_init);
+            d.core = kind == rankine ? LR_VORTEX_RANKINE : LR_VORTEX_LAMB_OSEEN;
+            d.position[0] = far;
+            d.outer_radius = d.half_length = 20.0f;
+            need(lr_world_add_vortex(world, &d, nullptr));
+        } else if (kind == round_blower || kind == slot_blower) {
+            auto d = initialised(lr_blower_desc_init);
+            d.position[0] = far;
+            d.direction[1] = 1.0f;
+            d.half_length = kind == slot_blower ? 20.0f : 0.0f;
+            d.range = 30.0f;
+            need(lr_world_add_blower(world, &d, nullptr));
+        } else if (kind == turbulence) {
+            auto d = initialised(lr_turbulence_desc_init);
+            d.octaves = octaves;
+            need(lr_world_add_turbulence(world, &d, nullptr));
+        } else if (kind == grid) {
+            auto d = initialised(lr_wind_grid_desc_init);
+            for (float& x : d.position) x = -8.0f;
             for (uint32_t& n : d.counts) n = 16;
             d.frames = 2;
             d.samples = samples.data();
+            need(lr_world_add_wind_grid(world, &d, nullptr));
+        } else {
+            const auto d = initialised(lr_ground_wind_desc_init);
+            need(lr_world_add_ground_wind(world, &d, nullptr));
         }
-        lr_wind_source source = 0;
-        need(lr_world_add_wind(world, &d, &source));
     }
     void run(benchmark::State& state) {
         for (auto _ : state) need(lr_world_step(world, 1.0f / 120.0f, substeps));
@@ -82,12 +105,10 @@ void still(benchmark::State& state) {
 }
 void uniform(benchmark::State& state) {
     Scene scene;
-    lr_wind_desc d;
-    need(lr_wind_desc_init(&d, sizeof d));
     float speed = 0.0f;
     for (auto _ : state) {
-        d.velocity[0] = speed = 2.0f - speed; // another one each step
-        need(lr_world_set_wind(scene.world, &d));
+        speed = 2.0f - speed; // another one each step
+        need(lr_world_set_uniform_wind(scene.world, speed, 0.0f, 0.0f));
         need(lr_world_step(scene.world, 1.0f / 120.0f, substeps));
     }
     state.counters["per body and substep"] =
@@ -96,13 +117,13 @@ void uniform(benchmark::State& state) {
 }
 void source(benchmark::State& state) {
     Scene scene;
-    scene.add(static_cast<int32_t>(state.range(0)), 0.0f, static_cast<uint32_t>(state.range(1)));
+    scene.add(state.range(0), 0.0f, static_cast<uint32_t>(state.range(1)));
     scene.run(state);
 }
 void far_sources(benchmark::State& state) {
     Scene scene;
-    scene.add(LR_WIND_SOURCE_GUSTS, 0.0f);
-    for (int i = 0; i < 60; ++i) scene.add(LR_WIND_SOURCE_LAMB_OSEEN + i % 3, 1e3f);
+    scene.add(gusts, 0.0f);
+    for (int i = 0; i < 60; ++i) scene.add(lamb_oseen + i % 3, 1e3f);
     scene.run(state);
 }
 void callback(benchmark::State& state) {
@@ -120,15 +141,15 @@ BENCHMARK(still);
 BENCHMARK(uniform);
 BENCHMARK(source)
     ->ArgNames({"kind", "octaves"})
-    ->Args({LR_WIND_SOURCE_GUSTS, 1})
-    ->Args({LR_WIND_SOURCE_RANKINE, 1})
-    ->Args({LR_WIND_SOURCE_LAMB_OSEEN, 1})
-    ->Args({LR_WIND_SOURCE_POINT_BLOWER, 1})
-    ->Args({LR_WIND_SOURCE_LINE_BLOWER, 1})
-    ->Args({LR_WIND_SOURCE_TURBULENCE, 1})
-    ->Args({LR_WIND_SOURCE_TURBULENCE, 2})
-    ->Args({LR_WIND_SOURCE_GRID, 1})
-    ->Args({LR_WIND_SOURCE_GROUND, 1});
+    ->Args({gusts, 1})
+    ->Args({rankine, 1})
+    ->Args({lamb_oseen, 1})
+    ->Args({round_blower, 1})
+    ->Args({slot_blower, 1})
+    ->Args({turbulence, 1})
+    ->Args({turbulence, 2})
+    ->Args({grid, 1})
+    ->Args({ground, 1});
 BENCHMARK(far_sources);
 BENCHMARK(callback);
 BENCHMARK_MAIN();

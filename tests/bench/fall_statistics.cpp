@@ -52,7 +52,7 @@ public:
         lr_emitter_desc e;
         require(lr_emitter_desc_init(&e, sizeof e));
         require(lr_batch_set_emitter(world_, batch_, &e));
-        require(lr_batch_emit(world_, batch_, bodies, nullptr));
+        require(lr_batch_spawn(world_, batch_, bodies, nullptr));
         require(lr_batch_set_rate(world_, batch_, divisor));
     }
     ~Fall() { lr_world_destroy(world_); }
@@ -107,7 +107,7 @@ private:
     float dt_;
     uint32_t substeps_;
     lr_world* world_ = nullptr;
-    lr_batch batch_ = 0;
+    lr_batch batch_{};
 };
 
 void print_relative(const Means& m, const Means& exact) {

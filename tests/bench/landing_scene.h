@@ -54,10 +54,10 @@ public:
         e.size[1] = 0.5f * (high - low);
         ids_.resize(count);
         return lr_batch_set_emitter(world_, batch_, &e) == LR_OK &&
-               lr_batch_emit(world_, batch_, count, ids_.data()) == LR_OK;
+               lr_batch_spawn(world_, batch_, count, ids_.data()) == LR_OK;
     }
     bool lay_down() {
-        return lr_body_set_rest(world_, ids_.data(), static_cast<uint32_t>(ids_.size()), LR_REST_RESTING) == LR_OK;
+        return lr_body_set_sleep(world_, ids_.data(), static_cast<uint32_t>(ids_.size()), LR_SLEEP_ASLEEP) == LR_OK;
     }
     // Hills of 0.6 m under y = 0, a plane below them, and on them spheres, capsules, boxes, hulls and meshes of a metre or so, every
     // tenth of which turns if any do.
@@ -159,8 +159,8 @@ private:
 
     lr_asset* asset_ = nullptr;
     lr_world* world_ = nullptr;
-    lr_batch batch_ = 0;
-    lr_collider walker_ = 0;
+    lr_batch batch_{};
+    lr_collider walker_{};
     std::vector<lr_body> ids_;
     std::vector<unsigned char> snapshot_;
 };

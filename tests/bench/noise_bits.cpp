@@ -2,7 +2,7 @@
 //   noise_bits bodies|substeps|seeds|gaussians [seed]
 // bodies, substeps, seeds: the generator's words as the kernel gets them, first those of neighbours in what is named.
 // gaussians: body by body, what the three pairs are made of.
-#include "kernel/lanes.h"
+#include "kernel/math/lanes.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -39,7 +39,7 @@ public:
         }
         return written();
     }
-    // Sign and 21 bits of the radius, 20 bits of the angle (kernel/noise-inl.h).
+    // Sign and 21 bits of the radius, 20 bits of the angle (kernel/math/gaussian_noise-inl.h).
     bool gaussians(uint64_t n) {
         draw_bodies(n);
         target_.angles(words_.data(), angles_.data(), block);

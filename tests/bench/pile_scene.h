@@ -47,16 +47,13 @@ public:
         bd.load_model = LR_LOADS_AERODYNAMIC;
         if (lr_batch_create(world_, &bd, &batch_) != LR_OK) return false;
         lr_collider_desc ground = collider(LR_COLLIDER_PLANE, 0.0f, 0.0f);
-        lr_wind_source_desc slow; // near the ground
-        lr_wind_source_desc_init(&slow, sizeof slow);
-        slow.kind = LR_WIND_SOURCE_GROUND;
+        lr_ground_wind_desc slow;
+        lr_ground_wind_desc_init(&slow, sizeof slow);
         slow.position[1] = -0.05f;
-        slow.direction[0] = 0.0f, slow.direction[1] = 1.0f;
-        slow.size = 0.01f;
-        lr_wind_source source = 0;
+        slow.roughness_length = 0.01f;
         return lr_collider_create(world_, &ground, 1, nullptr) == LR_OK &&
-               lr_world_add_wind(world_, &slow, &source) == LR_OK &&
-               (!pairs || lr_batch_set_pair_contact(world_, batch_, batch_, 1) == LR_OK) && emit(count);
+               lr_world_add_ground_wind(world_, &slow, nullptr) == LR_OK &&
+               (!pairs || lr_batch_set_body_contact(world_, batch_, batch_, 1) == LR_OK) && emit(count);
     }
 
     void step() { lr_world_step(world_, step_seconds, substeps); }
@@ -77,12 +74,7 @@ public:
         lr_collider_move(world_, &m, 1);
     }
     // m/s, 10 m above the ground.
-    void blow(float speed) {
-        lr_wind_desc wind;
-        lr_wind_desc_init(&wind, sizeof wind);
-        wind.velocity[0] = speed;
-        lr_world_set_wind(world_, &wind);
-    }
+    void blow(float speed) { lr_world_set_uniform_wind(world_, speed, 0.0f, 0.0f); }
 
     struct Seen {
         uint32_t awake;
@@ -121,7 +113,7 @@ private:
         e.size[0] = e.size[2] = half_side_;
         e.size[1] = 0.5f;
         return lr_batch_set_emitter(world_, batch_, &e) == LR_OK &&
-               lr_batch_emit(world_, batch_, count, nullptr) == LR_OK;
+               lr_batch_spawn(world_, batch_, count, nullptr) == LR_OK;
     }
     static lr_collider_desc collider(int32_t kind, float x, float y) {
         lr_collider_desc d;
@@ -133,8 +125,8 @@ private:
 
     lr_asset* asset_ = nullptr;
     lr_world* world_ = nullptr;
-    lr_batch batch_ = 0;
-    lr_collider walker_ = 0;
+    lr_batch batch_{};
+    lr_collider walker_{};
     float half_side_ = 0.0f;
 };
 

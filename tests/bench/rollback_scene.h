@@ -45,12 +45,9 @@ public:
         std::vector<lr_body> ids(bodies);
         if (!asset_ || lr_world_create(&wd, &world_) != LR_OK || lr_batch_create(world_, &bd, &batch_) != LR_OK ||
             lr_batch_set_emitter(world_, batch_, &e) != LR_OK ||
-            lr_batch_emit(world_, batch_, bodies, ids.data()) != LR_OK)
+            lr_batch_spawn(world_, batch_, bodies, ids.data()) != LR_OK)
             return false;
-        lr_wind_desc wind;
-        lr_wind_desc_init(&wind, sizeof wind);
-        wind.velocity[0] = 1.0f;
-        if (lr_world_set_wind(world_, &wind) != LR_OK) return false;
+        if (lr_world_set_uniform_wind(world_, 1.0f, 0.0f, 0.0f) != LR_OK) return false;
         if (!kind.everything) return lr_batch_set_emitter(world_, batch_, nullptr) == LR_OK && step(60);
         e.rate = 60.0f;
         lr_batch_rules r;
@@ -61,11 +58,10 @@ public:
         lr_collider_desc_init(&ground, sizeof ground);
         ground.kind = LR_COLLIDER_PLANE;
         if (lr_batch_set_emitter(world_, batch_, &e) != LR_OK || lr_batch_set_rules(world_, batch_, &r) != LR_OK ||
-            lr_collider_create(world_, &ground, 1, nullptr) != LR_OK || !add_wind(LR_WIND_SOURCE_GUSTS) ||
-            !add_wind(LR_WIND_SOURCE_TURBULENCE) || !step(60))
+            lr_collider_create(world_, &ground, 1, nullptr) != LR_OK || !add_wind() || !step(60))
             return false;
         const uint32_t rest = bodies / 10 * kind.rest_of_10;
-        return lr_body_set_rest(world_, ids.data(), rest, LR_REST_RESTING) == LR_OK && step(20);
+        return lr_body_set_sleep(world_, ids.data(), rest, LR_SLEEP_ASLEEP) == LR_OK && step(20);
     }
     bool step(int count = 1) {
         bool good = true;
@@ -85,17 +81,20 @@ public:
     lr_world* world() const { return world_; }
 
 private:
-    bool add_wind(int32_t kind) {
-        lr_wind_source_desc d;
-        lr_wind_source source = 0;
-        if (lr_wind_source_desc_init(&d, sizeof d) != LR_OK) return false;
-        d.kind = kind, d.speed = 0.5f, d.size = 4.0f, d.period = 3.0f, d.spread = 0.5f;
-        return lr_world_add_wind(world_, &d, &source) == LR_OK;
+    bool add_wind() {
+        lr_gusts_desc gusts;
+        lr_gusts_desc_init(&gusts, sizeof gusts);
+        gusts.rms = 0.5f, gusts.integral_time = 3.0f, gusts.angle_rms = 0.5f;
+        lr_turbulence_desc turbulence;
+        lr_turbulence_desc_init(&turbulence, sizeof turbulence);
+        turbulence.rms = 0.5f, turbulence.integral_length = 4.0f, turbulence.eddy_life = 3.0f;
+        return lr_world_add_gusts(world_, &gusts, nullptr) == LR_OK &&
+               lr_world_add_turbulence(world_, &turbulence, nullptr) == LR_OK;
     }
 
     lr_asset* asset_ = nullptr;
     lr_world* world_ = nullptr;
-    lr_batch batch_ = 0;
+    lr_batch batch_{};
 };
 
 } // namespace bench

@@ -1,6 +1,7 @@
 // Draws the wake of a mesh as the baker sees it (docs/images/wake.png): speed above, k below, in the plane through the middle of
 // the body that holds the stream and the body's shorter side.
 //   wake_picture MESH.obj OUT.png [cells along the stream [intensity]]
+#include "baker/fault_text.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh_check.h"
 #include "baker/turbulence/k_epsilon.h"

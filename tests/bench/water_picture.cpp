@@ -107,11 +107,11 @@ struct Kind {
 
 class Scene {
 public:
-    explicit Scene(const lr_surface_desc& surface) {
+    explicit Scene(const lr_water_desc& surface) {
         lr_world_desc d;
         need(lr_world_desc_init(&d, sizeof d));
         need(lr_world_create(&d, &world_));
-        need(lr_world_set_surface(world_, &surface));
+        need(lr_world_set_water(world_, &surface));
     }
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
@@ -130,7 +130,7 @@ public:
         d.asset = asset;
         d.capacity = capacity;
         d.load_model = LR_LOADS_AERODYNAMIC;
-        lr_batch out = 0;
+        lr_batch out{};
         need(lr_batch_create(world_, &d, &out));
         lr_asset_release(asset); // the batch has its own reference
         return out;
@@ -140,7 +140,7 @@ public:
         need(lr_body_desc_init(&d, sizeof d));
         d.position[0] = x, d.position[1] = y;
         d.orientation[2] = std::sin(0.5f * tilt), d.orientation[3] = std::cos(0.5f * tilt);
-        lr_body body = 0;
+        lr_body body{};
         need(lr_body_create(world_, batch, &d, 1, &body));
         return body;
     }
@@ -158,9 +158,9 @@ private:
     lr_world* world_ = nullptr;
 };
 
-lr_surface_desc still() {
-    lr_surface_desc d;
-    need(lr_surface_desc_init(&d, sizeof d));
+lr_water_desc still() {
+    lr_water_desc d;
+    need(lr_water_desc_init(&d, sizeof d));
     return d;
 }
 
@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
         }
     }
 
-    lr_surface_desc sea = still();
+    lr_water_desc sea = still();
     sea.wave_count = 2;
     sea.waves[0] = {{1.0f, 0.0f, 0.0f}, 4.0f, 0.2f, 0.0f};
     sea.waves[1] = {{-1.0f, 0.0f, 0.0f}, 1.1f, 0.05f, 1.0f};

@@ -23,44 +23,34 @@ void need(lr_status status) {
     std::exit(1);
 }
 
-lr_wind_source_desc source(int32_t kind) {
-    lr_wind_source_desc d;
-    need(lr_wind_source_desc_init(&d, sizeof d));
-    d.kind = kind;
+template <class D> D initialised(lr_status (*init)(D*, uint32_t)) {
+    D d;
+    need(init(&d, sizeof d));
     return d;
-}
-void add(lr_world* world, const lr_wind_source_desc& d) {
-    lr_wind_source out = 0;
-    need(lr_world_add_wind(world, &d, &out));
 }
 
 void fill(lr_world* world, uint32_t panel) {
-    lr_wind_source_desc turbulence = source(LR_WIND_SOURCE_TURBULENCE);
-    turbulence.size = panel == 3 ? 0.5f : 1.0f;
+    lr_turbulence_desc turbulence = initialised(lr_turbulence_desc_init);
+    turbulence.integral_length = panel == 3 ? 0.5f : 1.0f;
     turbulence.octaves = panel == 0 ? 1 : 3;
-    turbulence.speed = panel == 3 ? 0.5f : 1.0f;
-    if (panel != 2) add(world, turbulence);
+    turbulence.rms = panel == 3 ? 0.5f : 1.0f;
+    if (panel != 2) need(lr_world_add_turbulence(world, &turbulence, nullptr));
     if (panel == 2) {
-        lr_wind_desc wind;
-        need(lr_wind_desc_init(&wind, sizeof wind));
-        wind.velocity[0] = 1.5f;
-        need(lr_world_set_wind(world, &wind));
-        lr_wind_source_desc ground = source(LR_WIND_SOURCE_GROUND);
-        ground.direction[0] = 0.0f, ground.direction[1] = 1.0f;
-        ground.size = 0.03f;
-        add(world, ground);
-        lr_wind_source_desc vortex = source(LR_WIND_SOURCE_LAMB_OSEEN);
+        need(lr_world_set_uniform_wind(world, 1.5f, 0.0f, 0.0f));
+        const lr_ground_wind_desc ground = initialised(lr_ground_wind_desc_init);
+        need(lr_world_add_ground_wind(world, &ground, nullptr));
+        lr_vortex_desc vortex = initialised(lr_vortex_desc_init);
         vortex.position[0] = 4.0f, vortex.position[1] = 4.5f;
-        vortex.direction[0] = 0.0f, vortex.direction[2] = 1.0f;
-        vortex.circulation = -8.0f, vortex.size = 0.8f;
-        add(world, vortex);
+        vortex.axis[1] = 0.0f, vortex.axis[2] = 1.0f;
+        vortex.circulation = -8.0f, vortex.core_radius = 0.8f;
+        need(lr_world_add_vortex(world, &vortex, nullptr));
     }
     if (panel == 3) {
-        lr_wind_source_desc blower = source(LR_WIND_SOURCE_POINT_BLOWER);
+        lr_blower_desc blower = initialised(lr_blower_desc_init);
         blower.position[0] = 0.7f, blower.position[1] = 3.0f;
         blower.direction[1] = 0.3f;
-        blower.speed = 6.0f, blower.size = 0.25f, blower.range = 12.0f, blower.spread = 0.11f;
-        add(world, blower);
+        blower.speed = 6.0f, blower.nozzle_radius = 0.25f, blower.range = 12.0f, blower.spread = 0.11f;
+        need(lr_world_add_blower(world, &blower, nullptr));
     }
 }
 

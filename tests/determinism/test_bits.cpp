@@ -1,5 +1,5 @@
 // The same bits whatever runs them: instruction set, workers, order in memory, snapshots, company, cutting of time.
-#include "support/played_scene.h"
+#include "support/determinism_scenes.h"
 #include "support/random.h"
 #include "support/threads.h"
 
@@ -8,7 +8,7 @@
 
 using namespace test;
 
-TEST_CASE("every scene ends in the same bits on every instruction set") {
+TEST_CASE("every scene ends in the same bits on every instruction set" * doctest::test_suite("exact")) {
     for (const PlayedScene& scene : played_scenes()) {
         CAPTURE(std::string(scene.name));
         const uint64_t expected = outcome(scene);
@@ -29,18 +29,23 @@ TEST_CASE("every instruction set is named") {
     CHECK(!names.empty());
 }
 
-TEST_CASE("every scene ends in the same bits with any number of workers") {
+static void check_workers(std::initializer_list<uint32_t> counts) {
     for (const PlayedScene& scene : played_scenes()) {
         CAPTURE(std::string(scene.name));
         const uint64_t expected = outcome(scene);
-        for (uint32_t workers : {1u, 2u, 3u, 8u}) {
+        for (uint32_t workers : counts) {
             CAPTURE(workers);
-#ifdef LR_TEST_QUICK
-            if (workers != 3) continue;
-#endif
             CHECK(outcome(scene, {.workers = workers}) == expected);
         }
     }
+}
+
+TEST_CASE("every scene ends in the same bits with workers") {
+    check_workers({3});
+}
+
+TEST_CASE("every scene ends in the same bits with any number of workers" * doctest::test_suite("long-exact")) {
+    check_workers({1, 2, 8, 40});
 }
 
 TEST_CASE("every scene ends in the same bits in any order of bodies, and through a snapshot" *
@@ -124,7 +129,7 @@ TEST_CASE("a body moves the same in any company") {
             for (uint32_t i = 0; i < count; ++i) {
                 Random random(i);
                 lr_body_desc d = body_desc();
-                d.key = i + 1;
+                d.noise_seed = i + 1;
                 for (float& q : d.orientation) q = random.real(-1.0, 1.0);
                 descs.push_back(d);
             }

@@ -1,5 +1,5 @@
 // Scenes with contact do what they are for.
-#include "support/played_scene.h"
+#include "support/determinism_scenes.h"
 
 #include <string>
 

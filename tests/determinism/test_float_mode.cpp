@@ -1,5 +1,5 @@
 // Engines and their plug-ins change the rounding mode and flush denormals. A step neither sees that nor leaves a trace.
-#include "support/played_scene.h"
+#include "support/determinism_scenes.h"
 #include "support/wind.h"
 
 #include <cfenv>
@@ -148,7 +148,7 @@ TEST_CASE("flushed denormals of the caller change no bit either") {
 
 TEST_CASE("wind is made, sampled, updated and restored alike in any rounding mode of the caller") {
     const std::vector<float> samples = grid_samples();
-    const std::vector<lr_wind_source_desc> sources = one_of_each(samples);
+    const std::vector<AnySource> sources = one_of_each(samples);
     const auto run = [&](int mode) {
         const World world = make(world_desc());
         std::vector<float> velocities = {0.3f, 0.2f, 0.1f, -1.0f, 0.5f, 2.0f};
@@ -158,10 +158,10 @@ TEST_CASE("wind is made, sampled, updated and restored alike in any rounding mod
         const RestoreMode restore;
         std::fesetround(mode);
         for (int round = 0; round < 2; ++round)
-            for (const lr_wind_source_desc& d : sources) {
-                lr_wind_source source = 0;
-                ok = ok && lr_world_add_wind(world.get(), &d, &source) == LR_OK;
-                ok = ok && lr_world_update_wind(world.get(), source, &d) == LR_OK;
+            for (const AnySource& d : sources) {
+                lr_wind_source source{};
+                ok = ok && add_wind(world.get(), &d, &source) == LR_OK;
+                ok = ok && update_wind(world.get(), source, &d) == LR_OK;
                 ok = ok && lr_world_step(world.get(), frame_dt, 3) == LR_OK;
             }
         snapshot.resize(lr_world_snapshot_size(world.get()));

@@ -1,7 +1,7 @@
 // Hashes that are held in the tree: the same on every machine, compiler and release, until the motion is meant to
 // change. Then write them anew, and say so in the notes of the release:
 //     LR_UPDATE_GOLDEN=1 tests_determinism --test-case="held hashes"
-#include "support/played_scene.h"
+#include "support/determinism_scenes.h"
 #include "support/threads.h"
 
 #include <algorithm>

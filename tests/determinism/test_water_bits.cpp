@@ -16,7 +16,7 @@ struct How {
     float height = 3.0f; // of the bodies' middle
 };
 
-void swell(void*, const lr_surface_query* q) {
+void swell(void*, const lr_water_query* q) {
     for (uint32_t i = 0; i < q->count; ++i) {
         q->height[i] += 0.1f * static_cast<float>(q->time);
         q->velocity[1][i] += 0.1f;
@@ -30,7 +30,7 @@ World build(const How& how, lr_batch (&batches)[2]) {
     World world = make(wd);
     const Asset assets[] = {leaf(), curled_leaf()};
     for (size_t b = 0; b < 2; ++b) batches[b] = add_batch(world, assets[b], 1200);
-    if (how.callback) REQUIRE(lr_world_set_surface_callback(world.get(), swell, nullptr) == LR_OK);
+    if (how.callback) REQUIRE(lr_world_set_water_callback(world.get(), swell, nullptr) == LR_OK);
     return world;
 }
 
@@ -42,7 +42,7 @@ uint64_t positions(const World& world, const lr_batch (&batches)[2]) {
             for (const float* x : v.position) {
                 uint32_t bits = 0;
                 std::memcpy(&bits, x + i, 4);
-                sum += (bits ^ v.key[i]) * 0x9e3779b97f4a7c15ull;
+                sum += (bits ^ v.noise_seed[i]) * 0x9e3779b97f4a7c15ull;
             }
     }
     return sum;
@@ -52,13 +52,14 @@ uint64_t outcome(const How& how) {
     lr_batch batches[2];
     World world = build(how, batches);
     if (how.water) {
-        lr_surface_desc d = sea();
+        lr_water_desc d = sea();
         d.position[1] = 3.0f;
         d.reach = 0.5f;
         set_water(world, d);
     }
     if (how.windy) {
-        lr_wind_source_desc vortex = source_desc(LR_WIND_SOURCE_RANKINE);
+        lr_vortex_desc vortex = vortex_desc(LR_VORTEX_RANKINE);
+        set(vortex.axis, 1.0f, 0.0f, 0.0f);
         add_source(world, vortex);
     }
     for (size_t b = 0; b < 2; ++b) {
@@ -66,7 +67,7 @@ uint64_t outcome(const How& how) {
         for (uint32_t i = 0; i < 1200; ++i) {
             Random random(i + 10000 * b);
             lr_body_desc d = body_desc();
-            d.key = i + 1;
+            d.noise_seed = i + 1;
             for (float& x : d.position) x = random.real(-2.0, 2.0);
             d.position[1] += how.height;
             for (float& q : d.orientation) q = random.real(-1.0, 1.0);

@@ -37,8 +37,8 @@ World windy(const How& how, const std::vector<float>& samples, lr_batch (&batche
         bd.integrator = b ? LR_INTEGRATOR_RK4 : LR_INTEGRATOR_DEFAULT;
         batches[b] = add_batch(world, bd, assets[b], 1500);
     }
-    for (const lr_wind_source_desc& d : one_of_each(samples))
-        if (add || d.kind == LR_WIND_SOURCE_GRID) add_source(world, d);
+    for (const AnySource& d : one_of_each(samples))
+        if (add || std::holds_alternative<lr_wind_grid_desc>(d)) add_source(world, d);
     if (how.callback) REQUIRE(lr_world_set_wind_callback(world.get(), shear, nullptr) == LR_OK);
     return world;
 }
@@ -52,7 +52,7 @@ uint64_t outcome(const How& how) {
         for (uint32_t i = 0; i < 1500; ++i) {
             Random random(i + 10000 * b);
             lr_body_desc d = body_desc();
-            d.key = i + 1;
+            d.noise_seed = i + 1;
             for (float& x : d.position) x = random.real(-3.0, 3.0);
             for (float& q : d.orientation) q = random.real(-1.0, 1.0);
             bodies.push_back(d);
@@ -95,11 +95,11 @@ TEST_CASE("a body that has left the finite numbers changes nothing for the other
     const auto run = [&](bool sick) {
         const World world = make(world_desc());
         const lr_batch batch = add_batch(world, asset, 40);
-        for (const lr_wind_source_desc& d : one_of_each(samples)) add_source(world, d);
-        lr_body healthy = 0;
+        for (const AnySource& d : one_of_each(samples)) add_source(world, d);
+        lr_body healthy{};
         for (int i = 0; i < 40; ++i) {
             lr_body_desc d = body_desc();
-            d.key = static_cast<uint32_t>(i + 1);
+            d.noise_seed = static_cast<uint32_t>(i + 1);
             // One that will overflow: as far and as fast as may be, in a step of a second.
             if (sick && i == 19) {
                 set(d.position, 1e9f, -1e9f, 1e9f);
@@ -118,31 +118,37 @@ TEST_CASE("a body that has left the finite numbers changes nothing for the other
 TEST_CASE("the hash sees every part of the wind") {
     const std::vector<float> samples = grid_samples();
     std::vector<uint64_t> hashes;
-    const auto hash_with = [&](const std::vector<lr_wind_source_desc>& sources, float wind, double time) {
+    const auto hash_with = [&](const std::vector<AnySource>& sources, float wind, double time) {
         const World world = make(world_desc());
         set_wind(world, wind, 0.0f, 0.0f);
-        for (const lr_wind_source_desc& d : sources) add_source(world, d);
+        for (const AnySource& d : sources) add_source(world, d);
         if (time > 0.0) steps(world, 1, narrow(time), 1);
         hashes.push_back(hash_of(world));
     };
-    const std::vector<lr_wind_source_desc> all = one_of_each(samples);
+    const std::vector<AnySource> all = one_of_each(samples);
     hash_with({}, 0.0f, 0.0);
     hash_with(all, 0.0f, 0.0);
     hash_with(all, 1.0f, 0.0);
     hash_with(all, 0.0f, 0.01);
     hash_with(all, 0.0f, 0.02);
     for (size_t i = 0; i < all.size(); ++i) {
-        std::vector<lr_wind_source_desc> changed = all;
-        changed[i].speed += 0.125f;
+        std::vector<AnySource> changed = all;
+        std::visit(
+            [](auto& d) {
+                if constexpr (requires { d.rms; })
+                    d.rms += 0.125f;
+                else
+                    d.velocity[1] += 0.125f;
+            },
+            changed[i]);
         hash_with(changed, 0.0f, 0.0);
         changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i));
         hash_with(changed, 0.0f, 0.0);
     }
     std::vector<float> other = samples;
     other[17] += 0.5f;
-    std::vector<lr_wind_source_desc> changed = all;
-    for (lr_wind_source_desc& d : changed)
-        if (d.samples) d.samples = other.data();
+    std::vector<AnySource> changed = all;
+    std::get<lr_wind_grid_desc>(changed[static_cast<size_t>(Source::grid)]).samples = other.data();
     hash_with(changed, 0.0f, 0.0);
     std::sort(hashes.begin(), hashes.end());
     CHECK(std::unique(hashes.begin(), hashes.end()) == hashes.end());

@@ -51,6 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         if (verbose) std::fprintf(stderr, "%zu %s\n", i, operation.name);
         operation.run(fuzzer);
     }
+    fuzz::call_plain(fuzzer);
     return 0;
 }
 

@@ -1,5 +1,5 @@
 // Any bytes: either refused with a status and numbered faults, or an asset whose bodies can be stepped and stay finite.
-#include "format/asset_file.h"
+#include "asset/asset_file.h"
 #include "fuzz/asset/falls.h"
 #include "fuzz/asset/mutate.h"
 #include "langevin_rigid.h"

@@ -3,6 +3,7 @@
 #include "baker/card/outline.h"
 #include "baker/card/outline_simplify.h"
 #include "baker/card/planar_mesh.h"
+#include "baker/fault_text.h"
 
 #include <cmath>
 #include <cstddef>

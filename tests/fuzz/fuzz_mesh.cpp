@@ -3,6 +3,7 @@
 #include "baker/added_mass/added_mass.h"
 #include "baker/added_mass/rim_refinement.h"
 #include "baker/added_mass/surface_basis.h"
+#include "baker/fault_text.h"
 #include "baker/mesh/collada_check.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh.h"

@@ -1,6 +1,6 @@
 // Assets changed at random, as fuzz_asset's, but at the speed of a release: mutated_assets COUNT [SEED]. Those that load are stepped;
 // one that gives a number that is not finite ends the program, and is written to mutated_asset.lrb.
-#include "format/asset_file.h"
+#include "asset/asset_file.h"
 #include "fuzz/asset/falls.h"
 #include "fuzz/asset/mutate.h"
 #include "support/asset_bytes.h"

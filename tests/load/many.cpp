@@ -27,7 +27,7 @@ lr_batch add_leaves(lr_world* world, lr_asset* asset, uint32_t count) {
     lr_batch_desc bd = initialised(lr_batch_desc_init);
     bd.asset = asset;
     bd.capacity = count;
-    lr_batch batch = 0;
+    lr_batch batch{};
     must(lr_batch_create(world, &bd, &batch), "batch");
     constexpr uint32_t at_once = 4096;
     std::vector<lr_body_desc> bodies(at_once, initialised(lr_body_desc_init));

@@ -76,7 +76,7 @@ Storm::Storm(uint64_t seed, uint32_t workers) {
     e = sky(5.0f, 3.0f);
     must(lr_batch_set_emitter(world_, discs, &e), "emitter");
     set_rules(world_, discs, LR_END_RESPAWN, 40.0f, outside_of(20.0f, 10.0f, 20.0f));
-    must(lr_batch_emit(world_, discs, 24, nullptr), "discs");
+    must(lr_batch_spawn(world_, discs, 24, nullptr), "discs");
 
     // Petals meet each other in a heap.
     const lr_batch petals =
@@ -85,14 +85,14 @@ Storm::Storm(uint64_t seed, uint32_t workers) {
     e.rate = 1.0f;
     must(lr_batch_set_emitter(world_, petals, &e), "emitter");
     set_rules(world_, petals, LR_END_DESTROY, 14.0f, outside_of(40.0f, 15.0f, 40.0f));
-    must(lr_batch_set_pair_contact(world_, petals, petals, 1), "pairs");
+    must(lr_batch_set_body_contact(world_, petals, petals, 1), "pairs");
 
     // Seeds have no loads, and are stepped in every other step.
     const lr_batch seeds = add_batch("seeds", ellipsoid(0.004, 0.003, 0.002, 900.0), 16, LR_LOADS_NONE, 8.0f);
     e = sky(3.0f, 2.0f);
     must(lr_batch_set_emitter(world_, seeds, &e), "emitter");
     set_rules(world_, seeds, LR_END_RESPAWN, 8.0f, outside_of(20.0f, 10.0f, 20.0f));
-    must(lr_batch_emit(world_, seeds, 16, nullptr), "seeds");
+    must(lr_batch_spawn(world_, seeds, 16, nullptr), "seeds");
 
     must(lr_batch_set_rate(world_, seeds, 2), "rate");
 
@@ -116,8 +116,8 @@ Storm::Storm(uint64_t seed, uint32_t workers) {
     for (lr_body_desc& b : bodies) b.position[1] = 0.02f, b.position[2] = -3.0f, b.angular_velocity[0] = 0.0f;
     std::vector<lr_body> lying(4);
     must(lr_body_create(world_, stones, bodies.data(), 4, lying.data()), "stones");
-    must(lr_body_set_rest(world_, lying.data(), 4, LR_REST_RESTING), "rest");
-    must(lr_world_set_contact_events(world_, 256, LR_EVENTS_ALL), "events");
+    must(lr_body_set_sleep(world_, lying.data(), 4, LR_SLEEP_ASLEEP), "rest");
+    must(lr_world_set_events(world_, 256, LR_EVENTS_ALL), "events");
 }
 
 Storm::~Storm() {
@@ -139,21 +139,15 @@ lr_batch Storm::add_batch(const char* name, lr_asset* asset, uint32_t capacity, 
 }
 
 void Storm::add_wind() {
-    lr_wind_desc wind = initialised(lr_wind_desc_init);
-    wind.velocity[0] = 1.5f;
-    must(lr_world_set_wind(world_, &wind), "wind");
-    lr_wind_source_desc d = initialised(lr_wind_source_desc_init);
-    lr_wind_source source = 0;
-    d.kind = LR_WIND_SOURCE_GUSTS;
-    d.speed = 0.8f, d.spread = 0.5f, d.period = 4.0f;
-    must(lr_world_add_wind(world_, &d, &source), "gusts");
-    d.kind = LR_WIND_SOURCE_TURBULENCE;
-    d.speed = 0.5f, d.size = 1.0f, d.period = 0.0f;
-    must(lr_world_add_wind(world_, &d, &source), "turbulence");
-    d.kind = LR_WIND_SOURCE_GROUND;
-    d.direction[0] = 0.0f, d.direction[1] = 1.0f;
-    d.size = 0.03f;
-    must(lr_world_add_wind(world_, &d, &source), "ground");
+    must(lr_world_set_uniform_wind(world_, 1.5f, 0.0f, 0.0f), "wind");
+    lr_gusts_desc gusts = initialised(lr_gusts_desc_init);
+    gusts.rms = 0.8f, gusts.angle_rms = 0.5f;
+    must(lr_world_add_gusts(world_, &gusts, nullptr), "gusts");
+    lr_turbulence_desc turbulence = initialised(lr_turbulence_desc_init);
+    turbulence.rms = 0.5f;
+    must(lr_world_add_turbulence(world_, &turbulence, nullptr), "turbulence");
+    const lr_ground_wind_desc ground = initialised(lr_ground_wind_desc_init);
+    must(lr_world_add_ground_wind(world_, &ground, nullptr), "ground");
 }
 
 void Storm::add_ground() {
@@ -176,24 +170,23 @@ void Storm::add_ground() {
     lr_collider ids[3] = {};
     must(lr_collider_create(world_, d, 3, ids), "colliders");
     walker_ = ids[2];
-    lr_surface_desc sea = initialised(lr_surface_desc_init);
+    lr_water_desc sea = initialised(lr_water_desc_init);
     sea.position[1] = -0.4f;
     sea.wave_count = 2;
     sea.waves[0] = {{1.0f, 0.0f, 0.2f}, 6.0f, 0.15f, 0.0f};
     sea.waves[1] = {{-0.3f, 0.0f, 1.0f}, 2.5f, 0.05f, 1.0f};
     sea.current[0] = 0.1f;
-    must(lr_world_set_surface(world_, &sea), "sea");
+    must(lr_world_set_water(world_, &sea), "sea");
 }
 
 // What a game does besides: a vortex goes and another comes, bodies come and go by calls, and a state is saved and put back.
 void Storm::every_minute() {
-    if (vortex_) must(lr_world_remove_wind(world_, vortex_), "vortex");
-    lr_wind_source_desc d = initialised(lr_wind_source_desc_init);
-    d.kind = LR_WIND_SOURCE_RANKINE;
-    d.direction[0] = 0.0f, d.direction[1] = 1.0f;
+    if (vortex_.id) must(lr_world_remove_wind(world_, vortex_), "vortex");
+    lr_vortex_desc d = initialised(lr_vortex_desc_init);
+    d.core = LR_VORTEX_RANKINE;
     d.position[2] = 2.0f;
-    d.circulation = 3.0f, d.size = 0.3f, d.radius = 3.0f;
-    must(lr_world_add_wind(world_, &d, &vortex_), "vortex");
+    d.circulation = 3.0f, d.core_radius = 0.3f, d.outer_radius = 3.0f;
+    must(lr_world_add_vortex(world_, &d, &vortex_), "vortex");
     if (!visitors_.empty()) {
         const lr_status status = lr_body_destroy(world_, visitors_.data(), static_cast<uint32_t>(visitors_.size()));
         if (status != LR_ERROR_STALE_BODY) must(status, "visitors"); // the rules have ended one already

@@ -1,4 +1,4 @@
-// A storm that can go on for ever: leaves, discs, petals and seeds are born, land, float, and end; a few bodies live as long as it.
+// A storm that can go on for ever: leaves, discs, petals and seeds are spawned, land, float, and end; a few bodies live as long as it.
 #pragma once
 
 #include "langevin_rigid.h"
@@ -16,7 +16,7 @@ inline constexpr float frame = 1.0f / 30.0f;                 // s
 
 struct Kind {
     const char* name;
-    lr_batch batch = 0;
+    lr_batch batch{};
     float max_age = 0.0f; // s; 0: its bodies live as long as the storm
 };
 
@@ -42,8 +42,8 @@ private:
     lr_world* world_ = nullptr;
     std::vector<lr_asset*> assets_;
     std::vector<Kind> kinds_;
-    lr_wind_source vortex_ = 0;
-    lr_collider walker_ = 0;
+    lr_wind_source vortex_{};
+    lr_collider walker_{};
     std::vector<lr_body> visitors_; // made and ended by calls
     std::vector<unsigned char> snapshot_;
     uint64_t steps_ = 0;

@@ -39,7 +39,7 @@ void add_bin(const World& world, float half, float high) {
 
 } // namespace
 
-TEST_CASE("a pile in a bin loses energy, hardly overlaps, and nothing is outside; boxes and cards come to rest") {
+TEST_CASE("a pile in a bin loses energy, hardly overlaps, and nothing is outside, boxes and cards come to rest") {
     struct Kind {
         const char* name;
         Asset asset;

@@ -185,7 +185,7 @@ TEST_CASE("a sphere rolls down without slipping, and slower by rolling resistanc
 TEST_CASE("a lid that lies on the ground or on a box stays where it is for ten minutes") {
     const Asset asset = make(rigid_box(0.2, 0.01, 0.15, 300.0));
     for (int32_t kind : {LR_COLLIDER_PLANE, LR_COLLIDER_BOX})
-        for (uint32_t flags : {0u, LR_CONTACT_NEVER_REST}) {
+        for (uint32_t flags : {0u, LR_CONTACT_NEVER_SLEEP}) {
             CAPTURE(kind);
             CAPTURE(flags);
             const World world = make(world_desc());
@@ -204,7 +204,7 @@ TEST_CASE("a lid that lies on the ground or on a box stays where it is for ten m
             steps(world, 36000, 1.0f / 60.0f, 1);
             const lr_body_state s = state_of(world, body);
             CHECK(length(vec(s.position) - vec(d.position)) < 1e-4);
-            CHECK(s.resting == (flags == 0 ? LR_REST_RESTING : LR_REST_AWAKE));
+            CHECK(s.sleep_state == (flags == 0 ? LR_SLEEP_ASLEEP : LR_SLEEP_AWAKE));
         }
 }
 

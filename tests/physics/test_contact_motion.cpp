@@ -214,7 +214,7 @@ TEST_CASE("a floor that goes down faster than bodies fall leaves them") {
                 m.position[1] = narrow(wide(deck.desc.position[1]) - fallen);
                 move(world, m);
                 steps(world, 1, narrow(dt), 4);
-                left = left || count_of(events_of(world), LR_CONTACT_END) != 0;
+                left = left || count_of(events_of(world), LR_EVENT_LIFTED) != 0;
                 const double gap = wide(state_of(world, body).position[1]) - began + fallen;
                 most = std::max(most, gap), least = std::min(least, gap);
             }
@@ -303,7 +303,7 @@ TEST_CASE(
         const Vec at{0.1 * column - 2.0, half[1], 0.1 * row - 1.0};
         put(d.position, at);
         put(d.orientation, about({0, 1, 0}, 0.37 * i));
-        d.key = i;
+        d.noise_seed = i;
         laid.push_back(at);
         add_body(world, batch, d);
     }
@@ -325,12 +325,12 @@ TEST_CASE(
         for (uint32_t i = 0; i < v.count; ++i) {
             const double gap = distance_to_axis(v, i, half, at - Vec{0, axis, 0}, at[1] + axis) - radius;
             deepest = std::min(deepest, gap);
-            lasting = std::min(lasting, std::max(gap, before[v.key[i]]));
-            before[v.key[i]] = gap;
+            lasting = std::min(lasting, std::max(gap, before[v.noise_seed[i]]));
+            before[v.noise_seed[i]] = gap;
         }
-        for (const lr_contact_event& e : events_of(world)) {
-            if (e.kind != LR_BODY_WOKE) continue;
-            woke[state_of(world, e.body).key] = 1;
+        for (const lr_event& e : events_of(world)) {
+            if (e.kind != LR_EVENT_WOKE) continue;
+            woke[state_of(world, e.body).noise_seed] = 1;
         }
     }
     // Those that it runs into turn as they are pushed out: some of the way of the substep is left for the next one.

@@ -21,11 +21,11 @@ std::vector<double> energies(const World& world, lr_batch batch, const lr_asset_
             sum += 0.5 * (info.mass + info.added_mass[7 * k]) * speed * speed;
             sum += 0.5 * (info.inertia[4 * k] + info.added_mass[7 * (k + 3)]) * spin * spin;
         }
-        found.emplace_back(v.key[i], sum);
+        found.emplace_back(v.noise_seed[i], sum);
     }
     std::sort(found.begin(), found.end());
     std::vector<double> out;
-    for (const auto& [key, energy] : found) out.push_back(energy);
+    for (const auto& [noise_seed, energy] : found) out.push_back(energy);
     return out;
 }
 

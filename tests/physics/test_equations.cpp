@@ -154,7 +154,7 @@ Error compare(const Case& c, int32_t integrator, double time, int count, uint32_
 
 // At 0.5 ms rates of 30/s make 0.015 a step: RK4's error is nothing, a second-order scheme's some 1e-4 of the state.
 // Rounding is 1000 substeps of 1e-7. Half a second of tumbling makes up to a hundred times as much of either.
-TEST_CASE("the motion is that of the equations") {
+TEST_CASE("the motion is that of the equations" * doctest::test_suite("exact")) {
     for (const Case& c : cases())
         for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT}) {
             const Error error = compare(c, integrator, 0.5, 50, 20);

@@ -52,7 +52,7 @@ State fall(const Card& c, State s, double time, int count) {
 // The card in SI units: semi-chord 1 m, fluid 1 kg/m^3, a metre of it; chord along x, normal along y.
 struct Scene {
     World world;
-    lr_body body = 0;
+    lr_body body{};
 };
 
 constexpr double viscosity = 1e-3, volume = 1e-4;

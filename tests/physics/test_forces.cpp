@@ -219,8 +219,8 @@ TEST_CASE("motion under steady forces is that of the equations, on single bodies
                 id = add_body(world, batch, turned(same, scale));
                 return world;
             };
-            lr_batch batch = 0, batch2 = 0;
-            lr_body id = 0, id2 = 0;
+            lr_batch batch{}, batch2{};
+            lr_body id{}, id2{};
             const World single = make_world(batch, id), whole = make_world(batch2, id2);
             lr_body_force in_world = force_on(id, LR_FORCE_MODE_FORCE, LR_FRAME_WORLD, force, torque);
             lr_body_force in_body = force_on(id, LR_FORCE_MODE_FORCE, LR_FRAME_BODY, 0.5 * force, 2.0 * torque);
@@ -309,10 +309,10 @@ TEST_CASE("a pending force goes along with its body when others are destroyed") 
     push(world, force_on(ids[3], LR_FORCE_MODE_FORCE, LR_FRAME_WORLD, {1.0, 0.0, 0.0}));
     REQUIRE(lr_body_destroy(world.get(), &ids[0], 1) == LR_OK); // the last takes its place
     REQUIRE(lr_body_destroy(world.get(), &ids[2], 1) == LR_OK);
-    const lr_body born = add_body(world, batch, body_desc());
+    const lr_body spawned = add_body(world, batch, body_desc());
     steps(world, 1, 0.01f);
     CHECK(length(vec(state_of(world, ids[1]).linear_velocity)) == 0.0);
-    CHECK(length(vec(state_of(world, born).linear_velocity)) == 0.0);
+    CHECK(length(vec(state_of(world, spawned).linear_velocity)) == 0.0);
     const lr_body_state s = state_of(world, ids[3]);
     CHECK((s.linear_velocity[0] > 0.0f && s.linear_velocity[1] == 0.0f && s.linear_velocity[2] == 0.0f));
 }
@@ -363,7 +363,7 @@ TEST_CASE("pending and steady forces go through snapshots") {
         batch = add_batch(world, asset, 30);
         return world;
     };
-    lr_batch batch = 0, other = 0;
+    lr_batch batch{}, other{};
     const World world = scene(batch), empty = scene(other);
     std::vector<lr_body> ids;
     for (int i = 0; i < 21; ++i) ids.push_back(add_body(world, batch, body_desc()));

@@ -1,5 +1,5 @@
 // Nothing that the API takes may blow up in the default scheme.
-#include "support/lost.h"
+#include "support/lost_bodies.h"
 #include "support/random.h"
 #include "support/scene.h"
 

@@ -13,7 +13,7 @@ namespace {
 struct Storm {
     Asset asset = leaf();
     World world;
-    lr_batch batch = 0;
+    lr_batch batch{};
 
     explicit Storm(uint32_t workers, uint32_t count, bool govern = true) {
         lr_world_desc wd = world_desc();
@@ -52,7 +52,7 @@ TEST_CASE("a storm keeps its count, stays finite, and its distribution does not 
     const int rounds = longer ? 100 : 12, per_round = longer ? 1000 : 500;
     const Storm storm(0, count);
     steps(storm.world, 6000, 1.0f / 60.0f, 1); // until the start is forgotten
-    const uint64_t before = events_of(storm.world, storm.batch).total_respawned;
+    const uint64_t before = counts_of(storm.world, storm.batch).total_respawned;
     std::vector<double> height, speed, respawned;
     uint64_t last = before;
     for (int round = 0; round < rounds; ++round) {
@@ -73,11 +73,11 @@ TEST_CASE("a storm keeps its count, stays finite, and its distribution does not 
         }
         height.push_back(y);
         speed.push_back(s);
-        const uint64_t total = events_of(storm.world, storm.batch).total_respawned;
+        const uint64_t total = counts_of(storm.world, storm.batch).total_respawned;
         respawned.push_back(static_cast<double>(total - last));
         last = total;
     }
-    CHECK(events_of(storm.world, storm.batch).by_not_finite == 0);
+    CHECK(counts_of(storm.world, storm.batch).by_divergence == 0);
     const auto half_means = [](const std::vector<double>& v) {
         const size_t half = v.size() / 2;
         double a = 0.0, b = 0.0;
@@ -106,23 +106,23 @@ TEST_CASE("a storm is the same rolled back, in another world, and with any numbe
     e.size[0] = e.size[1] = e.size[2] = 1.0f;
     set_emitter(storm.world, storm.batch, e);
     steps(storm.world, 45, 1.0f / 60.0f, 2);
-    REQUIRE(events_of(storm.world, storm.batch).total_respawned > 2000);
+    REQUIRE(counts_of(storm.world, storm.batch).total_respawned > 2000);
     const std::vector<unsigned char> snapshot = snapshot_of(storm.world);
     const uint64_t at = hash_of(storm.world);
     steps(storm.world, 40, 1.0f / 60.0f, 2);
     const uint64_t expected = hash_of(storm.world);
-    const lr_batch_events events = events_of(storm.world, storm.batch);
+    const lr_batch_counts events = counts_of(storm.world, storm.batch);
     for (uint32_t workers : {0u, 1u, 3u}) {
         const Storm other(workers, 2500, workers == 1); // with rules of its own, or none
         REQUIRE(lr_world_snapshot_restore(other.world.get(), snapshot.data(), snapshot.size()) == LR_OK);
         CHECK(hash_of(other.world) == at);
         CHECK(snapshot_of(other.world) == snapshot);
-        CHECK(events_of(other.world, other.batch).respawned == 0);
+        CHECK(counts_of(other.world, other.batch).respawned == 0);
         steps(other.world, 40, 1.0f / 60.0f, 2);
         CHECK(hash_of(other.world) == expected);
-        const lr_batch_events got = events_of(other.world, other.batch);
+        const lr_batch_counts got = counts_of(other.world, other.batch);
         CHECK(got.total_respawned == events.total_respawned);
-        CHECK(got.total_born == events.total_born);
+        CHECK(got.total_spawned == events.total_spawned);
         CHECK(got.total_missed == events.total_missed);
         CHECK(got.respawned == events.respawned);
     }

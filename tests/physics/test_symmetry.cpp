@@ -32,7 +32,7 @@ Run run(const World& world, const lr_batch_desc& desc, const Asset& asset, int f
         // Of few bits, so that sums with a wind are exact.
         for (float& v : d.linear_velocity) v = static_cast<float>(static_cast<int>(random.below(64)) - 32) / 64.0f;
         for (float& w : d.angular_velocity) w = random.real(-5.0, 5.0);
-        d.key = static_cast<uint32_t>(i) + 100;
+        d.noise_seed = static_cast<uint32_t>(i) + 100;
         if (change) change(d);
         ids.push_back(add_body(world, batch, d));
     }
@@ -109,7 +109,7 @@ TEST_CASE("wind that changes acts from the next step, and bodies keep their worl
     // A body left alone in a wind ends up with it: relative drag, not drag of the world.
     CHECK(wide(state_of(world, id).linear_velocity[0]) == doctest::Approx(2.0).epsilon(0.2));
     const float before = state_of(world, id).linear_velocity[0];
-    REQUIRE(lr_world_set_wind(world.get(), nullptr) == LR_OK);
+    set_wind(world, 0.0f, 0.0f, 0.0f);
     CHECK(state_of(world, id).linear_velocity[0] == before);
     steps(world, 600, 0.01f, 2);
     CHECK(std::abs(state_of(world, id).linear_velocity[0]) < 0.4f);

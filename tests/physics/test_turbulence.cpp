@@ -153,9 +153,9 @@ TEST_CASE("the noise kicks each axis by its own weights") {
         }
 }
 
-TEST_CASE("the noise gain multiplies the noise's amplitude, and a seed or a key changes it") {
+TEST_CASE("the noise gain multiplies the noise's amplitude, and a seed or a noise seed changes it") {
     const Asset sphere = make(in_water(ellipsoid(0.02, 0.02, 0.02, 1000.0)));
-    const auto end = [&](float gain, uint64_t seed, uint32_t key) {
+    const auto end = [&](float gain, uint64_t seed, uint32_t noise_seed) {
         const World world = weightless(seed);
         lr_batch_desc d = langevin();
         d.clock = LR_CLOCK_AGE;
@@ -163,7 +163,7 @@ TEST_CASE("the noise gain multiplies the noise's amplitude, and a seed or a key 
         const lr_batch batch = add_batch(world, d, sphere, 1);
         set_constant_table(world, batch, 4.0, 0.6, 2.1);
         lr_body_desc b = body_desc();
-        b.key = key;
+        b.noise_seed = noise_seed;
         const lr_body id = add_body(world, batch, b);
         steps(world, 10, 0.01f, 2);
         return vec(state_of(world, id).linear_velocity);
@@ -192,7 +192,7 @@ TEST_CASE("the AGE clock reads the table at the body's age, holds its end or beg
     const Asset sphere = make(in_water(ellipsoid(0.02, 0.02, 0.02, 1000.0)));
     for (int32_t integrator : integrators)
         for (int32_t end : {LR_TABLE_CLAMP, LR_TABLE_LOOP})
-            for (double born : {0.0, 0.375, 0.75, 2.0}) {
+            for (double spawned : {0.0, 0.375, 0.75, 2.0}) {
                 const World world = weightless();
                 lr_batch_desc d = langevin();
                 d.clock = LR_CLOCK_AGE;
@@ -210,9 +210,9 @@ TEST_CASE("the AGE clock reads the table at the body's age, holds its end or beg
                 REQUIRE(lr_batch_set_turbulence_table(world.get(), batch, &t) == LR_OK);
                 lr_body_desc b = body_desc();
                 b.linear_velocity[2] = 2.0f;
-                b.age = narrow(born);
+                b.age = narrow(spawned);
                 const lr_body id = add_body(world, batch, b);
-                double log_v = std::log(2.0), age = born;
+                double log_v = std::log(2.0), age = spawned;
                 for (int quarter = 0; quarter < 7; ++quarter) {
                     // A step never crosses a sample: the middle of it is the mean over it.
                     steps(world, 32, 1.0f / 256.0f, 2);

@@ -106,7 +106,7 @@ public:
 private:
     static constexpr uint32_t capacity = 20;
     Asset asset_;
-    lr_batch batch_ = 0;
+    lr_batch batch_{};
     double h_;
     FloatingBody reference_;
 };
@@ -162,7 +162,7 @@ Return follow(Floats& floats, int frames) {
 
 } // namespace
 
-// As test_bounds.cpp holds it for one fluid: the norm of the velocities grows by no more than the impulse of weight and
+// As test_energy_bounds.cpp holds it for one fluid: the norm of the velocities grows by no more than the impulse of weight and
 // buoyancy. What the surface does to the mass matrix may only take.
 TEST_CASE("at any step a body that crosses the surface gains no more than weight and buoyancy give") {
 #ifdef LR_TEST_QUICK
@@ -204,7 +204,8 @@ TEST_CASE("at any step a body that crosses the surface gains no more than weight
 
 // Once something is lost it does not come back: through all of many crossings the energy lies nowhere above where it has
 // been, but for the scheme's own ripple of second order.
-TEST_CASE("bobbing and rolling through the surface pump no energy, with couples and without") {
+TEST_CASE("bobbing and rolling through the surface pump no energy, with couples and without" *
+          doctest::test_suite("exact")) {
     const double shapes[][3] = {{0.05, 0.05, 0.05}, {0.1, 0.02, 0.03}, {0.08, 0.06, 0.006}, {0.02, 0.1, 0.02}};
     double worst[2][2] = {};
     for (int32_t loads : {LR_LOADS_NONE, LR_LOADS_AERODYNAMIC})
@@ -239,7 +240,7 @@ TEST_CASE("bobbing and rolling through the surface pump no energy, with couples 
     MESSAGE("largest return: without loads ", worst[0][0], ", without couples ", worst[1][0], ", with ", worst[1][1]);
 }
 
-// With couples the equations lose energy (test_bounds.cpp); steps that are too long for a body's turning may not, but the
+// With couples the equations lose energy (test_energy_bounds.cpp); steps that are too long for a body's turning may not, but the
 // couple is held to what it can do within them.
 TEST_CASE("long steps and couples of the lift drive no body on its way through the surface") {
 #ifdef LR_TEST_QUICK

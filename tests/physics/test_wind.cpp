@@ -19,7 +19,7 @@ Asset sphere(double density) {
 
 struct Single {
     World world;
-    lr_body body = 0;
+    lr_body body{};
     Single(const Asset& asset, const lr_body_desc& at, int32_t integrator = LR_INTEGRATOR_DEFAULT,
            int32_t loads = LR_LOADS_NONE, bool heavy = false) {
         world = heavy ? make(world_desc()) : weightless();
@@ -154,8 +154,8 @@ TEST_CASE("gusts carry a neutrally buoyant sphere along exactly, a heavy one by 
         for (int32_t integrator : integrators)
             for (float dt : {0.02f, 0.05f}) {
                 Single s(sphere(density), body_desc(), integrator);
-                lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_GUSTS);
-                d.period = 0.5f, d.spread = 0.5f;
+                lr_gusts_desc d = initialised(lr_gusts_desc_init);
+                d.integral_time = 0.5f, d.angle_rms = 0.5f;
                 add_source(s.world, d);
                 const Vec before = wind_at(s.world, {0.0, 0.0, 0.0});
                 steps(s.world, 100, dt, 3);
@@ -176,9 +176,9 @@ TEST_CASE("a tracer follows the fluid of a vortex with second order") {
         at.position[0] = narrow(radius);
         at.linear_velocity[1] = narrow(speed);
         Single s(sphere(1000.0), at);
-        lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_LAMB_OSEEN);
-        set(d.direction, 0.0f, 0.0f, 1.0f);
-        d.circulation = narrow(circulation), d.size = narrow(core);
+        lr_vortex_desc d = vortex_desc();
+        set(d.axis, 0.0f, 0.0f, 1.0f);
+        d.circulation = narrow(circulation), d.core_radius = narrow(core);
         add_source(s.world, d);
         const int count = 25 << n;
         steps(s.world, count, 1.0f / static_cast<float>(count), 1);
@@ -220,9 +220,9 @@ TEST_CASE("a sphere in a vortex is thrown out when heavy and drawn in when light
         lr_body_desc at = body_desc();
         at.position[0] = 0.5f, at.linear_velocity[1] = 0.5f;
         Single s(sphere(density), at, LR_INTEGRATOR_DEFAULT, LR_LOADS_LANGEVIN);
-        lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_RANKINE);
-        set(d.direction, 0.0f, 0.0f, 1.0f);
-        d.circulation = narrow(2.0 * pi), d.size = 1.0f; // a turn of 1 rad/s
+        lr_vortex_desc d = vortex_desc(LR_VORTEX_RANKINE);
+        set(d.axis, 0.0f, 0.0f, 1.0f);
+        d.circulation = narrow(2.0 * pi), d.core_radius = 1.0f; // a turn of 1 rad/s
         add_source(s.world, d);
         steps(s.world, 80, 0.01f, 2);
         const double r = length(s.position());
@@ -246,9 +246,9 @@ TEST_CASE("a body in the middle of a fluid that turns as a solid ends up turning
             lr_body_desc at = body_desc();
             set(at.angular_velocity, 0.0f, 0.0f, 1.0f);
             const lr_body body = add_body(world, batch, at);
-            lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_RANKINE);
-            set(d.direction, 0.0f, 0.0f, 1.0f);
-            d.circulation = narrow(2.0 * pi * 3.0), d.size = 1.0f;
+            lr_vortex_desc d = vortex_desc(LR_VORTEX_RANKINE);
+            set(d.axis, 0.0f, 0.0f, 1.0f);
+            d.circulation = narrow(2.0 * pi * 3.0), d.core_radius = 1.0f;
             add_source(world, d);
             // The rate of its approach is alpha rho D'/(J0 + rho D): docs/maintainers/physics.md section 4.
             const lr_asset_info info = info_of(asset);
@@ -286,7 +286,7 @@ TEST_CASE("a uniform wind as sources, as itself and none, moved along, are one m
             }
             if (how == 1) set_wind(world, 2.0f, -0.5f, 1.0f);
             if (how == 2) {
-                lr_wind_source_desc d = source_desc(LR_WIND_SOURCE_GRID);
+                lr_wind_grid_desc d = initialised(lr_wind_grid_desc_init);
                 for (uint32_t& n : d.counts) n = 1;
                 d.outside = LR_WIND_OUTSIDE_CLAMP;
                 d.samples = samples.data();
@@ -326,14 +326,28 @@ TEST_CASE("bodies stay finite in any wind at any step, and no faster than the wi
                                            : (round % 3 == 1 ? curled_leaf() : sphere(1000.1));
         const lr_batch batch = add_batch(world, bd, asset, 64);
         double fastest = 60.0;
-        for (lr_wind_source_desc d : one_of_each(samples)) {
-            const float factor = narrow(random.logarithmic(0.1, 30.0));
-            d.speed *= factor;
-            d.circulation *= factor;
-            d.size = std::max(d.size * narrow(random.logarithmic(0.01, 1.0)), 1e-3f);
-            if (std::abs(d.circulation) > 1000.0f * d.size) d.circulation = 1000.0f * d.size;
-            fastest += 5.0 * wide(d.speed) + std::abs(wide(d.circulation) / (2.0 * pi * wide(d.size))) + 5.0;
-            add_source(world, d);
+        for (AnySource any : one_of_each(samples)) {
+            const float factor = narrow(random.logarithmic(0.1, 30.0)), part = narrow(random.logarithmic(0.01, 1.0));
+            const auto shrink = [&](float& size) { size = std::max(size * part, 1e-3f); };
+            std::visit(
+                [&](auto& d) {
+                    fastest += 5.0;
+                    if constexpr (requires { d.rms; }) fastest += 5.0 * wide(d.rms *= factor);
+                    if constexpr (requires { d.integral_length; }) shrink(d.integral_length);
+                    if constexpr (requires { d.roughness_length; }) shrink(d.roughness_length);
+                    if constexpr (requires { d.nozzle_radius; }) {
+                        shrink(d.nozzle_radius);
+                        fastest += 5.0 * wide(d.speed *= factor);
+                    }
+                    if constexpr (requires { d.circulation; }) {
+                        shrink(d.core_radius);
+                        d.circulation *= factor;
+                        if (std::abs(d.circulation) > 1000.0f * d.core_radius) d.circulation = 1000.0f * d.core_radius;
+                        fastest += std::abs(wide(d.circulation) / (2.0 * pi * wide(d.core_radius)));
+                    }
+                },
+                any);
+            add_source(world, any);
         }
         std::vector<lr_body> ids;
         for (int i = 0; i < 64; ++i) {

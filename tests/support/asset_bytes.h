@@ -1,9 +1,9 @@
 // Asset files for tests, and what FlatBuffers' own code does not offer: changing a file and sealing it again.
 #pragma once
 
-#include "format/asset_data.h"
-#include "format/checksum.h"
-#include "shape/ellipsoid.h"
+#include "asset/asset_data.h"
+#include "asset/closed_forms/ellipsoid_asset.h"
+#include "base/fnv1a.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -9,7 +9,7 @@
 namespace test {
 
 inline void set_pair(const World& w, lr_batch a, lr_batch b, bool on = true) {
-    REQUIRE(lr_batch_set_pair_contact(w.get(), a, b, on ? 1 : 0) == LR_OK);
+    REQUIRE(lr_batch_set_body_contact(w.get(), a, b, on ? 1 : 0) == LR_OK);
 }
 // Next to no fluid, and none of it moves along: momentum is that of the bodies.
 inline lr_rigid_desc vacuum_box(double x, double y, double z, double density) {
@@ -19,7 +19,7 @@ inline lr_rigid_desc vacuum_box(double x, double y, double z, double density) {
     return d;
 }
 inline bool rests(const World& w, lr_body body) {
-    return state_of(w, body).resting == LR_REST_RESTING;
+    return state_of(w, body).sleep_state == LR_SLEEP_ASLEEP;
 }
 inline lr_body_desc at_rest_at(const Vec& position) {
     lr_body_desc d = body_desc();

@@ -25,7 +25,7 @@ inline lr_collider_desc box_collider(float x, float y, float z) {
 }
 
 inline lr_collider add_collider(const World& w, const lr_collider_desc& d) {
-    lr_collider collider = 0;
+    lr_collider collider{};
     REQUIRE(lr_collider_create(w.get(), &d, 1, &collider) == LR_OK);
     return collider;
 }

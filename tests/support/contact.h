@@ -14,7 +14,7 @@ inline lr_batch_desc unloaded() {
 inline lr_batch_contact contact_desc(float friction, float restitution, float rolling = 0.0f) {
     lr_batch_contact c = initialised(lr_batch_contact_init);
     c.friction = friction, c.restitution = restitution, c.rolling_resistance = rolling;
-    c.flags = LR_CONTACT_NEVER_REST;
+    c.flags = LR_CONTACT_NEVER_SLEEP;
     return c;
 }
 inline void set_contact(const World& w, lr_batch batch, const lr_batch_contact& c) {

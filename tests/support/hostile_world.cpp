@@ -58,7 +58,7 @@ void mad_wind(void*, const lr_wind_query* q) {
         for (size_t k = 0; k < 9; ++k) q->gradient[k][i] = nonsense(q->position[k % 3][i], 3.0f);
     }
 }
-void mad_surface(void*, const lr_surface_query* q) {
+void mad_surface(void*, const lr_water_query* q) {
     for (uint32_t i = 0; i < q->count; ++i) {
         q->height[i] = nonsense(q->position[0][i], 4.0f);
         for (size_t k = 0; k < 3; ++k) {
@@ -120,7 +120,7 @@ std::string beyond_limits(const World& world, lr_batch batch) {
             if (!std::isfinite(s.position[k]) || !std::isfinite(s.linear_velocity[k]) ||
                 !std::isfinite(s.angular_velocity[k]))
                 return "a state";
-        if (s.resting == LR_REST_HELD && (speed != 0.0 || spin != 0.0)) return "the velocity of one that is held";
+        if (s.sleep_state == LR_SLEEP_HELD && (speed != 0.0 || spin != 0.0)) return "the velocity of one that is held";
     }
     return {};
 }
@@ -141,7 +141,7 @@ void HostileWorld::build() {
     if (chance(random, 3)) d.fluid_viscosity = wild(random, 1e-9, 1e2);
     for (float& g : d.gravity) g = chance(random, 3) ? either_way(random, 1e-3, 1e4) : either_way(random, 1.0, 10.0);
     world = make(d);
-    REQUIRE(lr_world_set_contact_events(world.get(), 4096, LR_EVENTS_ALL) == LR_OK);
+    REQUIRE(lr_world_set_events(world.get(), 4096, LR_EVENTS_ALL) == LR_OK);
     batches.clear();
     assets_.clear();
     colliders_.clear();
@@ -152,26 +152,35 @@ void HostileWorld::build() {
 
 void HostileWorld::add_fluids(Random& random) {
     if (chance(random, 2)) {
-        lr_wind_desc w = wind_desc();
-        for (float& v : w.velocity) v = either_way(random, 0.1, 1000.0);
-        REQUIRE(lr_world_set_wind(world.get(), &w) == LR_OK);
+        float w[3];
+        for (float& v : w) v = either_way(random, 0.1, 1000.0);
+        REQUIRE(lr_world_set_uniform_wind(world.get(), w[0], w[1], w[2]) == LR_OK);
     }
     for (uint32_t n = chance(random, 2) ? random.below(4) : 0; n > 0; --n) {
-        lr_wind_source_desc s = source_desc(static_cast<int32_t>(1 + random.below(8)));
-        if (s.kind == LR_WIND_SOURCE_GRID) continue;
-        for (float& x : s.position) x = either_way(random, 0.1, 1e6);
-        s.speed = wild(random, 0.1, 1000.0);
-        s.circulation = either_way(random, 1.0, 1e6);
-        s.size = wild(random, 1e-4, 1e3);
-        s.range = 1e4f;
-        s.octaves = 1 + random.below(4);
-        s.period = wild(random, 1e-4, 1e6);
-        lr_wind_source source = 0;
-        lr_world_add_wind(world.get(), &s, &source);
+        static const std::vector<float> samples = grid_samples();
+        AnySource source = one_of_each(samples)[random.below(8)];
+        std::visit(
+            [&](auto& s) {
+                if constexpr (requires { s.position; })
+                    for (float& x : s.position) x = either_way(random, 0.1, 1e6);
+                if constexpr (requires { s.rms; }) s.rms = wild(random, 0.1, 1000.0);
+                if constexpr (requires { s.speed; }) s.speed = wild(random, 0.1, 1000.0);
+                if constexpr (requires { s.circulation; }) s.circulation = either_way(random, 1.0, 1e6);
+                if constexpr (requires { s.core_radius; }) s.core_radius = wild(random, 1e-4, 1e3);
+                if constexpr (requires { s.nozzle_radius; }) s.nozzle_radius = wild(random, 1e-4, 1e3), s.range = 1e4f;
+                if constexpr (requires { s.integral_length; }) s.integral_length = wild(random, 1e-4, 1e3);
+                if constexpr (requires { s.roughness_length; }) s.roughness_length = wild(random, 1e-4, 10.0);
+                if constexpr (requires { s.octaves; }) s.octaves = 1 + random.below(4);
+                if constexpr (requires { s.integral_time; }) s.integral_time = wild(random, 1e-4, 1e6);
+                if constexpr (requires { s.eddy_life; }) s.eddy_life = wild(random, 1e-4, 1e6);
+            },
+            source);
+        lr_wind_source unused{};
+        add_wind(world.get(), &source, &unused);
     }
     if (chance(random, 4)) REQUIRE(lr_world_set_wind_callback(world.get(), mad_wind, nullptr) == LR_OK);
     if (chance(random, 3)) {
-        lr_surface_desc s = initialised(lr_surface_desc_init);
+        lr_water_desc s = initialised(lr_water_desc_init);
         s.density = wild(random, 1e-3, 1e6);
         s.viscosity = wild(random, 1e-12, 1e3);
         for (float& v : s.current) v = either_way(random, 0.1, 1000.0);
@@ -182,8 +191,8 @@ void HostileWorld::add_fluids(Random& random) {
             s.waves[i].length = wild(random, 1e-3, 1e6);
             s.waves[i].amplitude = s.waves[i].length / 8.0f;
         }
-        lr_world_set_surface(world.get(), &s);
-        if (chance(random, 2)) REQUIRE(lr_world_set_surface_callback(world.get(), mad_surface, nullptr) == LR_OK);
+        lr_world_set_water(world.get(), &s);
+        if (chance(random, 2)) REQUIRE(lr_world_set_water_callback(world.get(), mad_surface, nullptr) == LR_OK);
     }
 }
 
@@ -199,7 +208,7 @@ void HostileWorld::add_batches(Random& random) {
         d.table_end = static_cast<int32_t>(random.below(2));
         d.integrator = static_cast<int32_t>(random.below(3));
         if (chance(random, 3)) d.damping_gain = d.noise_gain = 100.0f;
-        lr_batch batch = 0;
+        lr_batch batch{};
         if (lr_batch_create(world.get(), &d, &batch) != LR_OK)
             continue; // its mass matrix may be singular in that fluid
         batches.push_back(batch);
@@ -231,7 +240,7 @@ void HostileWorld::add_batches(Random& random) {
                 of[random.below(3)] = either_way(random, 1e-3, 1e9);
             REQUIRE(lr_batch_set_force(world.get(), batch, &f) == LR_OK);
         }
-        REQUIRE(lr_batch_set_fault_policy(world.get(), batch, static_cast<int32_t>(random.below(3))) == LR_OK);
+        REQUIRE(lr_batch_set_divergence_policy(world.get(), batch, static_cast<int32_t>(random.below(3))) == LR_OK);
         if (chance(random, 3)) {
             lr_emitter_desc e = emitter_desc();
             e.shape = LR_EMIT_BOX;
@@ -247,7 +256,7 @@ void HostileWorld::add_batches(Random& random) {
             set_rules(world, batch, r);
         }
         if (chance(random, 2))
-            lr_batch_set_pair_contact(world.get(), batches[random.below(static_cast<uint32_t>(batches.size()))], batch,
+            lr_batch_set_body_contact(world.get(), batches[random.below(static_cast<uint32_t>(batches.size()))], batch,
                                       1);
     }
 }
@@ -344,13 +353,14 @@ void HostileWorld::push(Random& random) {
         const lr_batch_view v = view_of(world, batch);
         if (v.count == 0 || !chance(random, 2)) continue;
         const lr_body body = v.ids[random.below(v.count)];
-        REQUIRE(lr_body_set_rest(world.get(), &body, 1, chance(random, 4) ? LR_REST_AWAKE : LR_REST_RESTING) == LR_OK);
+        REQUIRE(lr_body_set_sleep(world.get(), &body, 1, chance(random, 4) ? LR_SLEEP_AWAKE : LR_SLEEP_ASLEEP) ==
+                LR_OK);
         const lr_body freed = view_of(world, batch).ids[random.below(v.count)];
         lr_body_state s = state_of(world, freed);
-        if (s.resting != LR_REST_HELD) continue;
+        if (s.sleep_state != LR_SLEEP_HELD) continue;
         for (float& x : s.position) x = std::clamp(x, -1e9f, 1e9f);
         REQUIRE(lr_body_set_state(world.get(), freed, &s) == LR_OK);
-        CHECK(state_of(world, freed).resting == LR_REST_AWAKE);
+        CHECK(state_of(world, freed).sleep_state == LR_SLEEP_AWAKE);
     }
 }
 
@@ -359,21 +369,21 @@ void HostileWorld::check() {
     for (const lr_batch batch : batches) {
         const std::string wrong = beyond_limits(world, batch);
         REQUIRE(wrong == "");
-        counted += test::events_of(world, batch).faulted;
+        counted += counts_of(world, batch).diverged;
     }
-    const lr_contact_event_list list = event_list(world);
+    const lr_event_list list = event_list(world);
     REQUIRE(list.lost == 0);
     std::vector<lr_body> told;
     for (uint32_t i = 0; i < list.count; ++i) {
-        if (list.events[i].kind != LR_BODY_FAULTED) continue;
+        if (list.events[i].kind != LR_EVENT_DIVERGED) continue;
         const lr_body body = list.events[i].body;
         told.push_back(body);
-        const bool killed = std::any_of(list.events, list.events + list.count, [&](const lr_contact_event& e) {
-            return e.kind == LR_BODY_KILLED && e.body == body;
+        const bool killed = std::any_of(list.events, list.events + list.count, [&](const lr_event& e) {
+            return (e.kind == LR_EVENT_KILLED || e.kind == LR_EVENT_RESPAWNED) && e.body == body;
         });
         lr_body_state s = body_state();
         const bool there = lr_body_get_state(world.get(), body, &s) == LR_OK;
-        CHECK((killed || (there && s.resting == LR_REST_HELD)));
+        CHECK((killed || (there && s.sleep_state == LR_SLEEP_HELD)));
     }
     std::sort(told.begin(), told.end());
     CHECK(std::adjacent_find(told.begin(), told.end()) == told.end());

@@ -23,14 +23,14 @@ inline void set_rules(const World& w, lr_batch batch, const lr_batch_rules& r) {
 inline void set_emitter(const World& w, lr_batch batch, const lr_emitter_desc& d) {
     REQUIRE(lr_batch_set_emitter(w.get(), batch, &d) == LR_OK);
 }
-inline lr_batch_events events_of(const World& w, lr_batch batch) {
-    lr_batch_events e = initialised(lr_batch_events_init);
-    REQUIRE(lr_batch_get_events(w.get(), batch, &e) == LR_OK);
+inline lr_batch_counts counts_of(const World& w, lr_batch batch) {
+    lr_batch_counts e = initialised(lr_batch_counts_init);
+    REQUIRE(lr_batch_get_counts(w.get(), batch, &e) == LR_OK);
     return e;
 }
 inline std::vector<lr_body> emit(const World& w, lr_batch batch, uint32_t count) {
     std::vector<lr_body> ids(count);
-    REQUIRE(lr_batch_emit(w.get(), batch, count, ids.data()) == LR_OK);
+    REQUIRE(lr_batch_spawn(w.get(), batch, count, ids.data()) == LR_OK);
     return ids;
 }
 

@@ -1,7 +1,7 @@
 // Assets, worlds and bodies for tests, through the public API only.
 #pragma once
 
-#include "langevin_rigid.h"
+#include "support/handles.h"
 
 #include <doctest/doctest.h>
 
@@ -51,9 +51,6 @@ inline lr_body_desc body_desc() {
 }
 inline lr_body_state body_state() {
     return initialised(lr_body_state_init);
-}
-inline lr_wind_desc wind_desc() {
-    return initialised(lr_wind_desc_init);
 }
 inline lr_turbulence_table table_desc() {
     return initialised(lr_turbulence_table_init);
@@ -133,7 +130,7 @@ inline World weightless(uint64_t seed = 0) {
 inline lr_batch add_batch(const World& w, lr_batch_desc d, const Asset& asset, uint32_t capacity, bool full = false) {
     d.asset = asset.get();
     d.capacity = capacity;
-    lr_batch batch = 0;
+    lr_batch batch{};
     REQUIRE(lr_batch_create(w.get(), &d, &batch) == LR_OK);
     if (full) {
         lr_aerodynamics a = initialised(lr_aerodynamics_init);
@@ -147,7 +144,7 @@ inline lr_batch add_batch(const World& w, const Asset& asset, uint32_t capacity)
     return add_batch(w, batch_desc(), asset, capacity);
 }
 inline lr_body add_body(const World& w, lr_batch batch, const lr_body_desc& d) {
-    lr_body body = 0;
+    lr_body body{};
     REQUIRE(lr_body_create(w.get(), batch, &d, 1, &body) == LR_OK);
     return body;
 }
@@ -183,9 +180,7 @@ inline void steps(const World& w, int count, float dt, uint32_t substeps = 1) {
     REQUIRE(status == LR_OK);
 }
 inline void set_wind(const World& w, float x, float y, float z) {
-    lr_wind_desc d = wind_desc();
-    d.velocity[0] = x, d.velocity[1] = y, d.velocity[2] = z;
-    REQUIRE(lr_world_set_wind(w.get(), &d) == LR_OK);
+    REQUIRE(lr_world_set_uniform_wind(w.get(), x, y, z) == LR_OK);
 }
 // The same turbulence at every age; for the SPEED clock, that of a body as fast as u0.
 inline void set_constant_table(const World& w, lr_batch batch, double chi, double epsilon, double c0, double u0 = 1.0,

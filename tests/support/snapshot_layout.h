@@ -1,13 +1,7 @@
 // A snapshot's bytes as pieces: headers and columns, without a world. For tests that change one of them.
 #pragma once
 
-#include "contact/collider_snapshot.h"
-#include "field/surface.h"
-#include "field/wind_snapshot.h"
-#include "world/batch_pairs.h"
-
-#include "world/snapshot_format.h"
-#include "world/snapshot_parts.h"
+#include "world/snapshot/snapshot_format.h"
 
 #include <cstdint>
 #include <cstring>
@@ -23,10 +17,6 @@ class SnapshotLayout {
 public:
     // False when the bytes do not begin as a snapshot of this version does, or are fewer than it says.
     bool begin(const unsigned char* bytes, uint64_t size);
-    // And when they are damaged.
-    bool open(const unsigned char* bytes, uint64_t size) {
-        return begin(bytes, size) && seal_of(bytes, header_.size) == header_.seal;
-    }
     const SnapshotHeader& header() const { return header_; }
     const unsigned char* bytes() const { return bytes_; }
     uint64_t words() const { return header_.size / 4; }
@@ -49,10 +39,9 @@ private:
     bool wrong_ = false;
 };
 
-enum HeadPiece : uint32_t { head_header, head_wind, head_surface, head_colliders, head_pairs, head_pieces };
-inline constexpr uint32_t all_columns = column_parts + part_columns;
+enum HeadPiece : uint32_t { head_header, head_wind, head_colliders, head_pairs, head_pieces };
 inline constexpr uint32_t column_bits = 16;
-static_assert(all_columns < 1u << column_bits && head_pieces < 1u << column_bits);
+static_assert(batch_pieces < 1u << column_bits && head_pieces < 1u << column_bits);
 
 inline bool SnapshotLayout::begin(const unsigned char* bytes, uint64_t size) {
     if (size < sizeof header_) return false;
@@ -73,19 +62,15 @@ inline bool SnapshotLayout::take(SnapshotPiece& piece, uint64_t key, uint64_t wo
 }
 
 inline uint64_t SnapshotLayout::words_of_head(uint32_t piece) const {
-    const unsigned char* const from = bytes_ + 4 * at_;
-    const uint64_t left = header_.size - 4 * at_;
     switch (piece) {
     case head_header:
         return sizeof(SnapshotHeader) / 4;
     case head_wind:
-        return WindSnapshot::bytes(from, left) / 4;
-    case head_surface:
-        return sizeof(Surface::Record) / 4;
+        return WindSnapshot::bytes(header_.wind_field) / 4;
     case head_colliders:
-        return ColliderSnapshot::bytes(from, left) / 4;
+        return ColliderSnapshot::bytes(header_.colliders) / 4;
     default:
-        return sizeof(BatchPairs::Pair) / 4 * uint64_t{header_.pair_count};
+        return padded_bytes(4 * uint64_t{header_.link_count}) / 4;
     }
 }
 
@@ -94,30 +79,25 @@ inline bool SnapshotLayout::next(SnapshotPiece& piece) {
         const uint32_t head = head_++;
         const uint64_t words = words_of_head(head);
         if (words != 0) return take(piece, head, words);
-        wrong_ = head != head_pairs;
+        wrong_ = head == head_header;
     }
     while (!wrong_ && index_ < header_.batch_slots) {
         const uint64_t key = (uint64_t{index_} + 1) << column_bits | column_;
         if (column_ == 0) {
             if (!take(piece, key, sizeof batch_ / 4)) return false;
             std::memcpy(&batch_, bytes_ + 4 * piece.begin, sizeof batch_);
-            wrong_ = batch_.fields > field_count || (batch_.parts & ~all_parts) != 0;
-            if (wrong_) return false;
             if (batch_.capacity == 0)
                 ++index_;
             else
                 column_ = 1;
             return true;
         }
-        const uint32_t column = column_ - 1;
-        const uint64_t words = column < column_parts
-                                   ? column_words(batch_, column)
-                                   : part_column_words(batch_.parts, batch_.count, column - column_parts);
-        if (column + 1 == all_columns)
+        const uint64_t bytes = padded_bytes(piece_bytes(batch_, column_ - 1));
+        if (column_ == batch_pieces)
             ++index_, column_ = 0;
         else
             ++column_;
-        if (words != 0) return take(piece, key, words);
+        if (bytes != 0) return take(piece, key, bytes / 4);
     }
     return false;
 }

@@ -77,23 +77,25 @@ private:
         bd.asset = assets_[i], bd.capacity = capacity, bd.load_model = loads, bd.clock = clock;
         if (good_) need(lr_batch_create(world_, &bd, &batches_[i]));
     }
-    void set_wind(float x, float z) {
-        lr_wind_desc w;
-        need(lr_wind_desc_init(&w, sizeof w));
-        w.velocity[0] = x, w.velocity[2] = z;
-        need(lr_world_set_wind(world_, &w));
-    }
-    void add_source(int32_t kind) {
-        lr_wind_source_desc d;
-        lr_wind_source source = 0;
-        need(lr_wind_source_desc_init(&d, sizeof d));
-        d.kind = kind, d.speed = 0.4f, d.size = 1.5f, d.period = 2.0f, d.seed = 3;
-        need(lr_world_add_wind(world_, &d, &source));
+    void set_wind(float x, float z) { need(lr_world_set_uniform_wind(world_, x, 0.0f, z)); }
+    void add_sources() {
+        lr_gusts_desc gusts;
+        need(lr_gusts_desc_init(&gusts, sizeof gusts));
+        gusts.rms = 0.4f, gusts.integral_time = 2.0f, gusts.seed = 3;
+        need(lr_world_add_gusts(world_, &gusts, nullptr));
+        lr_vortex_desc vortex;
+        need(lr_vortex_desc_init(&vortex, sizeof vortex));
+        vortex.axis[0] = 1.0f, vortex.axis[1] = 0.0f;
+        vortex.core_radius = 1.5f;
+        need(lr_world_add_vortex(world_, &vortex, nullptr));
+        lr_turbulence_desc turbulence;
+        need(lr_turbulence_desc_init(&turbulence, sizeof turbulence));
+        turbulence.rms = 0.4f, turbulence.integral_length = 1.5f, turbulence.eddy_life = 2.0f, turbulence.seed = 3;
+        need(lr_world_add_turbulence(world_, &turbulence, nullptr));
     }
     void live() {
         set_wind(0.5f, 0.25f);
-        for (int32_t kind : {LR_WIND_SOURCE_GUSTS, LR_WIND_SOURCE_LAMB_OSEEN, LR_WIND_SOURCE_TURBULENCE})
-            add_source(kind);
+        add_sources();
         lr_collider_desc ground;
         need(lr_collider_desc_init(&ground, sizeof ground));
         ground.kind = LR_COLLIDER_PLANE;
@@ -111,8 +113,8 @@ private:
             r.max_age = 1.0f, r.action = LR_END_DESTROY;
         }
         lr_body ids[40] = {};
-        need(lr_batch_emit(world_, batches_[0], 40, ids));
-        need(lr_batch_emit(world_, batches_[1], 20, nullptr));
+        need(lr_batch_spawn(world_, batches_[0], 40, ids));
+        need(lr_batch_spawn(world_, batches_[1], 20, nullptr));
         const float chi[3] = {1.0f, 2.0f, 3.0f}, epsilon[3] = {0.01f, 0.03f, 0.02f};
         lr_turbulence_table t;
         need(lr_turbulence_table_init(&t, sizeof t));
@@ -123,7 +125,7 @@ private:
         lr_body_force f;
         need(lr_body_force_init(&f, sizeof f));
         need(lr_body_destroy(world_, ids + 3, 5));
-        need(lr_body_set_rest(world_, ids + 20, 12, LR_REST_RESTING));
+        need(lr_body_set_sleep(world_, ids + 20, 12, LR_SLEEP_ASLEEP));
         step(3);
         f.body = ids[10], f.force[0] = 1e-4f;
         need(lr_body_add_force(world_, &f, 1));

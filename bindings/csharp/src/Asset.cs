@@ -33,14 +33,14 @@ namespace LangevinRigid
             throw new LangevinException(status, "lr_asset_load_file", path, IsAboutBytes(status) ? FaultsOfFile(path) : null);
         }
 
-        /// <summary>The same from bytes in memory, which are not kept.</summary>
+        /// <summary>Loads an asset from bytes in memory, which are not kept.</summary>
         public static Asset Load(byte[] bytes)
         {
             if (bytes == null) throw new ArgumentNullException("bytes");
             fixed (byte* first = bytes) return Load(first, (ulong)bytes.Length);
         }
 
-        /// <summary>The same from <paramref name="size"/> bytes of any alignment, which are not kept.</summary>
+        /// <summary>Loads an asset from <paramref name="size"/> bytes of any alignment, which are not kept.</summary>
         public static Asset Load(void* bytes, ulong size)
         {
             byte none;
@@ -52,7 +52,7 @@ namespace LangevinRigid
             throw new LangevinException(status, "lr_asset_load_memory", null, IsAboutBytes(status) ? Check(bytes, size, out status) : null);
         }
 
-        /// <summary>A solid ellipsoid, with everything from closed forms. The quickest way to a first falling body.</summary>
+        /// <summary>A solid ellipsoid from closed forms: the quickest way to a first falling body.</summary>
         public static Asset CreateEllipsoid(EllipsoidDesc desc)
         {
             LangevinLibrary.EnsureLoaded();
@@ -61,7 +61,7 @@ namespace LangevinRigid
             return new Asset(asset);
         }
 
-        /// <summary>A body whose numbers are known, without mesh or file.</summary>
+        /// <summary>A body with given numbers, without mesh or file.</summary>
         public static Asset CreateRigid(RigidDesc desc)
         {
             LangevinLibrary.EnsureLoaded();
@@ -70,14 +70,14 @@ namespace LangevinRigid
             return new Asset(asset);
         }
 
-        /// <summary>The same with coefficients of its loads, in place of <see cref="RigidDesc.Aerodynamics"/>.</summary>
+        /// <summary>A body with given numbers and coefficients of its loads, in place of <see cref="RigidDesc.Aerodynamics"/>.</summary>
         public static Asset CreateRigid(RigidDesc desc, Aerodynamics aerodynamics)
         {
             desc.Aerodynamics = &aerodynamics;
             return CreateRigid(desc);
         }
 
-        /// <summary>Everything that is wrong with asset bytes; nothing if they would load.</summary>
+        /// <summary>All faults of asset bytes; empty if they would load.</summary>
         public static IReadOnlyList<AssetFault> Check(byte[] bytes)
         {
             if (bytes == null) throw new ArgumentNullException("bytes");
@@ -86,7 +86,7 @@ namespace LangevinRigid
             fixed (byte* first = bytes) return Check(first == null ? &none : first, (ulong)bytes.Length, out status);
         }
 
-        /// <summary>Everything that is wrong with asset bytes, and what <see cref="Load(void*, ulong)"/> would fail with.</summary>
+        /// <summary>All faults of asset bytes, and the status of <see cref="Load(void*, ulong)"/>.</summary>
         public static IReadOnlyList<AssetFault> Check(void* bytes, ulong size, out Status status)
         {
             LangevinLibrary.EnsureLoaded();
@@ -103,7 +103,7 @@ namespace LangevinRigid
             return faults;
         }
 
-        /// <summary>Mass, inertia, added mass and the rest.</summary>
+        /// <summary>Mass, inertia, added mass and other properties.</summary>
         public AssetInfo Info
         {
             get
@@ -146,7 +146,7 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>Another object for the same native asset, to be disposed of by itself: for owners that know nothing of each other.</summary>
+        /// <summary>Another object for the same native asset, disposed of separately: for independent owners.</summary>
         public Asset Share()
         {
             bool held = false;
@@ -160,7 +160,7 @@ namespace LangevinRigid
         /// <summary>Whether it was disposed of.</summary>
         public bool IsDisposed { get { return _handle.IsClosed; } }
 
-        /// <summary>Gives the reference back. Batches keep theirs.</summary>
+        /// <summary>Releases this reference. Batches keep theirs.</summary>
         public void Dispose()
         {
             _handle.Dispose();

@@ -19,14 +19,14 @@ namespace LangevinRigid
 
         /// <summary>The world it is in.</summary>
         public World World { get { return _world; } }
-        /// <summary>Its handle, for <see cref="Native"/> and for what names batches: rays, events, queries of fields.</summary>
+        /// <summary>Its handle, for <see cref="Native"/>, rays, events and queries of fields.</summary>
         public BatchId Id { get { return _id; } }
         /// <summary>The most bodies at a time.</summary>
         public int Capacity { get; private set; }
         /// <summary>Whether it was disposed of, or its world was.</summary>
         public bool IsDisposed { get { return _disposed || _world.IsDisposed; } }
 
-        /// <summary>Ends the batch with all its bodies.</summary>
+        /// <summary>Destroys the batch with all its bodies.</summary>
         public void Dispose()
         {
             if (IsDisposed) return;
@@ -59,7 +59,7 @@ namespace LangevinRigid
             return ids;
         }
 
-        /// <summary>Bears bodies now, as the emitter says, all or none; returns their ids.</summary>
+        /// <summary>Spawns bodies now by the emitter, all or none; returns their ids.</summary>
         public BodyId[] Emit(int count)
         {
             var ids = new BodyId[Counts.Of(count)];
@@ -71,23 +71,23 @@ namespace LangevinRigid
         public void Emit(int count, BodyId* ids)
         {
             uint number = Counts.Of(count);
-            Leave(Native.lr_batch_emit(EnterChange(), _id, number, ids), "lr_batch_emit");
+            Leave(Native.lr_batch_spawn(EnterChange(), _id, number, ids), "lr_batch_spawn");
         }
 
         /// <summary>How many bodies there are.</summary>
         public int Count { get { return (int)RawView().Count; } }
 
-        /// <summary>How many of them move.</summary>
+        /// <summary>How many of them are awake.</summary>
         public int AwakeCount { get { return (int)RawView().AwakeCount; } }
 
-        /// <summary>The state of all bodies where it lies, without a copy. It knows when it is no longer valid.</summary>
+        /// <summary>The state of all bodies, without a copy. It detects when it is no longer valid.</summary>
         public BatchData View()
         {
             BatchView view = RawView();
             return new BatchData(_world, view);
         }
 
-        /// <summary>The same as the library gives it: pointers that are valid until the next call that is not a query.</summary>
+        /// <summary>The library's own view: pointers that are valid until the next call that is not a query.</summary>
         public BatchView RawView()
         {
             var view = new BatchView { StructSize = (uint)sizeof(BatchView) };

@@ -22,17 +22,17 @@ namespace LangevinRigid
             _change = world.ChangeCount;
         }
 
-        /// <summary>Whether nothing has been called since that could have moved or freed it.</summary>
+        /// <summary>Whether the arrays are still valid.</summary>
         public bool IsCurrent { get { return _world != null && !_world.IsDisposed && _change == _world.ChangeCount; } }
 
         /// <summary>Bodies.</summary>
         public int Count { get { return (int)Raw.Count; } }
-        /// <summary>Bodies [0, AwakeCount) move, the others are at rest.</summary>
+        /// <summary>Bodies [0, AwakeCount) are awake, the others asleep.</summary>
         public int AwakeCount { get { return (int)Raw.AwakeCount; } }
-        /// <summary>Differs whenever bodies at rest have woken, ended, or changed their places.</summary>
+        /// <summary>Changes whenever sleeping bodies wake, end or change places.</summary>
         public ulong Revision { get { return Raw.Revision; } }
 
-        /// <summary>The pointers. Valid as long as this.</summary>
+        /// <summary>The pointers. Valid as long as this object.</summary>
         /// <exception cref="InvalidOperationException">The world has been called since.</exception>
         public BatchView Raw
         {
@@ -118,10 +118,10 @@ namespace LangevinRigid
         public ReadOnlySpan<float> SpinZ { get { return Span(Raw.SpinZ); } }
         /// <summary>Uniform scale.</summary>
         public ReadOnlySpan<float> Scale { get { return Span(Raw.Scale); } }
-        /// <summary>s; of a body at rest some earlier one.</summary>
+        /// <summary>s; outdated for sleeping bodies.</summary>
         public ReadOnlySpan<float> Age { get { return Span(Raw.Age); } }
-        /// <summary>What tells the noise of bodies apart.</summary>
-        public ReadOnlySpan<uint> Key { get { return new ReadOnlySpan<uint>(Raw.Key, Count); } }
+        /// <summary>Noise seeds.</summary>
+        public ReadOnlySpan<uint> NoiseSeed { get { return new ReadOnlySpan<uint>(Raw.NoiseSeed, Count); } }
         /// <summary>Ids, in the order of all arrays.</summary>
         public ReadOnlySpan<BodyId> Ids { get { return new ReadOnlySpan<BodyId>(Raw.Ids, Count); } }
 

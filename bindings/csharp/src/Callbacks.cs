@@ -3,7 +3,7 @@ using System;
 
 namespace LangevinRigid
 {
-    /// <summary>Receives what a world has to say, on the thread that calls it.</summary>
+    /// <summary>Receives a world's log messages, on the thread that calls it.</summary>
     public delegate void LogHandler(LogLevel level, string message);
 
     /// <summary>A wind field of the program's own: writes velocities, and if they are known rates and gradients, through the pointers of
@@ -11,10 +11,10 @@ namespace LangevinRigid
     /// throws ends neither the step nor the process: it is thrown again by <see cref="World.Step"/>, after the step.</summary>
     public delegate void WindField(WindQuery query);
 
-    /// <summary>A water surface of the program's own, on the same terms as <see cref="WindField"/>.</summary>
-    public delegate void SurfaceField(SurfaceQuery query);
+    /// <summary>The program's own water surface, with the same rules as <see cref="WindField"/>.</summary>
+    public delegate void WaterField(WaterQuery query);
 
-    /// <summary>Where a world takes its memory from. Called on the thread that calls the world; the memory must not move.</summary>
+    /// <summary>The allocator of a world. Called on the thread that calls the world; the memory must not move.</summary>
     public interface IWorldAllocator
     {
         /// <summary>Returns <paramref name="size"/> bytes aligned to <paramref name="alignment"/>, a power of two, at most 128; or
@@ -26,21 +26,21 @@ namespace LangevinRigid
         void Release(IntPtr memory, ulong size, ulong alignment);
     }
 
-    /// <summary>A job system that works on the steps of worlds, in place of threads of their own. docs/reference/stepping.md</summary>
+    /// <summary>A job system for the steps of worlds, instead of their own threads. docs/reference/stepping.md</summary>
     public interface IJobSystem
     {
         /// <summary>Has <see cref="JobTask.Run"/> called for ranges that together hold each index below <see cref="JobTask.Count"/> once, on
         /// any threads, until <see cref="Finish"/> returns. Returns what <see cref="Finish"/> is to be given.</summary>
         object Enqueue(JobTask task);
 
-        /// <summary>Returns when these calls have returned.</summary>
+        /// <summary>Returns when all these calls have returned.</summary>
         void Finish(object token);
     }
 
-    /// <summary>What of a world's callbacks is the program's. All may be null.</summary>
+    /// <summary>The program's callbacks of a world. All may be null.</summary>
     public sealed class WorldServices
     {
-        /// <summary>Receives messages. Without it the world is silent; the last error is part of exceptions anyway.</summary>
+        /// <summary>Receives messages. Without it the world is silent; exceptions contain the last error anyway.</summary>
         public LogHandler Log { get; set; }
         /// <summary>Null: the C library's.</summary>
         public IWorldAllocator Allocator { get; set; }

@@ -49,7 +49,7 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>Lets nothing begin any more, and waits for what has begun: the library's task ends with the step.</summary>
+        /// <summary>Refuses new calls and waits for running ones: the library's task ends with the step.</summary>
         internal void Close()
         {
             _closed = true;

@@ -10,13 +10,13 @@ namespace LangevinRigid
     {
         private static readonly AssetFault[] NoFaults = new AssetFault[0];
 
-        /// <summary>Why.</summary>
+        /// <summary>The reason.</summary>
         public Status Status { get; private set; }
         /// <summary>The C function, as in <see cref="Native"/>.</summary>
         public string Function { get; private set; }
-        /// <summary>What the world logged about it, or empty.</summary>
+        /// <summary>The world's log message about it, or empty.</summary>
         public string Detail { get; private set; }
-        /// <summary>What is wrong with the bytes, where an asset was not loaded.</summary>
+        /// <summary>The faults of the bytes, if an asset was not loaded.</summary>
         public IReadOnlyList<AssetFault> Faults { get; private set; }
 
         /// <summary>For a status that a function returned.</summary>
@@ -32,7 +32,7 @@ namespace LangevinRigid
         /// <summary>Throws unless a function of <see cref="Native"/> returned Ok.</summary>
         public static void Check(Status status, string function)
         {
-            if (status < Status.Ok) throw new LangevinException(status, function);
+            if (status < Status.Ok) throw new LangevinException(status, function, LangevinLibrary.LastError);
         }
 
         private static string Text(Status status, string function, string detail, IReadOnlyList<AssetFault> faults)
@@ -48,10 +48,10 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>The native library is missing, or not one that this binding can use. The message says what to do.</summary>
+    /// <summary>The native library is missing, or this binding cannot use it. The message says what to do.</summary>
     public sealed class LangevinLibraryException : DllNotFoundException
     {
-        /// <summary>Version of the library that was found; null where there was none.</summary>
+        /// <summary>Version of the library that was found; null if there was none.</summary>
         public Version Found { get; private set; }
 
         internal LangevinLibraryException(string message, Version found, Exception inner) : base(message, inner)
@@ -63,13 +63,13 @@ namespace LangevinRigid
     /// <summary>One numbered fault of an asset file; docs/reference/asset_format.md lists them.</summary>
     public struct AssetFault
     {
-        /// <summary>Its number, as of the baker's errors.</summary>
+        /// <summary>Its number.</summary>
         public uint Number;
         /// <summary>The part of the file.</summary>
         public string Where;
-        /// <summary>What is wrong there.</summary>
+        /// <summary>The defect.</summary>
         public string What;
-        /// <summary>What to do.</summary>
+        /// <summary>The remedy.</summary>
         public string Remedy;
 
         /// <inheritdoc/>

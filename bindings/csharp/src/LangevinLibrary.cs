@@ -3,7 +3,7 @@ using System;
 
 namespace LangevinRigid
 {
-    /// <summary>The native library: whether it is there, which version it is, and what it can do here.</summary>
+    /// <summary>The native library: its presence, version and capabilities.</summary>
     public static unsafe class LangevinLibrary
     {
         private static volatile bool _loaded;
@@ -72,7 +72,7 @@ namespace LangevinRigid
             return library >= header;
         }
 
-        /// <summary>The instruction sets that this build has and this processor can run, best first.</summary>
+        /// <summary>The instruction sets that this build contains and this processor supports, best first.</summary>
         public static SimdTarget[] SimdTargets()
         {
             EnsureLoaded();
@@ -83,7 +83,7 @@ namespace LangevinRigid
             return targets;
         }
 
-        /// <summary>A name for people, as "AVX-512".</summary>
+        /// <summary>A display name, such as "AVX-512".</summary>
         public static string NameOf(SimdTarget target)
         {
             EnsureLoaded();
@@ -95,6 +95,16 @@ namespace LangevinRigid
         {
             EnsureLoaded();
             return Utf8.Read(Native.lr_status_string(status));
+        }
+
+        /// <summary>The function and the reason of the calling thread's last failed call; empty if there was none.</summary>
+        public static string LastError
+        {
+            get
+            {
+                EnsureLoaded();
+                return Utf8.Read(Native.lr_last_error());
+            }
         }
     }
 }

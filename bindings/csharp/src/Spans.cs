@@ -17,10 +17,10 @@ namespace LangevinRigid
             fixed (BodyId* first = &MemoryMarshal.GetReference(bodies)) DestroyBodies(first, bodies.Length);
         }
 
-        /// <summary><see cref="SetRest(BodyId[], RestState)"/></summary>
-        public void SetRest(ReadOnlySpan<BodyId> bodies, RestState rest)
+        /// <summary><see cref="SetSleep(BodyId[], SleepState)"/></summary>
+        public void SetSleep(ReadOnlySpan<BodyId> bodies, SleepState rest)
         {
-            fixed (BodyId* first = &MemoryMarshal.GetReference(bodies)) SetRest(first, bodies.Length, rest);
+            fixed (BodyId* first = &MemoryMarshal.GetReference(bodies)) SetSleep(first, bodies.Length, rest);
         }
 
         /// <summary><see cref="AddForces(BodyForce[])"/></summary>
@@ -144,18 +144,10 @@ namespace LangevinRigid
         }
     }
 
-    public unsafe partial struct ContactEventList
+    public unsafe partial struct EventList
     {
         /// <summary><see cref="Events"/> as a span.</summary>
-        public ReadOnlySpan<ContactEvent> EventSpan { get { return new ReadOnlySpan<ContactEvent>(Events, (int)Count); } }
-    }
-
-    public unsafe partial struct BatchEvents
-    {
-        /// <summary><see cref="EndedIds"/> as a span.</summary>
-        public ReadOnlySpan<BodyId> EndedSpan { get { return new ReadOnlySpan<BodyId>(EndedIds, (int)(Destroyed + Respawned)); } }
-        /// <summary><see cref="BornIds"/> as a span.</summary>
-        public ReadOnlySpan<BodyId> BornSpan { get { return new ReadOnlySpan<BodyId>(BornIds, (int)Born); } }
+        public ReadOnlySpan<BodyEvent> EventSpan { get { return new ReadOnlySpan<BodyEvent>(Events, (int)Count); } }
     }
 }
 #endif

@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>Short arrays of the C structs. They hold numbers and do no mathematics: engines have types for that, of the same layout.</summary>
+    /// <summary>Short arrays of the C structs. They have no arithmetic: engines have types for that, with the same layout.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Float3 : IEquatable<Float3>
     {
@@ -41,7 +41,7 @@ namespace LangevinRigid
         /// <summary>Element 3.</summary>
         public float W;
 
-        /// <summary>The quaternion that turns nothing.</summary>
+        /// <summary>The identity quaternion.</summary>
         public static Float4 Identity { get { return new Float4(0.0f, 0.0f, 0.0f, 1.0f); } }
         /// <summary>All four.</summary>
         public Float4(float x, float y, float z, float w) { X = x; Y = y; Z = z; W = w; }

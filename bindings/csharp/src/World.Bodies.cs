@@ -5,27 +5,12 @@ namespace LangevinRigid
 {
     public sealed unsafe partial class World
     {
-        /// <summary>State of a body, world frame.</summary>
-        public BodyState GetState(BodyId body)
+        /// <summary>Whether a body exists; false for a destroyed one, and for none.</summary>
+        public bool IsValid(BodyId body)
         {
-            var state = new BodyState { StructSize = (uint)sizeof(BodyState) };
-            Leave(Native.lr_body_get_state(Enter(), body, &state), "lr_body_get_state");
-            return state;
-        }
-
-        /// <summary>Whether a body is there; false for one that was destroyed, and for none.</summary>
-        public bool IsAlive(BodyId body)
-        {
-            var state = new BodyState { StructSize = (uint)sizeof(BodyState) };
-            Status status = Native.lr_body_get_state(Enter(), body, &state);
-            Leave(status == Status.StaleBody ? Status.Ok : status, "lr_body_get_state");
-            return status == Status.Ok;
-        }
-
-        /// <summary>Sets everything but the key, and wakes the body.</summary>
-        public void SetState(BodyId body, BodyState state)
-        {
-            Leave(Native.lr_body_set_state(EnterChange(), body, &state), "lr_body_set_state");
+            int valid = Native.lr_body_is_valid(Enter(), body);
+            Leave(Status.Ok, "lr_body_is_valid");
+            return valid != 0;
         }
 
         /// <summary>Destroys a body.</summary>
@@ -48,27 +33,27 @@ namespace LangevinRigid
             fixed (BodyId* first = bodies) DestroyBodies(first, bodies.Length);
         }
 
-        /// <summary>Puts a body to rest, or wakes it.</summary>
-        public void SetRest(BodyId body, RestState rest)
+        /// <summary>Puts a body to sleep, or wakes it.</summary>
+        public void SetSleep(BodyId body, SleepState rest)
         {
-            SetRest(&body, 1, rest);
+            SetSleep(&body, 1, rest);
         }
 
-        /// <summary>Puts bodies of any batches to rest, or wakes them, all or none.</summary>
-        public void SetRest(BodyId* bodies, int count, RestState rest)
+        /// <summary>Puts bodies of any batches to sleep, or wakes them, all or none.</summary>
+        public void SetSleep(BodyId* bodies, int count, SleepState rest)
         {
             uint number = Counts.Of(count);
-            Leave(Native.lr_body_set_rest(EnterChange(), bodies, number, rest), "lr_body_set_rest");
+            Leave(Native.lr_body_set_sleep(EnterChange(), bodies, number, rest), "lr_body_set_sleep");
         }
 
         /// <summary>The same for an array.</summary>
-        public void SetRest(BodyId[] bodies, RestState rest)
+        public void SetSleep(BodyId[] bodies, SleepState rest)
         {
             if (bodies == null) throw new ArgumentNullException("bodies");
-            fixed (BodyId* first = bodies) SetRest(first, bodies.Length, rest);
+            fixed (BodyId* first = bodies) SetSleep(first, bodies.Length, rest);
         }
 
-        /// <summary>Wakes all bodies at rest that reach into a box; returns how many.</summary>
+        /// <summary>Wakes all sleeping bodies that overlap a box; returns how many.</summary>
         public int WakeBox(Float3 low, Float3 high)
         {
             uint woken;
@@ -82,7 +67,7 @@ namespace LangevinRigid
             AddForces(&force, 1);
         }
 
-        /// <summary>Forces on bodies of any batches, all or none; a body may be there more than once.</summary>
+        /// <summary>Forces on bodies of any batches, all or none; a body may occur more than once.</summary>
         public void AddForces(BodyForce* forces, int count)
         {
             uint number = Counts.Of(count);

@@ -118,63 +118,39 @@ namespace LangevinRigid
             fixed (ColliderMotion* first = motions) MoveColliders(first, (int)number);
         }
 
-        /// <summary>Where a collider is, and how it moves.</summary>
-        public ColliderState GetState(ColliderId collider)
+        /// <summary>Whether a collider exists; false for a destroyed one, and for none.</summary>
+        public bool IsValid(ColliderId collider)
         {
-            var state = new ColliderState { StructSize = (uint)sizeof(ColliderState) };
-            Leave(Native.lr_collider_get_state(Enter(), collider, &state), "lr_collider_get_state");
-            return state;
+            int valid = Native.lr_collider_is_valid(Enter(), collider);
+            Leave(Status.Ok, "lr_collider_is_valid");
+            return valid != 0;
         }
 
-        /// <summary>Whether a collider is there; false for one that was destroyed, and for none.</summary>
-        public bool IsAlive(ColliderId collider)
+        /// <summary>Sets a collider's material from the next step on.</summary>
+        public void SetColliderMaterial(ColliderId collider, ColliderMaterial surface)
         {
-            var state = new ColliderState { StructSize = (uint)sizeof(ColliderState) };
-            Status status = Native.lr_collider_get_state(Enter(), collider, &state);
-            Leave(status == Status.StaleCollider ? Status.Ok : status, "lr_collider_get_state");
-            return status == Status.Ok;
+            SetColliderMaterial(&collider, 1, surface);
         }
 
-        /// <summary>Gives a collider a surface, from the next step on.</summary>
-        public void SetColliderSurface(ColliderId collider, ColliderSurface surface)
-        {
-            SetColliderSurface(&collider, 1, surface);
-        }
-
-        /// <summary>Gives colliders the same surface, all or none.</summary>
-        public void SetColliderSurface(ColliderId* colliders, int count, ColliderSurface surface)
+        /// <summary>Sets one material for colliders, all or none.</summary>
+        public void SetColliderMaterial(ColliderId* colliders, int count, ColliderMaterial surface)
         {
             uint number = Counts.Of(count);
-            Leave(Native.lr_collider_set_surface(EnterChange(), colliders, number, &surface), "lr_collider_set_surface");
+            Leave(Native.lr_collider_set_material(EnterChange(), colliders, number, &surface), "lr_collider_set_material");
         }
 
         /// <summary>The same for an array.</summary>
-        public void SetColliderSurface(ColliderId[] colliders, ColliderSurface surface)
+        public void SetColliderMaterial(ColliderId[] colliders, ColliderMaterial surface)
         {
             if (colliders == null) throw new ArgumentNullException("colliders");
-            fixed (ColliderId* first = colliders) SetColliderSurface(first, colliders.Length, surface);
+            fixed (ColliderId* first = colliders) SetColliderMaterial(first, colliders.Length, surface);
         }
 
-        /// <summary>Has events kept, at most <paramref name="capacity"/> of a step, from now on; 0 ends it.</summary>
-        public void SetContactEvents(int capacity, ContactEvents kinds)
-        {
-            uint number = Counts.Of(capacity);
-            Leave(Native.lr_world_set_contact_events(EnterChange(), number, kinds), "lr_world_set_contact_events");
-        }
-
-        /// <summary>Events of the last step, where they lie: valid until the next call that is not a query.</summary>
-        public ContactEventList GetContactEvents()
-        {
-            var list = new ContactEventList { StructSize = (uint)sizeof(ContactEventList) };
-            Leave(Native.lr_world_get_contact_events(Enter(), &list), "lr_world_get_contact_events");
-            return list;
-        }
-
-        /// <summary>Copies events of the last step, as many as there is room for; returns how many.</summary>
-        public int CopyContactEvents(ContactEvent[] to)
+        /// <summary>Copies events of the last step, as many as fit; returns how many.</summary>
+        public int CopyEvents(BodyEvent[] to)
         {
             if (to == null) throw new ArgumentNullException("to");
-            ContactEventList list = GetContactEvents();
+            EventList list = GetEvents();
             int count = Math.Min(to.Length, (int)list.Count);
             for (int i = 0; i < count; ++i) to[i] = list.Events[i];
             return count;

@@ -5,7 +5,7 @@ namespace LangevinRigid
 {
     public sealed unsafe partial class World
     {
-        /// <summary>What a ray hits first; all 0 where there is nothing.</summary>
+        /// <summary>The first hit of a ray; all 0 if there is none.</summary>
         public RayHit RayCast(Ray ray)
         {
             RayHit hit;
@@ -13,7 +13,7 @@ namespace LangevinRigid
             return hit;
         }
 
-        /// <summary>What each ray hits first.</summary>
+        /// <summary>The first hit of each ray.</summary>
         public void RayCast(Ray* rays, int count, RayHit* hits)
         {
             uint number = Counts.Of(count);
@@ -41,7 +41,7 @@ namespace LangevinRigid
             return fits;
         }
 
-        /// <summary>Bodies of which a part is in a sphere or box.</summary>
+        /// <summary>Bodies that overlap a sphere or box.</summary>
         public BodyId[] Overlap(OverlapDesc desc)
         {
             int count;
@@ -62,7 +62,7 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>The world's state: all that steps depend on, but for assets, threads and callbacks.</summary>
+        /// <summary>The world's state: everything that steps depend on, except assets, threads and callbacks.</summary>
         public byte[] SaveSnapshot()
         {
             var bytes = new byte[SnapshotSize];
@@ -70,7 +70,7 @@ namespace LangevinRigid
             return bytes;
         }
 
-        /// <summary>Writes it into memory of any alignment; returns the bytes used.</summary>
+        /// <summary>Writes a snapshot into memory of any alignment; returns the bytes used.</summary>
         public ulong SaveSnapshot(void* memory, ulong size)
         {
             ulong written;
@@ -78,7 +78,7 @@ namespace LangevinRigid
             return written;
         }
 
-        /// <summary>Puts a saved state back, also into another world whose batches were created alike.</summary>
+        /// <summary>Restores a snapshot, also into another world with the same batches.</summary>
         public void RestoreSnapshot(byte[] bytes)
         {
             if (bytes == null) throw new ArgumentNullException("bytes");
@@ -92,23 +92,23 @@ namespace LangevinRigid
             Leave(Native.lr_world_snapshot_restore(EnterChange(), memory, size), "lr_world_snapshot_restore");
         }
 
-        /// <summary>Whether bodies of two batches, or of one among themselves, meet each other.</summary>
-        public void SetPairContact(Batch a, Batch b, bool enabled)
+        /// <summary>Body contact between two batches, or within one.</summary>
+        public void SetBodyContact(Batch a, Batch b, bool enabled)
         {
             if (a == null) throw new ArgumentNullException("a");
             if (b == null) throw new ArgumentNullException("b");
             BatchId first = a.IdIn(this), second = b.IdIn(this);
-            Leave(Native.lr_batch_set_pair_contact(EnterChange(), first, second, enabled ? 1 : 0), "lr_batch_set_pair_contact");
+            Leave(Native.lr_batch_set_body_contact(EnterChange(), first, second, enabled ? 1 : 0), "lr_batch_set_body_contact");
         }
 
-        /// <summary>Whether they do.</summary>
-        public bool GetPairContact(Batch a, Batch b)
+        /// <summary>Whether two batches have body contact.</summary>
+        public bool GetBodyContact(Batch a, Batch b)
         {
             if (a == null) throw new ArgumentNullException("a");
             if (b == null) throw new ArgumentNullException("b");
             BatchId first = a.IdIn(this), second = b.IdIn(this);
             int enabled;
-            Leave(Native.lr_batch_get_pair_contact(Enter(), first, second, &enabled), "lr_batch_get_pair_contact");
+            Leave(Native.lr_batch_get_body_contact(Enter(), first, second, &enabled), "lr_batch_get_body_contact");
             return enabled != 0;
         }
     }

@@ -15,7 +15,7 @@ namespace LangevinRigid
             StartRecording(to, RecordingDesc.Create());
         }
 
-        /// <summary>The same with settings; <see cref="RecordingDesc.Write"/> and <see cref="RecordingDesc.User"/> are set here.</summary>
+        /// <summary>A recording with settings; <see cref="RecordingDesc.Write"/> and <see cref="RecordingDesc.User"/> are set here.</summary>
         public void StartRecording(Stream to, RecordingDesc desc)
         {
             IntPtr world = Enter();
@@ -33,7 +33,7 @@ namespace LangevinRigid
             Leave(status, "lr_world_record_start");
         }
 
-        /// <summary>Ends a recording, after its last bytes have been written.</summary>
+        /// <summary>Ends a recording, after writing its last bytes.</summary>
         public void StopRecording()
         {
             IntPtr world = Enter();

@@ -5,71 +5,58 @@ namespace LangevinRigid
 {
     public sealed unsafe partial class World
     {
-        /// <summary>The uniform part of the wind: m/s.</summary>
-        public void SetWind(Float3 velocity)
+        /// <summary>Sets the uniform wind, m/s. A change is spread evenly over the next step.</summary>
+        public void SetUniformWind(Float3 velocity)
         {
-            WindDesc desc = WindDesc.Create();
-            desc.Velocity = velocity;
-            SetWind(desc);
+            Leave(Native.lr_world_set_uniform_wind(EnterChange(), velocity.X, velocity.Y, velocity.Z), "lr_world_set_uniform_wind");
         }
 
-        /// <summary>The uniform part of the wind. A change is spread evenly over the next step.</summary>
-        public void SetWind(WindDesc desc)
+        /// <summary>The uniform wind as last set, m/s.</summary>
+        public Float3 GetUniformWind()
         {
-            Leave(Native.lr_world_set_wind(EnterChange(), &desc), "lr_world_set_wind");
-        }
-
-        /// <summary>Still fluid, but for the sources.</summary>
-        public void ClearWind()
-        {
-            Leave(Native.lr_world_set_wind(EnterChange(), null), "lr_world_set_wind");
-        }
-
-        /// <summary>Adds gusts, a vortex, a blower, turbulence, a grid or a ground profile. A grid's <see
-        /// cref="WindSourceDesc.Samples"/> are copied.</summary>
-        public WindSourceId AddWind(WindSourceDesc desc)
-        {
-            WindSourceId source;
-            Leave(Native.lr_world_add_wind(EnterChange(), &desc, &source), "lr_world_add_wind");
-            return source;
+            var velocity = default(Float3);
+            Leave(Native.lr_world_get_uniform_wind(Enter(), &velocity.X), "lr_world_get_uniform_wind");
+            return velocity;
         }
 
         /// <summary>A grid from an array: x, y and z of each sample, x fastest, then y, z and frame; as many as <see
-        /// cref="WindSourceDesc.Counts"/> and <see cref="WindSourceDesc.Frames"/> say.</summary>
-        public WindSourceId AddWind(WindSourceDesc desc, float[] samples)
+        /// cref="WindGridDesc.Counts"/> and <see cref="WindGridDesc.Frames"/> say.</summary>
+        public WindSourceId AddWindGrid(WindGridDesc desc, float[] samples)
         {
             CheckSamples(desc, samples);
             fixed (float* first = samples)
             {
                 desc.Samples = first;
-                return AddWind(desc);
+                return AddWindGrid(desc);
             }
         }
 
-        /// <summary>Replaces everything of a source, also its kind. A grid without samples keeps those that it has.</summary>
-        public void UpdateWind(WindSourceId source, WindSourceDesc desc)
-        {
-            Leave(Native.lr_world_update_wind(EnterChange(), source, &desc), "lr_world_update_wind");
-        }
-
-        /// <summary>The same, with samples of a grid from an array.</summary>
-        public void UpdateWind(WindSourceId source, WindSourceDesc desc, float[] samples)
+        /// <summary>Replaces all values of a grid, with samples from an array.</summary>
+        public void UpdateWindGrid(WindSourceId source, WindGridDesc desc, float[] samples)
         {
             CheckSamples(desc, samples);
             fixed (float* first = samples)
             {
                 desc.Samples = first;
-                UpdateWind(source, desc);
+                UpdateWindGrid(source, desc);
             }
         }
 
-        /// <summary>Takes a source away.</summary>
+        /// <summary>Removes a source.</summary>
         public void RemoveWind(WindSourceId source)
         {
             Leave(Native.lr_world_remove_wind(EnterChange(), source), "lr_world_remove_wind");
         }
 
-        /// <summary>A field of the program's own, added to all else; null removes it. The world holds on to it.</summary>
+        /// <summary>Whether a source exists; false for a removed one, and for none.</summary>
+        public bool IsValid(WindSourceId source)
+        {
+            int valid = Native.lr_wind_source_is_valid(Enter(), source);
+            Leave(Status.Ok, "lr_wind_source_is_valid");
+            return valid != 0;
+        }
+
+        /// <summary>The program's own wind field, added to other wind; null removes it. The world keeps it alive.</summary>
         public void SetWindField(WindField field)
         {
             IntPtr world = EnterChange();
@@ -102,28 +89,26 @@ namespace LangevinRigid
             return velocity;
         }
 
-        /// <summary>A second fluid under a surface: water. From the next step on.</summary>
-        public void SetSurface(SurfaceDesc desc)
+        /// <summary>The water at present; false if there is none.</summary>
+        public bool TryGetWater(out WaterDesc desc)
         {
-            Leave(Native.lr_world_set_surface(EnterChange(), &desc), "lr_world_set_surface");
+            int present;
+            var found = new WaterDesc { StructSize = (uint)sizeof(WaterDesc) };
+            Leave(Native.lr_world_get_water(Enter(), &found, &present), "lr_world_get_water");
+            desc = found;
+            return present != 0;
         }
 
-        /// <summary>Takes the water away.</summary>
-        public void ClearSurface()
-        {
-            Leave(Native.lr_world_set_surface(EnterChange(), null), "lr_world_set_surface");
-        }
-
-        /// <summary>A water surface of the program's own, while there is a surface; null removes it. The world holds on to it.</summary>
-        public void SetSurfaceField(SurfaceField field)
+        /// <summary>The program's own water surface, used while water is set; null removes it. The world keeps it alive.</summary>
+        public void SetWaterField(WaterField field)
         {
             IntPtr world = EnterChange();
             _callbacks.Surface = field;
-            Leave(Native.lr_world_set_surface_callback(world, field == null ? IntPtr.Zero : WorldCallbacks.Pointers.Surface, _callbacks.User),
-                "lr_world_set_surface_callback");
+            Leave(Native.lr_world_set_water_callback(world, field == null ? IntPtr.Zero : WorldCallbacks.Pointers.Surface, _callbacks.User),
+                "lr_world_set_water_callback");
         }
 
-        private static void CheckSamples(WindSourceDesc desc, float[] samples)
+        private static void CheckSamples(WindGridDesc desc, float[] samples)
         {
             if (samples == null) throw new ArgumentNullException("samples");
             double wanted = 3.0 * desc.Counts.X * desc.Counts.Y * desc.Counts.Z * desc.Frames;

@@ -15,12 +15,12 @@ namespace LangevinRigid
         private readonly WorldCallbacks _callbacks;
         private int _state;
 
-        /// <summary>With initial values: still air, gravity along -y, everything in the calling thread.</summary>
+        /// <summary>With defaults: still air, gravity along -y, everything on the calling thread.</summary>
         public World() : this(WorldDesc.Create(), null)
         {
         }
 
-        /// <summary>As a desc says.</summary>
+        /// <summary>With the settings of a desc.</summary>
         public World(WorldDesc desc) : this(desc, null)
         {
         }
@@ -63,13 +63,13 @@ namespace LangevinRigid
         /// cref="BatchData.IsCurrent"/>.</summary>
         public ulong ChangeCount { get; private set; }
 
-        /// <summary>Ends the validity of views, after calls of <see cref="Native"/> that this object knows nothing of.</summary>
+        /// <summary>Invalidates views, after direct calls of <see cref="Native"/>.</summary>
         public void NoteChange()
         {
             ++ChangeCount;
         }
 
-        /// <summary>Frees the world with all its batches and bodies, and ends its threads.</summary>
+        /// <summary>Destroys the world with all its batches and bodies, and ends its threads.</summary>
         /// <exception cref="InvalidOperationException">A call on it is running: it cannot be disposed of in its own callbacks.</exception>
         public void Dispose()
         {
@@ -83,37 +83,15 @@ namespace LangevinRigid
 
         /// <summary>Advances all bodies by <paramref name="dt"/> seconds in <paramref name="substeps"/> equal parts. At 60 Hz, 2 suit leaves
         /// and paper of some centimetres, 4 petals and confetti.</summary>
-        /// <exception cref="LangevinException">The step was refused, and has not been made. With <see cref="Status.OutOfMemory"/> it has
-        /// been made, not to be repeated: bodies went through each other in it.</exception>
-        /// <exception cref="Exception">What a callback has thrown, after the step, which has been made.</exception>
+        /// <exception cref="LangevinException">The step was refused, and not taken. With <see cref="Status.OutOfMemory"/> it has
+        /// been taken, so do not repeat it, but bodies may have passed through each other.</exception>
+        /// <exception cref="Exception">An exception of a callback, after the step, which was taken.</exception>
         public void Step(float dt, int substeps = 2)
         {
             Leave(Native.lr_world_step(EnterChange(), dt, substeps < 0 ? 0u : (uint)substeps), "lr_world_step");
         }
 
-        /// <summary>Counts, time and memory.</summary>
-        public WorldInfo Info
-        {
-            get
-            {
-                var info = new WorldInfo { StructSize = (uint)sizeof(WorldInfo) };
-                Leave(Native.lr_world_get_info(Enter(), &info), "lr_world_get_info");
-                return info;
-            }
-        }
-
-        /// <summary>What the last step did, and what it left out.</summary>
-        public StepReport StepReport
-        {
-            get
-            {
-                var report = new StepReport { StructSize = (uint)sizeof(StepReport) };
-                Leave(Native.lr_world_get_step_report(Enter(), &report), "lr_world_get_step_report");
-                return report;
-            }
-        }
-
-        /// <summary>A hash of all that determines motion from here on: equal on every machine after equal calls.</summary>
+        /// <summary>A hash of everything that determines further motion: equal on every machine after equal calls.</summary>
         public ulong Hash
         {
             get
@@ -130,19 +108,7 @@ namespace LangevinRigid
             Leave(Native.lr_world_set_gravity(EnterChange(), &gravity.X), "lr_world_set_gravity");
         }
 
-        /// <summary>Forces an instruction set from the next step on; results do not change.</summary>
-        public void SetSimdTarget(SimdTarget target)
-        {
-            Leave(Native.lr_world_set_simd_target(EnterChange(), target), "lr_world_set_simd_target");
-        }
-
-        /// <summary>A budget for the work of each step, from the next one on; 0: none.</summary>
-        public void SetBudget(ulong bodySubsteps)
-        {
-            Leave(Native.lr_world_set_budget(EnterChange(), bodySubsteps), "lr_world_set_budget");
-        }
-
-        /// <summary>A batch of bodies of one asset, with initial values for all else.</summary>
+        /// <summary>Creates a batch of bodies of one asset, with defaults.</summary>
         public Batch CreateBatch(Asset asset, int capacity)
         {
             BatchDesc desc = BatchDesc.Create();
@@ -150,7 +116,7 @@ namespace LangevinRigid
             return CreateBatch(asset, desc);
         }
 
-        /// <summary>A batch of bodies of one asset, as a desc says.</summary>
+        /// <summary>Creates a batch of bodies of one asset, with the settings of a desc.</summary>
         public Batch CreateBatch(Asset asset, BatchDesc desc)
         {
             if (asset == null) throw new ArgumentNullException("asset");
@@ -168,6 +134,14 @@ namespace LangevinRigid
             }
         }
 
+        /// <summary>Whether a batch exists; false for one that was disposed of, and for none.</summary>
+        public bool IsValid(BatchId batch)
+        {
+            int valid = Native.lr_batch_is_valid(Enter(), batch);
+            Leave(Status.Ok, "lr_batch_is_valid");
+            return valid != 0;
+        }
+
         // Every call of the library goes through Enter and Leave. Nothing may throw between them.
 
         /// <summary>The native world, for a query.</summary>
@@ -180,7 +154,7 @@ namespace LangevinRigid
             return _handle.DangerousGetHandle();
         }
 
-        /// <summary>The native world, for a call that ends the validity of views.</summary>
+        /// <summary>The native world, for a call that invalidates views.</summary>
         internal IntPtr EnterChange()
         {
             IntPtr world = Enter();

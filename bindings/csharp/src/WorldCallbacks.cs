@@ -15,9 +15,9 @@ namespace LangevinRigid
         private ExceptionDispatchInfo _thrown;
 
         public WindField Wind;
-        public SurfaceField Surface;
+        public WaterField Surface;
         public System.IO.Stream Recording;
-        /// <summary>The last error of the call that runs, or of the last one.</summary>
+        /// <summary>The last error of the current call, or of the last one.</summary>
         public string LastError;
 
         public WorldCallbacks(WorldServices services)
@@ -51,7 +51,7 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>Throws what a callback has thrown during the call that has ended.</summary>
+        /// <summary>Rethrows the exception of a callback after its call has ended.</summary>
         public void Rethrow()
         {
             ExceptionDispatchInfo thrown = Interlocked.Exchange(ref _thrown, null);
@@ -69,7 +69,7 @@ namespace LangevinRigid
             return (WorldCallbacks)GCHandle.FromIntPtr(user).Target;
         }
 
-        /// <summary>Function pointers of the methods below, whose delegates are held for ever.</summary>
+        /// <summary>Function pointers to the methods below; their delegates are kept forever.</summary>
         public static class Pointers
         {
             private static readonly LogFn _log = OnLog;
@@ -78,7 +78,7 @@ namespace LangevinRigid
             private static readonly JobSystemEnqueueFn _enqueue = OnEnqueue;
             private static readonly JobSystemFinishFn _finish = OnFinish;
             private static readonly WindFn _wind = OnWind;
-            private static readonly SurfaceFn _surface = OnSurface;
+            private static readonly WaterFn _surface = OnWater;
             private static readonly RecordFn _record = OnRecord;
 
             public static readonly IntPtr Log = Marshal.GetFunctionPointerForDelegate(_log);
@@ -218,8 +218,8 @@ namespace LangevinRigid
             }
         }
 
-        [MonoPInvokeCallback(typeof(SurfaceFn))]
-        private static void OnSurface(IntPtr user, SurfaceQuery* query)
+        [MonoPInvokeCallback(typeof(WaterFn))]
+        private static void OnWater(IntPtr user, WaterQuery* query)
         {
             WorldCallbacks self = Of(user);
             try

@@ -18,21 +18,21 @@ static unsafe class CallbackTests
         var messages = new List<string>();
         using (World world = With(new WorldServices { Log = (level, text) => messages.Add(level + ": " + text) }))
         {
-            LangevinException e = Check.Status(Status.InvalidArgument, () => world.SetWind(new Float3(2000, 0, 0)));
+            LangevinException e = Check.Status(Status.InvalidArgument, () => world.SetUniformWind(new Float3(2000, 0, 0)));
             Check.Equal(1, messages.Count, "messages");
             Check.True(messages[0].StartsWith("Error: ") && e.Detail.Length > 5 && messages[0].EndsWith(e.Detail), messages[0]);
-            Check.True(e.Message.Contains(e.Detail) && e.Message.Contains("lr_world_set_wind"), e.Message);
+            Check.True(e.Message.Contains(e.Detail) && e.Message.Contains("lr_world_set_uniform_wind"), e.Message);
         }
         using (var silent = new World())
-            Check.True(Check.Status(Status.InvalidArgument, () => silent.SetWind(new Float3(2000, 0, 0))).Detail.Length > 5, "also without a log");
+            Check.True(Check.Status(Status.InvalidArgument, () => silent.SetUniformWind(new Float3(2000, 0, 0))).Detail.Length > 5, "also without a log");
     }
 
     public static void AnErrorIsNotToldTwice()
     {
         using (var world = new World())
         {
-            Check.Status(Status.InvalidArgument, () => world.SetWind(new Float3(2000, 0, 0)));
-            Check.True(!world.IsAlive(default(BodyId)), "no body");
+            Check.Status(Status.InvalidArgument, () => world.SetUniformWind(new Float3(2000, 0, 0)));
+            Check.True(!world.IsValid(default(BodyId)), "no body");
             LangevinException e = Check.Status(Status.TimestepZero, () => world.Step(0.0f));
             Check.True(!e.Message.Contains("wind"), e.Message);
         }
@@ -110,11 +110,11 @@ static unsafe class CallbackTests
             BodyDesc desc = BodyDesc.Create();
             desc.Position = new Float3(0, 0.5f, 0);
             BodyId body = batch.CreateBody(desc);
-            SurfaceDesc water = SurfaceDesc.Create();
+            WaterDesc water = WaterDesc.Create();
             water.Reach = 2.0f;
-            world.SetSurface(water);
+            world.SetWater(water);
             int asked = 0;
-            world.SetSurfaceField(query =>
+            world.SetWaterField(query =>
             {
                 ++asked;
                 for (int i = 0; i < query.Count; ++i) query.Height[i] = 0.5f;
@@ -122,7 +122,7 @@ static unsafe class CallbackTests
             for (int i = 0; i < 600; ++i) world.Step(Scene.Frame, 4);
             Check.True(asked > 0, "asked");
             Check.Near(0.5, world.GetState(body).Position.Y, 0.05, "floats at the callback's height");
-            world.SetSurfaceField(null);
+            world.SetWaterField(null);
             for (int i = 0; i < 600; ++i) world.Step(Scene.Frame, 4);
             Check.Near(0.0, world.GetState(body).Position.Y, 0.05, "floats at the plane");
         }
@@ -140,17 +140,17 @@ static unsafe class CallbackTests
             Check.Equal(2ul, world.Info.SubstepCount, "the step was made");
             world.SetWindField(null);
             world.Step(Scene.Frame, 1);
-            world.SetSurface(SurfaceDesc.Create());
-            world.SetSurfaceField(query => { throw new FormatException("from a surface"); });
+            world.SetWater(WaterDesc.Create());
+            world.SetWaterField(query => { throw new FormatException("from a surface"); });
             BodyState state = world.GetState(batch.View().Id(0));
             state.Position = new Float3(0, 0, 0);
             world.SetState(batch.View().Id(0), state);
             Check.Throws<FormatException>(() => world.Step(Scene.Frame, 1), "surface");
-            world.SetSurfaceField(null);
+            world.SetWaterField(null);
             world.Step(Scene.Frame, 1);
         }
         using (World world = With(new WorldServices { Log = (level, text) => { throw new FormatException("from a log"); } }))
-            Check.Throws<FormatException>(() => world.SetWind(new Float3(2000, 0, 0)), "log");
+            Check.Throws<FormatException>(() => world.SetUniformWind(new Float3(2000, 0, 0)), "log");
     }
 
     public static void WorkersThrowToo()

@@ -10,20 +10,20 @@ static unsafe class SettingsTests
         using (var world = new World())
         {
             var point = new Float3(0.5f, 0.5f, 0.5f);
-            world.SetWind(new Float3(1, 2, 3));
+            world.SetUniformWind(new Float3(1, 2, 3));
             Check.Equal(new Float3(1, 2, 3), world.SampleWind(point), "uniform");
-            world.ClearWind();
-            WindSourceDesc grid = WindSourceDesc.Create();
-            grid.Kind = WindSourceKind.Grid;
+            Check.Equal(new Float3(1, 2, 3), world.GetUniformWind(), "read back");
+            world.SetUniformWind(new Float3());
+            WindGridDesc grid = WindGridDesc.Create();
             grid.Counts = new UInt3(2, 2, 2);
             grid.Outside = WindOutside.Clamp;
             var samples = new float[24];
             for (int i = 0; i < 24; i += 3) samples[i] = 4.0f;
-            WindSourceId source = world.AddWind(grid, samples);
+            WindSourceId source = world.AddWindGrid(grid, samples);
             Check.Near(4.0, world.SampleWind(point).X, 1e-6, "grid");
-            Check.Throws<ArgumentException>(() => world.AddWind(grid, new float[23]), "too few samples");
+            Check.Throws<ArgumentException>(() => world.AddWindGrid(grid, new float[23]), "too few samples");
             for (int i = 0; i < 24; i += 3) samples[i] = 6.0f;
-            world.UpdateWind(source, grid, samples);
+            world.UpdateWindGrid(source, grid, samples);
             Check.Near(6.0, world.SampleWind(point).X, 1e-6, "updated");
             var velocities = new Float3[3];
             world.SampleWind(new Float3[3], velocities);
@@ -31,6 +31,14 @@ static unsafe class SettingsTests
             Check.Throws<ArgumentException>(() => world.SampleWind(new Float3[3], new Float3[2]), "no room");
             world.RemoveWind(source);
             Check.Equal(new Float3(), world.SampleWind(point), "removed");
+            VortexDesc vortex = VortexDesc.Create();
+            vortex.Core = VortexCore.Rankine;
+            vortex.Circulation = 5.0f;
+            source = world.AddVortex(vortex);
+            vortex.Circulation = 6.0f;
+            world.UpdateVortex(source, vortex);
+            Check.Equal(6.0f, world.GetVortex(source).Circulation, "a source is read back");
+            Check.Status(Status.InvalidArgument, () => world.GetGusts(source));
         }
     }
 
@@ -67,6 +75,7 @@ static unsafe class SettingsTests
             BatchForce all = BatchForce.Create();
             all.Acceleration = new Float3(0, 0, 5);
             batch.SetForce(all);
+            Check.Equal(all.Acceleration.X + all.Force.Y, batch.GetForce().Acceleration.X + batch.GetForce().Force.Y, "as set");
             world.Step(Scene.Frame);
             Check.True(world.GetState(body).LinearVelocity.Z > 0.05f, "a force on all");
             batch.ClearForce();
@@ -82,10 +91,10 @@ static unsafe class SettingsTests
         {
             Batch batch = Scene.Batch(world, 4);
             BodyId[] bodies = batch.CreateBodies(Scene.Bodies(3));
-            world.SetRest(bodies[0], RestState.Resting);
+            world.SetSleep(bodies[0], SleepState.Asleep);
             Check.Equal(2, batch.AwakeCount, "awake");
-            Check.Equal(RestState.Resting, world.GetState(bodies[0]).Resting, "state");
-            world.SetRest(bodies, RestState.Resting);
+            Check.Equal(SleepState.Asleep, world.GetState(bodies[0]).SleepState, "state");
+            world.SetSleep(bodies, SleepState.Asleep);
             Check.Equal(0, batch.AwakeCount, "all rest");
             float y = world.GetState(bodies[1]).Position.Y;
             world.Step(Scene.Frame);
@@ -121,11 +130,11 @@ static unsafe class SettingsTests
             batch.ResetContact();
             Check.Equal(0.5f, batch.GetContact().Friction, "reset");
 
-            Check.True(!world.GetPairContact(batch, other), "initially");
-            batch.SetPairContact(other, true);
-            Check.True(world.GetPairContact(other, batch), "pairs");
+            Check.True(!world.GetBodyContact(batch, other), "initially");
+            batch.SetBodyContact(other, true);
+            Check.True(world.GetBodyContact(other, batch), "pairs");
             using (var elsewhere = new World())
-                Check.Throws<ArgumentException>(() => world.SetPairContact(batch, Scene.Batch(elsewhere, 1), true), "a batch of another world");
+                Check.Throws<ArgumentException>(() => world.SetBodyContact(batch, Scene.Batch(elsewhere, 1), true), "a batch of another world");
 
             batch.SetRate(4);
             batch.CreateBody(BodyDesc.Create());
@@ -150,14 +159,19 @@ static unsafe class SettingsTests
             gains.Lift = 0.0f;
             gains.Turbulence = 0.0f;
             other.SetLoadGains(gains);
-            BodyId body = other.CreateBody(BodyDesc.Create());
+            Check.Equal(gains.Drag, other.GetLoadGains().Drag, "as set");
+            // Far from the first batch's body, flat side down: alone with the air.
+            BodyDesc apart = BodyDesc.Create();
+            apart.Position = new Float3(5, 0, 0);
+            apart.Orientation = new Float4(0.70710678f, 0, 0, 0.70710678f);
+            BodyId body = other.CreateBody(apart);
             BatchId nothing = default(BatchId);
             Check.True(nothing.IsNull && other.Id != nothing, "handles");
             for (int i = 0; i < 30; ++i) world.Step(Scene.Frame, 2);
             float free = -world.GetState(body).LinearVelocity.Y;
             other.ResetLoadGains();
             for (int i = 0; i < 30; ++i) world.Step(Scene.Frame, 2);
-            Check.True(free > 2.0f && -world.GetState(body).LinearVelocity.Y < free, "gains: " + free);
+            Check.True(free > 4.0f && -world.GetState(body).LinearVelocity.Y < free, "gains: " + free);
         }
     }
 
@@ -183,30 +197,43 @@ static unsafe class SettingsTests
             Batch batch = Scene.Batch(world, 100);
             EmitterDesc emitter = EmitterDesc.Create();
             emitter.Rate = 600.0f;
+            EmitterDesc kept;
+            BatchRules keptRules;
+            WaterDesc water;
+            Check.True(!batch.TryGetEmitter(out kept) && !batch.TryGetRules(out keptRules) && !world.TryGetWater(out water), "none");
             batch.SetEmitter(emitter);
+            Check.True(batch.TryGetEmitter(out kept) && kept.Rate == 600.0f, "as set");
+            world.SetEvents(100, EventKinds.Spawned | EventKinds.Killed);
             Check.Equal(5, batch.Emit(5).Length, "now");
             world.Step(Scene.Frame, 1);
-            BatchEvents events = batch.GetEvents();
-            Check.Equal(10u, events.Born, "born");
-            Check.True(world.IsAlive(events.BornIds[9]), "ids");
+            BatchCounts counts = batch.GetCounts();
+            Check.Equal(10u, counts.Spawned, "spawned");
+            var told = new BodyEvent[100];
+            Check.Equal(15, world.CopyEvents(told), "both");
+            Check.True(told[14].Kind == EventKind.Spawned && told[14].User == 0 && world.IsValid(told[14].Body), "ids");
+            Check.True(world.Timings.Total > 0.0, "timings");
+            Float3 low, high;
+            Check.True(batch.TryGetBounds(out low, out high) && low.Y < high.Y && high.Y < 1.0f, "bounds");
             BatchRules rules = BatchRules.Create();
             rules.VolumeCount = 1;
             rules.Volumes(0).Shape = VolumeShape.Sphere;
             rules.Volumes(0).Side = KillSide.Inside;
             rules.Volumes(0).Size = new Float3(1000, 0, 0);
             batch.SetRules(rules);
+            Check.True(batch.TryGetRules(out keptRules) && keptRules.VolumeCount == 1, "as set");
             batch.ClearEmitter();
             Check.Status(Status.InvalidArgument, () => batch.Emit(1));
             world.Step(Scene.Frame, 1);
-            events = batch.GetEvents();
-            Check.Equal(15u, events.Destroyed, "destroyed");
-            Check.Equal(15u, events.ByVolume[0], "by the volume");
+            counts = batch.GetCounts();
+            Check.Equal(15u, counts.Destroyed, "destroyed");
+            Check.Equal(15u, counts.ByVolume[0], "by the volume");
+            Check.True(world.CopyEvents(told) == 15 && told[0].Kind == EventKind.Killed, "all are told");
             batch.ClearRules();
             Check.Equal(0, batch.Count, "none left");
-            Check.Equal(FaultPolicy.Auto, batch.FaultPolicy, "policy");
-            batch.FaultPolicy = FaultPolicy.Remove;
-            Check.Equal(FaultPolicy.Remove, batch.FaultPolicy, "policy");
-            Check.Status(Status.InvalidArgument, () => batch.FaultPolicy = (FaultPolicy)9);
+            Check.Equal(DivergencePolicy.Auto, batch.DivergencePolicy, "policy");
+            batch.DivergencePolicy = DivergencePolicy.Remove;
+            Check.Equal(DivergencePolicy.Remove, batch.DivergencePolicy, "policy");
+            Check.Status(Status.InvalidArgument, () => batch.DivergencePolicy = (DivergencePolicy)9);
         }
     }
 
@@ -221,22 +248,22 @@ static unsafe class SettingsTests
             box.Size = new Float3(1, 1, 1);
             box.Position = new Float3(50, 1, 0);
             ColliderId[] ground = world.CreateColliders(new[] { desc, box });
-            world.SetContactEvents(100, ContactEvents.All);
+            world.SetEvents(100, EventKinds.All);
             Batch batch = Scene.Batch(world, 4);
             BodyDesc body = BodyDesc.Create();
             body.Position = new Float3(0, 0.3f, 0);
             BodyId leaf = batch.CreateBody(body);
-            var events = new ContactEvent[10];
+            var events = new BodyEvent[10];
             bool landed = false, touched = false;
             for (int i = 0; i < 600 && !landed; ++i)
             {
                 world.Step(Scene.Frame, 4);
-                int count = world.CopyContactEvents(events);
+                int count = world.CopyEvents(events);
                 for (int k = 0; k < count; ++k)
                 {
                     Check.Equal(leaf, events[k].Body, "whose event");
-                    touched |= events[k].Kind == ContactEventKind.ContactBegin && events[k].Collider == ground[0] && events[k].Normal.Y > 0.99f;
-                    landed |= events[k].Kind == ContactEventKind.BodyLanded;
+                    touched |= events[k].Kind == EventKind.Hit && events[k].Collider == ground[0] && events[k].Normal.Y > 0.99f;
+                    landed |= events[k].Kind == EventKind.Landed;
                 }
             }
             Check.True(touched && landed, "touched " + touched + ", landed " + landed);
@@ -267,11 +294,11 @@ static unsafe class SettingsTests
             Check.Equal(new Float3(9, 9, 9), world.GetState(ground[1]).Position, "placed");
             world.MoveColliders(new[] { motion, default(ColliderMotion) }, 1);
             Check.Throws<ArgumentOutOfRangeException>(() => world.MoveColliders(new[] { motion }, 2), "beyond the array");
-            ColliderSurface surface = ColliderSurface.Create();
+            ColliderMaterial surface = ColliderMaterial.Create();
             surface.Friction = 3.0f;
-            world.SetColliderSurface(ground, surface);
+            world.SetColliderMaterial(ground, surface);
             Check.Equal(3.0f, world.GetState(ground[1]).Friction, "surface");
-            world.SetColliderSurface(ground[1], ColliderSurface.Create());
+            world.SetColliderMaterial(ground[1], ColliderMaterial.Create());
             Check.Equal(0.5f, world.GetState(ground[1]).Friction, "surface");
             world.DestroyColliders(ground);
             Check.Equal(0ul, world.Info.ColliderCount, "destroyed");

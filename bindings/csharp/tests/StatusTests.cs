@@ -55,7 +55,7 @@ static unsafe class StatusTests
         {
             Batch batch = Scene.Batch(world, 4);
             Expect(Status.NullArgument, () => world.DestroyBodies(null, 1));
-            LangevinException e = Expect(Status.StructSize, () => world.SetWind(default(WindDesc)));
+            LangevinException e = Expect(Status.StructSize, () => world.AddGusts(default(GustsDesc)));
             Check.True(e.Message.Contains("Create()"), "what to do: " + e.Message);
             Expect(Status.StructSize, () => new World(default(WorldDesc)));
             BodyDesc desc = BodyDesc.Create();
@@ -136,12 +136,11 @@ static unsafe class StatusTests
             Batch batch = Scene.Batch(world, 4);
             Expect(Status.StaleBody, () => world.GetState(new BodyId(12345)));
             Expect(Status.StaleCollider, () => world.DestroyCollider(new ColliderId(77)));
-            WindSourceDesc gusts = WindSourceDesc.Create();
-            gusts.Kind = WindSourceKind.Gusts;
-            WindSourceId source = world.AddWind(gusts);
+            GustsDesc gusts = GustsDesc.Create();
+            WindSourceId source = world.AddGusts(gusts);
             world.RemoveWind(source);
             Expect(Status.StaleWindSource, () => world.RemoveWind(source));
-            Expect(Status.StaleWindSource, () => world.UpdateWind(source, gusts));
+            Expect(Status.StaleWindSource, () => world.UpdateGusts(source, gusts));
             BatchId id = batch.Id;
             batch.Dispose();
             Ray ray = Ray.Create();

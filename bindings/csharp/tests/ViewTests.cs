@@ -26,7 +26,7 @@ static unsafe class ViewTests
                 Check.Near(state.LinearVelocity.Y, velocity.Y, 1e-4, "velocity");
                 Check.Near(state.AngularVelocity.Z, spin.Z, 2e-3, "spin");
                 Check.Equal(state.Scale, view.Raw.Scale[i], "scale");
-                Check.Equal(state.Key, view.Raw.Key[i], "key");
+                Check.Equal(state.NoiseSeed, view.Raw.NoiseSeed[i], "noise seed");
                 Check.Near(state.Age, view.Raw.Age[i], 1e-6, "age");
             }
         }
@@ -76,7 +76,7 @@ static unsafe class ViewTests
             world.Step(Scene.Frame, 1);
             Check.True(!view.IsCurrent, "a step does not");
             Stale(world, () => batch.CreateBodies(Scene.Bodies(1)), batch);
-            Stale(world, () => world.SetWind(new Float3(1, 0, 0)), batch);
+            Stale(world, () => world.SetUniformWind(new Float3(1, 0, 0)), batch);
             Stale(world, () => world.NoteChange(), batch);
             Stale(world, () => batch.SetLoadGains(LoadGains.Create()), batch);
             Stale(world, () => world.Dispose(), batch);
@@ -107,11 +107,11 @@ static unsafe class ViewTests
             Batch batch = Scene.Batch(world, 10);
             Span<BodyId> ids = stackalloc BodyId[3];
             batch.CreateBodies(new ReadOnlySpan<BodyDesc>(Scene.Bodies(3)), ids);
-            Check.True(world.IsAlive(ids[2]), "ids");
+            Check.True(world.IsValid(ids[2]), "ids");
             batch.CreateBodies(new ReadOnlySpan<BodyDesc>(Scene.Bodies(1)), Span<BodyId>.Empty);
-            world.SetRest(ids, RestState.Resting);
+            world.SetSleep(ids, SleepState.Asleep);
             Check.Equal(1, batch.AwakeCount, "at rest");
-            world.SetRest(ids, RestState.Awake);
+            world.SetSleep(ids, SleepState.Awake);
             Span<float> x = stackalloc float[4];
             x.Fill(2.0f);
             batch.AddForces(ForceMode.Velocity, ForceFrame.World, x, x, x);
@@ -141,7 +141,7 @@ static unsafe class ViewTests
             all.Size = new Float3(1000, 1000, 1000);
             Check.True(batch.Count == 1 && world.TryOverlap(all, ids, out count) && count == 1, "overlap");
             Span<Float3> velocities = stackalloc Float3[2];
-            world.SetWind(new Float3(3, 0, 0));
+            world.SetUniformWind(new Float3(3, 0, 0));
             world.SampleWind(new ReadOnlySpan<Float3>(new Float3[2]), velocities);
             Check.Near(3.0, velocities[1].X, 1e-6, "wind");
             Span<ColliderId> colliders = stackalloc ColliderId[1];
@@ -158,7 +158,7 @@ static unsafe class ViewTests
             world.RayCast(new ReadOnlySpan<Ray>(new[] { Ray.Create() }), hits);
             Check.Equal(colliders[0], hits[0].Collider, "hit");
             world.DestroyColliders(colliders);
-            Check.True(!world.IsAlive(colliders[0]), "destroyed");
+            Check.True(!world.IsValid(colliders[0]), "destroyed");
             Check.Throws<ArgumentException>(() => world.RayCast(new ReadOnlySpan<Ray>(new Ray[2]), new Span<RayHit>(new RayHit[1])), "no room");
             using (Asset asset = Asset.Load(new ReadOnlySpan<byte>(Scene.BakedBytes()))) Check.True(asset.Info.Mass > 0, "asset");
         }

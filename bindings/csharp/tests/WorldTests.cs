@@ -122,7 +122,7 @@ static unsafe class WorldTests
             ulong later = world.Hash;
             other.RestoreSnapshot(bytes);
             Check.Equal(then, other.Hash, "restored");
-            Check.True(other.IsAlive(bodies[49]), "ids are the same");
+            Check.True(other.IsValid(bodies[49]), "ids are the same");
             other.Step(Scene.Frame, 2);
             Check.Equal(later, other.Hash, "went on");
             fixed (byte* first = bytes) Check.Equal((ulong)bytes.Length, world.SnapshotSize, "size");
@@ -159,7 +159,7 @@ static unsafe class WorldTests
         Check.Equal((uint)sizeof(EmitterDesc), EmitterDesc.Create().StructSize, "size");
         Check.Equal(RayFlags.Bodies | RayFlags.Colliders, Ray.Create().Flags, "flags");
         Check.Equal(ColliderKind.Plane, (ColliderKind)1, "kinds");
-        SurfaceDesc water = SurfaceDesc.Create();
+        WaterDesc water = WaterDesc.Create();
         water.Waves(7).Length = 3.0f;
         Check.Equal(3.0f, water.Waves7.Length, "elements of arrays of structs");
         Check.Throws<ArgumentOutOfRangeException>(() => water.Waves(8).Length = 1.0f, "beyond the array");

@@ -278,3 +278,7 @@ void asset_loader_stop(void) {
     gd_call(gd_singleton("ResourceLoader"), GD_N_remove_resource_format_loader, NULL, 1, gd_copy(&loader));
     gd_free(&loader);
 }
+
+asset_node* batch_asset(const batch_node* self) {
+    return gd_instance_of(gd_to_object(&self->asset), &asset_class);
+}

@@ -11,7 +11,7 @@
 /* The library's world and batch, made if it is time; null after an error. */
 static lr_world* ready(batch_node* self, const char* what) {
     batch_ensure(self);
-    if (self->world && self->world->world && self->batch) return self->world->world;
+    if (self->world && self->world->world && self->batch.id) return self->world->world;
     gd_error("%s: the batch is not in the tree below a LangevinWorld, or has no asset", what);
     return NULL;
 }
@@ -24,14 +24,18 @@ static int failed(const char* what, lr_status status) {
 static int view_of(batch_node* self, lr_batch_view* view) {
     lr_batch_view_init(view, sizeof *view);
     batch_ensure(self);
-    return self->world && self->world->world && self->batch &&
+    return self->world && self->world->world && self->batch.id &&
            lr_batch_get_view(self->world->world, self->batch, view) == LR_OK;
+}
+
+static lr_body handle_of(const gd_var* body) {
+    return (lr_body){(uint64_t)gd_to_int(body)};
 }
 
 static int state_of(batch_node* self, const gd_var* body, lr_body_state* state, const char* what) {
     lr_world* world = ready(self, what);
     lr_body_state_init(state, sizeof *state);
-    return world && !failed(what, lr_body_get_state(world, (lr_body)gd_to_int(body), state));
+    return world && !failed(what, lr_body_get_state(world, handle_of(body), state));
 }
 
 static void m_emit(void* self, const gd_var* args, gd_var* ret) {
@@ -39,7 +43,7 @@ static void m_emit(void* self, const gd_var* args, gd_var* ret) {
     const int64_t count = gd_to_int(&args[0]);
     if (world && (count < 0 || count > 0xffffffff))
         gd_error("emit: %lld bodies", (long long)count);
-    else if (world && !failed("emit", lr_batch_emit(world, ((batch_node*)self)->batch, (uint32_t)count, NULL))) {
+    else if (world && !failed("emit", lr_batch_spawn(world, ((batch_node*)self)->batch, (uint32_t)count, NULL))) {
         *ret = gd_int(GD_OK);
         return;
     }
@@ -49,7 +53,7 @@ static void m_emit(void* self, const gd_var* args, gd_var* ret) {
 static void m_spawn(void* self, const gd_var* args, gd_var* ret) {
     lr_world* world = ready(self, "spawn");
     lr_body_desc desc;
-    lr_body body = 0;
+    lr_body body = {0};
     float engine[12], scale[3];
     lr_body_desc_init(&desc, sizeof desc);
     gd_to_floats(&args[0], GDX_TRANSFORM3D, engine);
@@ -61,7 +65,7 @@ static void m_spawn(void* self, const gd_var* args, gd_var* ret) {
         desc.scale = scale[0];
         failed("spawn", lr_body_create(world, ((batch_node*)self)->batch, &desc, 1, &body));
     }
-    *ret = gd_int((int64_t)body);
+    *ret = gd_int((int64_t)body.id);
 }
 
 static void m_destroy_bodies(void* self, const gd_var* args, gd_var* ret) {
@@ -140,11 +144,7 @@ static void m_multimesh(void* self, const gd_var* args, gd_var* ret) {
 
 static void m_has_body(void* instance, const gd_var* args, gd_var* ret) {
     const batch_node* self = instance;
-    lr_body_state state;
-    lr_body_state_init(&state, sizeof state);
-    const int has = self->world && self->world->world && self->batch &&
-                    lr_body_get_state(self->world->world, (lr_body)gd_to_int(&args[0]), &state) == LR_OK;
-    *ret = gd_bool(has);
+    *ret = gd_bool(self->world && self->batch.id && lr_body_is_valid(self->world->world, handle_of(&args[0])));
 }
 
 static void m_body_transform(void* self, const gd_var* args, gd_var* ret) {
@@ -175,7 +175,7 @@ static void m_age(void* self, const gd_var* args, gd_var* ret) {
 
 static void m_resting(void* self, const gd_var* args, gd_var* ret) {
     lr_body_state state;
-    *ret = gd_bool(state_of(self, &args[0], &state, "is_body_resting") && state.resting == LR_REST_RESTING);
+    *ret = gd_bool(state_of(self, &args[0], &state, "is_body_resting") && state.sleep_state == LR_SLEEP_ASLEEP);
 }
 
 static void m_set_transform(void* self, const gd_var* args, gd_var* ret) {
@@ -189,8 +189,7 @@ static void m_set_transform(void* self, const gd_var* args, gd_var* ret) {
         return;
     }
     state.scale = scale[0];
-    failed("set_body_transform",
-           lr_body_set_state(((batch_node*)self)->world->world, (lr_body)gd_to_int(&args[0]), &state));
+    failed("set_body_transform", lr_body_set_state(((batch_node*)self)->world->world, handle_of(&args[0]), &state));
 }
 
 static void add_force(void* self, const gd_var* args, gd_var* ret, int mode, const char* what) {
@@ -198,7 +197,7 @@ static void add_force(void* self, const gd_var* args, gd_var* ret, int mode, con
     lr_body_force force;
     lr_body_force_init(&force, sizeof force);
     force.mode = mode;
-    force.body = (lr_body)gd_to_int(&args[0]);
+    force.body = handle_of(&args[0]);
     gd_to_floats(&args[1], GDX_VECTOR3, force.force);
     gd_to_floats(&args[2], GDX_VECTOR3, force.torque);
     (void)ret;

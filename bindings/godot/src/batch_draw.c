@@ -149,7 +149,7 @@ void batch_draw(batch_node* self) {
     if (!self->multimesh || !self->visible) return;
     lr_batch_view view;
     lr_batch_view_init(&view, sizeof view);
-    if (self->batch && lr_batch_get_view(self->world->world, self->batch, &view) != LR_OK) return;
+    if (self->batch.id && lr_batch_get_view(self->world->world, self->batch, &view) != LR_OK) return;
     const uint32_t before = self->drawn;
     if (!reserve(self, view.count)) return;
     if (view.count > 0) {

@@ -29,7 +29,7 @@ typedef struct shape_link {
     uint64_t body, shape; /* instance ids */
     int64_t owner, index; /* of the shape in the body */
     uint64_t seen;        /* the scan that saw it last */
-    lr_collider collider; /* 0: none at present */
+    lr_collider collider; /* id 0: none at present */
     float pose[12];       /* global, in the engine's layout, when last told */
     float offset[12];     /* of the shape in the body */
     float extra[7];       /* position and quaternion of the collider in the shape: a world boundary's plane */
@@ -99,7 +99,6 @@ void world_scan_areas(world_node* world);
 void world_sync_areas(world_node* world);
 void world_forget_areas(world_node* world);
 void world_apply_wind(world_node* world);
-gd_var world_nodes_below_viewport(world_node* world, const char* class_name); /* Array of nodes in the same World3D */
 void world_step(world_node* world, double dt);
 void world_emit_events(world_node* world);
 gd_var world_save(const world_node* world); /* PackedByteArray */
@@ -126,7 +125,7 @@ typedef struct batch_node {
     int64_t rate_divisor;
     /* State */
     world_node* world; /* while in the tree below one */
-    lr_batch batch;    /* 0 until the first step */
+    lr_batch batch;    /* id 0 until the first step */
     int rebuild, retune, moved;
     /* Drawing */
     uint64_t multimesh, instance; /* RIDs */

@@ -31,7 +31,7 @@ static void set_processing(world_node* self) {
 static void apply_events(world_node* self) {
     if (!self->world) return;
     const uint32_t capacity = self->events ? (uint32_t)self->event_capacity : 0u;
-    const lr_status status = lr_world_set_contact_events(self->world, capacity, (uint32_t)self->events);
+    const lr_status status = lr_world_set_events(self->world, capacity, (uint32_t)self->events);
     if (status != LR_OK) gd_error("events: %s", lr_status_string(status));
 }
 
@@ -55,7 +55,7 @@ static void start(world_node* self) {
         gd_error("world: %s", lr_status_string(status));
         return;
     }
-    self->gusts = self->turbulence = 0;
+    self->gusts = self->turbulence = (lr_wind_source){0};
     self->areas.active = 0;
     self->last_status = LR_OK;
     self->wind_changed = self->tree_changed = 1;
@@ -91,14 +91,6 @@ static void watch_tree(world_node* self, int on) {
         gd_free(&connected);
     }
     if (!on) self->tree = 0;
-}
-
-gd_var world_nodes_below_viewport(world_node* self, const char* class_name) {
-    gd_var nodes = gd_nil();
-    gdx_object viewport = gd_call_object(self->base.object, GD_N_get_viewport);
-    if (viewport)
-        gd_call(viewport, GD_N_find_children, &nodes, 4, gd_string("*"), gd_string(class_name), gd_bool(1), gd_bool(0));
-    return nodes;
 }
 
 /* ------------------------------------------------------------------------------------------------------------------ */
@@ -438,9 +430,9 @@ static const gd_property properties[] = {
      .type = GDX_INT,
      .offset = F(events),
      .hint = GD_HINT_FLAGS,
-     .hint_string = "Touched:1,Landed:4,Woke:8,Ended:16,Faulted:32",
+     .hint_string = "Spawned:1,Touched:2,Landed:8,Woke:16,Ended:32,Respawned:64,Diverged:128",
      .minimum = 0,
-     .maximum = 63,
+     .maximum = LR_EVENTS_ALL,
      .changed = events_changed},
     {.name = "event_capacity",
      .type = GDX_INT,
@@ -475,11 +467,13 @@ static const gd_constant constants[] = {
     {"ProcessCallback", "PROCESS_CALLBACK_PHYSICS", PROCESS_PHYSICS},
     {"ProcessCallback", "PROCESS_CALLBACK_IDLE", PROCESS_IDLE},
     {"ProcessCallback", "PROCESS_CALLBACK_MANUAL", PROCESS_MANUAL},
-    {"Events", "EVENTS_TOUCHED", LR_EVENTS_BEGIN},
+    {"Events", "EVENTS_SPAWNED", LR_EVENTS_SPAWNED},
+    {"Events", "EVENTS_TOUCHED", LR_EVENTS_HIT},
     {"Events", "EVENTS_LANDED", LR_EVENTS_LANDED},
     {"Events", "EVENTS_WOKE", LR_EVENTS_WOKE},
     {"Events", "EVENTS_ENDED", LR_EVENTS_KILLED},
-    {"Events", "EVENTS_FAULTED", LR_EVENTS_FAULTED},
+    {"Events", "EVENTS_RESPAWNED", LR_EVENTS_RESPAWNED},
+    {"Events", "EVENTS_DIVERGED", LR_EVENTS_DIVERGED},
     {.name = NULL},
 };
 

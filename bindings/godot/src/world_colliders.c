@@ -187,7 +187,7 @@ static void make_collider(world_node* self, shape_link* link, gdx_object body, g
         surface_of(body, &desc);
         const lr_status status = lr_collider_create(self->world, &desc, 1, &link->collider);
         if (status != LR_OK) {
-            link->collider = 0;
+            link->collider = (lr_collider){0};
             link->unsupported = 1;
             gd_var path;
             gd_call(body, GD_N_get_path, &path, 0);
@@ -205,8 +205,8 @@ static void make_collider(world_node* self, shape_link* link, gdx_object body, g
 }
 
 static void drop_collider(world_node* self, shape_link* link) {
-    if (link->collider && self->world) lr_collider_destroy(self->world, &link->collider, 1);
-    link->collider = 0;
+    if (link->collider.id && self->world) lr_collider_destroy(self->world, &link->collider, 1);
+    link->collider = (lr_collider){0};
 }
 
 void world_forget_colliders(world_node* self, int destroy) {
@@ -280,7 +280,7 @@ void world_scan_colliders(world_node* self) {
     set->cursor = 0;
     if (self->sync_colliders) {
         gdx_object space = gd_call_object(self->base.object, GD_N_get_world_3d);
-        gd_var nodes = world_nodes_below_viewport(self, "PhysicsBody3D");
+        gd_var nodes = gd_nodes_below_viewport(self->base.object, "PhysicsBody3D");
         const int64_t count = gd_type(&nodes) == GDX_ARRAY ? gd_array_count(&nodes) : 0;
         for (int64_t i = 0; i < count; ++i) {
             gd_var node;
@@ -318,9 +318,9 @@ static void sync_link(world_node* self, shape_link* link, gdx_object body, const
     gd_to_floats(&ret, GDX_TRANSFORM3D, offset);
     gd_free(&ret);
     transform_multiply(global, offset, pose);
-    if (link->collider && link->layers != layers) drop_collider(self, link);
-    if (link->collider && memcmp(pose, link->pose, sizeof pose) == 0) return;
-    if (link->collider) {
+    if (link->collider.id && link->layers != layers) drop_collider(self, link);
+    if (link->collider.id && memcmp(pose, link->pose, sizeof pose) == 0) return;
+    if (link->collider.id) {
         float before[3], after[3];
         lr_collider_motion motion;
         lr_collider_motion_init(&motion, sizeof motion);

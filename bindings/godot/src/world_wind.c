@@ -16,41 +16,50 @@
 
 enum { AREA_BOX = 1, AREA_SPHERE = 2, AREA_CAPSULE = 3, AREA_CYLINDER = 4 };
 
-static void apply_source(world_node* self, lr_wind_source* source, int kind, double speed) {
-    lr_status status = LR_OK;
-    if (speed <= 0.0) {
-        if (*source) status = lr_world_remove_wind(self->world, *source);
-        *source = 0;
-    } else {
-        lr_wind_source_desc desc;
-        lr_wind_source_desc_init(&desc, sizeof desc);
-        desc.kind = kind;
-        desc.speed = (float)speed;
-        if (kind == LR_WIND_SOURCE_GUSTS) {
-            const float* w = self->wind;
-            const int blows = w[0] * w[0] + w[1] * w[1] + w[2] * w[2] > 1e-12f;
-            if (blows) memcpy(desc.direction, w, sizeof desc.direction);
-            desc.period = (float)self->gust_period;
-            desc.spread = 0.3f;
-        } else {
-            desc.size = (float)self->turbulence_size;
-        }
-        status =
-            *source ? lr_world_update_wind(self->world, *source, &desc) : lr_world_add_wind(self->world, &desc, source);
-    }
+static void check(lr_status status) {
     if (status != LR_OK) gd_error("wind: %s", lr_status_string(status));
+}
+
+static void remove_source(world_node* self, lr_wind_source* source) {
+    if (source->id) check(lr_world_remove_wind(self->world, *source));
+    *source = (lr_wind_source){0};
+}
+
+static void apply_gusts(world_node* self) {
+    if (self->gust_speed <= 0.0) {
+        remove_source(self, &self->gusts);
+        return;
+    }
+    const float* w = self->wind;
+    lr_gusts_desc desc;
+    lr_gusts_desc_init(&desc, sizeof desc);
+    if (w[0] * w[0] + w[1] * w[1] + w[2] * w[2] > 1e-12f) memcpy(desc.direction, w, sizeof desc.direction);
+    desc.rms = (float)self->gust_speed;
+    desc.angle_rms = 0.3f;
+    desc.integral_time = (float)self->gust_period;
+    check(self->gusts.id ? lr_world_update_gusts(self->world, self->gusts, &desc)
+                         : lr_world_add_gusts(self->world, &desc, &self->gusts));
+}
+
+static void apply_turbulence(world_node* self) {
+    if (self->turbulence_speed <= 0.0) {
+        remove_source(self, &self->turbulence);
+        return;
+    }
+    lr_turbulence_desc desc;
+    lr_turbulence_desc_init(&desc, sizeof desc);
+    desc.rms = (float)self->turbulence_speed;
+    desc.integral_length = (float)self->turbulence_size;
+    check(self->turbulence.id ? lr_world_update_turbulence(self->world, self->turbulence, &desc)
+                              : lr_world_add_turbulence(self->world, &desc, &self->turbulence));
 }
 
 void world_apply_wind(world_node* self) {
     if (!self->wind_changed) return;
     self->wind_changed = 0;
-    lr_wind_desc desc;
-    lr_wind_desc_init(&desc, sizeof desc);
-    memcpy(desc.velocity, self->wind, sizeof desc.velocity);
-    const lr_status status = lr_world_set_wind(self->world, &desc);
-    if (status != LR_OK) gd_error("wind: %s", lr_status_string(status));
-    apply_source(self, &self->gusts, LR_WIND_SOURCE_GUSTS, self->gust_speed);
-    apply_source(self, &self->turbulence, LR_WIND_SOURCE_TURBULENCE, self->turbulence_speed);
+    check(lr_world_set_uniform_wind(self->world, self->wind[0], self->wind[1], self->wind[2]));
+    apply_gusts(self);
+    apply_turbulence(self);
 }
 
 /* ------------------------------------------------------------------------------------------------------------------ */
@@ -118,7 +127,7 @@ void world_scan_areas(world_node* self) {
     set->count = set->shape_count = 0;
     if (!self->wind_from_areas) return;
     gdx_object space = gd_call_object(self->base.object, GD_N_get_world_3d);
-    gd_var nodes = world_nodes_below_viewport(self, "Area3D");
+    gd_var nodes = gd_nodes_below_viewport(self->base.object, "Area3D");
     const int64_t count = gd_type(&nodes) == GDX_ARRAY ? gd_array_count(&nodes) : 0;
     for (int64_t i = 0; i < count; ++i) {
         gd_var node;

@@ -158,12 +158,12 @@ def simulate(scene, asset, settings, progress=lambda part: None):
                 world.add_plane((0, 0, settings.ground_height * metres), (0, 0, 1), friction=0.7)
             obstacles = [Obstacle(world, thing, metres) for thing in settings.obstacles]
             blowing = Vector(settings.wind) + wind_of(scene)
-            world.set_wind(blowing)
+            world.set_uniform_wind(blowing)
             if settings.gusts > 0:
                 along = blowing if blowing.length > 0 else Vector((1, 0, 0))
-                world.add_wind(lr.WindSourceKind.GUSTS, direction=along, speed=settings.gusts, period=2, spread=0.3)
+                world.add_gusts(direction=along, rms=settings.gusts, integral_time=2, angle_rms=0.3)
             if settings.turbulence > 0:
-                world.add_wind(lr.WindSourceKind.TURBULENCE, speed=settings.turbulence, size=1)
+                world.add_turbulence(rms=settings.turbulence, integral_length=1)
             batch = world.create_batch(asset, capacity=settings.count)
             batch.set_emitter(shape=lr.EmitShape.BOX, position=np.array(settings.center) * metres,
                               size=np.array(settings.size) * metres / 2, rate=settings.rate,
@@ -171,7 +171,7 @@ def simulate(scene, asset, settings, progress=lambda part: None):
             if settings.lifetime > 0:
                 batch.set_rules(max_age=settings.lifetime)
             if settings.heaps:
-                batch.set_pair_contact(batch)
+                batch.set_body_contact(batch)
             if settings.rate == 0:
                 batch.emit(settings.count)
             substeps = max(1, math.ceil(120 / fps))
@@ -313,7 +313,7 @@ def build_keyframes(recording, prototype, collection):
         values["location"][at, slot], values["rotation_quaternion"][at, slot] = frame.position, quaternion
         values["scale"][at, slot] = frame.scale[:, None]
         before = slot[known[slot] < at - 1]
-        if at:  # born in this frame: it waits here in the frame before
+        if at:  # spawned in this frame: it waits here in the frame before
             values["location"][at - 1, before] = values["location"][at, before]
             values["rotation_quaternion"][at - 1, before] = values["rotation_quaternion"][at, before]
         known[slot] = at
@@ -347,7 +347,7 @@ def bake_storm(scene, leaf, asset, settings, mode, cache_path, progress=lambda p
     metres = metres_per_unit(scene)
     recording = simulate(scene, asset, settings, progress)
     if not any(len(frame.ids) for frame in recording):
-        raise Problem("no body was born in these frames: raise the rate, or the number of frames")
+        raise Problem("no body was spawned in these frames: raise the rate, or the number of frames")
     name = "Leaf Storm"
     old = bpy.data.collections.get(name)
     if old is not None:
@@ -392,7 +392,7 @@ class StormProperties(bpy.types.PropertyGroup):
                                     "without one, in 4 x 4 x 1 at a height of 3")
     obstacles: bpy.props.PointerProperty(name="Obstacles", type=bpy.types.Collection, description="Meshes that leaves land on")
     count: bpy.props.IntProperty(name="Leaves", default=1000, min=1, max=1000000)
-    rate: bpy.props.FloatProperty(name="A second", default=0, min=0, description="Leaves born each second; 0: all at the start")
+    rate: bpy.props.FloatProperty(name="A second", default=0, min=0, description="Leaves spawned each second; 0: all at the start")
     lifetime: bpy.props.FloatProperty(name="Lifetime", default=0, min=0, description="s; 0: for ever")
     variation: bpy.props.FloatProperty(name="Variation", default=0.2, min=0, max=0.9, description="Of their size")
     seed: bpy.props.IntProperty(name="Seed", default=0, min=0)

@@ -13,16 +13,16 @@
 
 SI units everywhere, right-handed frames, quaternions x, y, z, w. The whole C API is in `langevin_rigid._native`.
 """
-from ._fields import (Aerodynamics, AssetInfo, BatchContact, BatchEvents, BatchPace, BodyState, ColliderState, StepReport,
-                      WorldInfo)
+from ._fields import (Aerodynamics, AssetInfo, BatchContact, BatchCounts, BatchForce, BatchPace, BatchRules, BodyState, ColliderState,
+                      Emitter, LoadGains, StepReport, Timings, Water, WorldInfo)
 from ._library import library, library_path, version
 from ._version import __version__
 from .air import WindSource
 from .asset import Asset, check_asset
 from .baker import bake, bake_card, bake_ellipsoid, bake_triangles, baker_path, inspect_asset
 from .batch import Batch
-from .callbacks import SurfaceQuery, WindQuery
-from .contact import Collider, ContactEvents
+from .callbacks import WaterQuery, WindQuery
+from .contact import Collider, Events
 from .enums import *  # noqa: F401,F403
 from .errors import *  # noqa: F401,F403
 from .errors import Error, Fault

@@ -4,15 +4,25 @@
 """Types of what calls take as keywords, and of what they read back."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, Any, Sequence, TypedDict
 
 import numpy as np
 
 from ._record import Record
-from .enums import Rest, SimdTarget
+from .enums import SimdTarget, Sleep
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+
+class EllipsoidOptions(TypedDict, total=False):
+    """Keywords for lr_ellipsoid_desc."""
+    semi_axes: ArrayLike
+    density: float
+    fluid_density: float
+    fluid_viscosity: float
+    intensity: float
+    center_of_mass: ArrayLike
 
 
 class AerodynamicsOptions(TypedDict, total=False):
@@ -38,14 +48,119 @@ class AerodynamicsOptions(TypedDict, total=False):
     center: ArrayLike
 
 
-class ContactOptions(TypedDict, total=False):
-    """Keywords for lr_batch_contact."""
-    layers: int
-    friction: float
-    restitution: float
-    rolling_resistance: float
+class RigidOptions(TypedDict, total=False):
+    """Keywords for lr_rigid_desc."""
+    mass: float
+    volume: float
+    inertia: ArrayLike
+    added_mass: ArrayLike
+    center_of_buoyancy: ArrayLike
+    fluid_density: float
+    fluid_viscosity: float
+    extents: ArrayLike
+    intensity: float
+    aerodynamics: Any
+
+
+class WorldOptions(TypedDict, total=False):
+    """Keywords for lr_world_desc."""
+    worker_count: int
+    seed: int
+    gravity: ArrayLike
+    fluid_density: float
+    simd_target: int
+    fluid_viscosity: float
+    checks: int
+
+
+class GustsOptions(TypedDict, total=False):
+    """Keywords for lr_gusts_desc."""
+    seed: int
+    direction: ArrayLike
+    rms: float
+    angle_rms: float
+    integral_time: float
+
+
+class VortexOptions(TypedDict, total=False):
+    """Keywords for lr_vortex_desc."""
+    core: int
+    position: ArrayLike
+    axis: ArrayLike
+    velocity: ArrayLike
+    circulation: float
+    core_radius: float
+    outer_radius: float
+    half_length: float
+
+
+class BlowerOptions(TypedDict, total=False):
+    """Keywords for lr_blower_desc."""
+    position: ArrayLike
+    direction: ArrayLike
+    side: ArrayLike
+    velocity: ArrayLike
+    speed: float
+    nozzle_radius: float
+    half_length: float
+    range: float
+    spread: float
+
+
+class TurbulenceOptions(TypedDict, total=False):
+    """Keywords for lr_turbulence_desc."""
+    seed: int
+    octaves: int
+    velocity: ArrayLike
+    rms: float
+    integral_length: float
+    eddy_life: float
+
+
+class WindGridOptions(TypedDict, total=False):
+    """Keywords for lr_wind_grid_desc."""
+    outside: int
+    position: ArrayLike
+    velocity: ArrayLike
+    spacing: ArrayLike
+    counts: ArrayLike
+    frames: int
+    frame_time: float
+    samples: Any
+
+
+class GroundWindOptions(TypedDict, total=False):
+    """Keywords for lr_ground_wind_desc."""
+    position: ArrayLike
+    normal: ArrayLike
+    velocity: ArrayLike
+    roughness_length: float
+    reference_height: float
+
+
+class WaveOptions(TypedDict, total=False):
+    """Keywords for lr_wave."""
+    direction: ArrayLike
+    length: float
+    amplitude: float
+    phase: float
+
+
+class WaterOptions(TypedDict, total=False):
+    """Keywords for lr_water_desc."""
+    position: ArrayLike
+    normal: ArrayLike
+    density: float
+    viscosity: float
+    current: ArrayLike
+    reach: float
+    waves: Sequence[WaveOptions]
+
+
+class RecordingOptions(TypedDict, total=False):
+    """Keywords for lr_recording_desc."""
     flags: int
-    ground_effect: float
+    hash_interval: int
 
 
 class BatchOptions(TypedDict, total=False):
@@ -58,6 +173,36 @@ class BatchOptions(TypedDict, total=False):
     noise_gain: float
 
 
+class TurbulenceTableOptions(TypedDict, total=False):
+    """Keywords for lr_turbulence_table."""
+    chi: Any
+    epsilon: Any
+    dt: float
+    u0: float
+    l: float
+    c0: float
+    stationary: int
+
+
+class LoadGainsOptions(TypedDict, total=False):
+    """Keywords for lr_load_gains."""
+    drag: float
+    lift: float
+    spin_drag: float
+    turbulence: float
+
+
+class BodyStateOptions(TypedDict, total=False):
+    """Keywords for lr_body_state."""
+    position: ArrayLike
+    orientation: ArrayLike
+    linear_velocity: ArrayLike
+    angular_velocity: ArrayLike
+    scale: float
+    age: float
+    user: int
+
+
 class BatchForceOptions(TypedDict, total=False):
     """Keywords for lr_batch_force."""
     force: ArrayLike
@@ -68,24 +213,6 @@ class BatchForceOptions(TypedDict, total=False):
     body_torque: ArrayLike
     body_acceleration: ArrayLike
     body_angular_acceleration: ArrayLike
-
-
-class RulesOptions(TypedDict, total=False):
-    """Keywords for lr_batch_rules."""
-    action: int
-    max_age: float
-    volume_count: int
-    volumes: ArrayLike
-
-
-class StateOptions(TypedDict, total=False):
-    """Keywords for lr_body_state."""
-    position: ArrayLike
-    orientation: ArrayLike
-    linear_velocity: ArrayLike
-    angular_velocity: ArrayLike
-    scale: float
-    age: float
 
 
 class ColliderOptions(TypedDict, total=False):
@@ -105,7 +232,7 @@ class ColliderOptions(TypedDict, total=False):
     heights: Any
 
 
-class MotionOptions(TypedDict, total=False):
+class ColliderMotionOptions(TypedDict, total=False):
     """Keywords for lr_collider_motion."""
     mode: int
     collider: int
@@ -115,21 +242,36 @@ class MotionOptions(TypedDict, total=False):
     angular_velocity: ArrayLike
 
 
-class ColliderSurfaceOptions(TypedDict, total=False):
-    """Keywords for lr_collider_surface."""
+class MaterialOptions(TypedDict, total=False):
+    """Keywords for lr_material."""
     layers: int
     friction: float
     restitution: float
 
 
-class EllipsoidOptions(TypedDict, total=False):
-    """Keywords for lr_ellipsoid_desc."""
-    semi_axes: ArrayLike
-    density: float
-    fluid_density: float
-    fluid_viscosity: float
-    intensity: float
-    center_of_mass: ArrayLike
+class BatchContactOptions(TypedDict, total=False):
+    """Keywords for lr_batch_contact."""
+    layers: int
+    friction: float
+    restitution: float
+    rolling_resistance: float
+    flags: int
+    ground_effect: float
+
+
+class KillVolumeOptions(TypedDict, total=False):
+    """Keywords for lr_kill_volume."""
+    shape: int
+    side: int
+    center: ArrayLike
+    size: ArrayLike
+
+
+class BatchRulesOptions(TypedDict, total=False):
+    """Keywords for lr_batch_rules."""
+    action: int
+    max_age: float
+    volumes: Sequence[KillVolumeOptions]
 
 
 class EmitterOptions(TypedDict, total=False):
@@ -153,132 +295,31 @@ class EmitterOptions(TypedDict, total=False):
     burst_count: int
 
 
-class KillVolumeOptions(TypedDict, total=False):
-    """Keywords for lr_kill_volume."""
-    shape: int
-    side: int
-    center: ArrayLike
-    size: ArrayLike
-
-
-class LoadGainsOptions(TypedDict, total=False):
-    """Keywords for lr_load_gains."""
-    drag: float
-    lift: float
-    spin_drag: float
-    turbulence: float
-
-
-class RecordingOptions(TypedDict, total=False):
-    """Keywords for lr_recording_desc."""
-    flags: int
-    hash_interval: int
-
-
-class RigidOptions(TypedDict, total=False):
-    """Keywords for lr_rigid_desc."""
-    mass: float
-    volume: float
-    inertia: ArrayLike
-    added_mass: ArrayLike
-    center_of_buoyancy: ArrayLike
-    fluid_density: float
-    fluid_viscosity: float
-    extents: ArrayLike
-    intensity: float
-    aerodynamics: Any
-
-
-class SurfaceOptions(TypedDict, total=False):
-    """Keywords for lr_surface_desc."""
-    position: ArrayLike
-    normal: ArrayLike
-    density: float
-    viscosity: float
-    current: ArrayLike
-    reach: float
-    waves: ArrayLike
-
-
-class TurbulenceTableOptions(TypedDict, total=False):
-    """Keywords for lr_turbulence_table."""
-    chi: Any
-    epsilon: Any
-    dt: float
-    u0: float
-    l: float
-    c0: float
-    stationary: int
-
-
-class WaveOptions(TypedDict, total=False):
-    """Keywords for lr_wave."""
-    direction: ArrayLike
-    length: float
-    amplitude: float
-    phase: float
-
-
-class WindSourceOptions(TypedDict, total=False):
-    """Keywords for lr_wind_source_desc."""
-    position: ArrayLike
-    direction: ArrayLike
-    side: ArrayLike
-    velocity: ArrayLike
-    speed: float
-    circulation: float
-    size: float
-    radius: float
-    half_length: float
-    range: float
-    spread: float
-    period: float
-    reference_height: float
-    octaves: int
-    seed: int
-    outside: int
-    counts: ArrayLike
-    frames: int
-    spacing: ArrayLike
-    samples: Any
-
-
-class WorldOptions(TypedDict, total=False):
-    """Keywords for lr_world_desc."""
-    worker_count: int
-    seed: int
-    gravity: ArrayLike
-    fluid_density: float
-    simd_target: int
-    fluid_viscosity: float
-    checks: int
-
-
 class Aerodynamics(Record):
-    """Coefficients of the quasi-steady loads at scale 1; equations in docs/maintainers/physics.md, AERODYNAMIC. Everything acts at
-    `center` along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
-    spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
-    the fluid.
+    """Coefficients of the quasi-steady loads (`Loads.AERODYNAMIC`) at scale 1; equations: docs/maintainers/physics.md,
+    AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
+    Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
+    lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
 
     axes: rows: unit vectors in the body frame, right-handed
-    drag: Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v, Re = s d/nu, and along each axis -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. m^2, drag coefficient times area
-    drag_blunt: m^2, the part that grows with the Reynolds number: of rounded bodies
-    drag_layer: m^(3/2), of the boundary layer
-    drag_stokes: m, of creeping flow
-    lift: Lift rho G x v, G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i
+    drag: Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v with Re = s d/nu, and along each axis -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. m^2, drag coefficient times area
+    drag_blunt: m^2, the part of rounded bodies, which grows with the Reynolds number
+    drag_layer: m^(3/2), boundary layer
+    drag_stokes: m, creeping flow
+    lift: Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i
     spin_lift: m^3
-    lift_moment: m^3, moment rho lift_moment_k v_i v_j of that lift about k
+    lift_moment: m^3, moment of the lift about k: rho lift_moment_k v_i v_j
     spin_drag: Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5
     spin_drag_stream: m^4
     spin_drag_stokes: m^3
-    intensity: of the velocity of the fluid in the body's own wake: per axis `intensity` times s. More than 0.4, gains included, acts as 0.4: such a wake would feed itself
-    length: m, correlated over length/s
-    wake_reynolds: that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar
+    intensity: velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself
+    length: m: the fluctuations are correlated over length/s
+    wake_reynolds: scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar
     broadside: Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k sigma to lift_moment_k. 0 to 1
     lift_stall
     lift_moment_stalled: m^3
-    roll_damping: Couple -rho g_k (g . w)/s, g_k = sqrt(roll_damping_k) v_k, on the part of the spin about the stream: a wing's roll. All >= 0. In a plane that spin is nought. m^4
-    center: m, where all of it acts, from the centre of buoyancy, body frame; initially 0; within 2 d
+    roll_damping: Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps roll; in plane motion this spin is 0. All >= 0. m^4
+    center: m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0
     """
     __slots__ = ('axes', 'drag', 'drag_blunt', 'drag_layer', 'drag_stokes', 'lift', 'spin_lift', 'lift_moment', 'spin_drag', 'spin_drag_stream', 'spin_drag_stokes', 'intensity', 'length', 'wake_reynolds', 'broadside', 'lift_stall', 'lift_moment_stalled', 'roll_damping', 'center')
     axes: np.ndarray
@@ -303,18 +344,18 @@ class Aerodynamics(Record):
 
 
 class AssetInfo(Record):
-    """What an asset is. Matrices are row-major and symmetric.
+    """Properties of an asset. Matrices are row-major and symmetric.
 
     flags: `AssetFlags`
     name: UTF-8, ends with 0
     mass: kg
     volume: m^3
     density: kg/m^3
-    center_of_mass: m, in the frame of the mesh: where the body origin lies in it
+    center_of_mass: m, in the frame of the mesh: the position of the body's origin in it
     center_of_buoyancy: m, from the centre of mass, body axes
     inertia: kg m^2, about the centre of mass, body axes
     added_mass: about the centre of mass, order vx vy vz wx wy wz, fluid density included: kg for the 3x3 block of v, kg m for the coupling, kg m^2 for the block of w
-    fluid_density: kg/m^3, of the fluid it was baked in
+    fluid_density: kg/m^3, of the fluid that the asset was baked in
     fluid_viscosity: m^2/s, kinematic
     length_d: m, characteristic length: the largest extent
     length_b: m, thickness
@@ -324,10 +365,10 @@ class AssetInfo(Record):
     c0: Kolmogorov constant of the Langevin model, paper Eq. 10
     turbulence_dt: s between table samples
     turbulence_count: number of table samples
-    hull_vertex_count: 0 for an asset without a hull
+    hull_vertex_count: 0: no hull
     hull_triangle_count
-    format_version: of the file; 0 for an asset without a file
-    content_hash: of everything that matters for motion; equal for equal assets
+    format_version: of the file; 0: created without a file
+    content_hash: of everything that affects motion; equal for equal assets
     """
     __slots__ = ('flags', 'name', 'mass', 'volume', 'density', 'center_of_mass', 'center_of_buoyancy', 'inertia', 'added_mass', 'fluid_density', 'fluid_viscosity', 'length_d', 'length_b', 'length_l', 'u0', 'reynolds', 'c0', 'turbulence_dt', 'turbulence_count', 'hull_vertex_count', 'hull_triangle_count', 'format_version', 'content_hash')
     flags: int
@@ -358,17 +399,19 @@ class AssetInfo(Record):
 class WorldInfo(Record):
     """What lr_world_info says.
 
-    simd_target: what `SimdTarget.AUTO` became
-    worker_count: as in the desc; with jobs what 0 became
+    simd_target: `SimdTarget`: in use, never `SimdTarget.AUTO`
+    worker_count: as in the desc; with `jobs` and 0: the guess
     batch_count
     body_count
     substep_count: substeps since creation; the time index of the noise
     time: s since creation: the sum of all dt, in double
-    memory_bytes: taken from the allocator at present
+    memory_bytes: currently allocated
     collider_count
-    awake_count: bodies that are not at rest: lr_body_set_rest
+    awake_count: bodies that are not asleep: lr_body_set_sleep
+    budget: as set by lr_world_set_budget
+    gravity: m/s^2, as set by lr_world_set_gravity
     """
-    __slots__ = ('simd_target', 'worker_count', 'batch_count', 'body_count', 'substep_count', 'time', 'memory_bytes', 'collider_count', 'awake_count')
+    __slots__ = ('simd_target', 'worker_count', 'batch_count', 'body_count', 'substep_count', 'time', 'memory_bytes', 'collider_count', 'awake_count', 'budget', 'gravity')
     simd_target: SimdTarget
     worker_count: int
     batch_count: int
@@ -378,18 +421,44 @@ class WorldInfo(Record):
     memory_bytes: int
     collider_count: int
     awake_count: int
+    budget: int
+    gravity: np.ndarray
+    _enums = {'simd_target': SimdTarget}
+
+
+class Water(Record):
+    """The water surface. Water fills everything below it; above it is the fluid of the world or of each batch's asset.
+
+    wave_count: elements of `waves` in use; default 0
+    position: m, a point of the plane, each up to 1e9 in magnitude; default 0
+    normal: upward, any length but 0; default 0, 1, 0
+    density: kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density
+    viscosity: m^2/s, kinematic, 1e-12 to 1e3; default 1e-6
+    current: m/s, velocity of the water, each up to 1000 in magnitude; default 0
+    reach: m, 0 to 1e6: the farthest that a callback's surface lies from the plane; default 0
+    waves
+    """
+    __slots__ = ('wave_count', 'position', 'normal', 'density', 'viscosity', 'current', 'reach', 'waves')
+    wave_count: int
+    position: np.ndarray
+    normal: np.ndarray
+    density: float
+    viscosity: float
+    current: np.ndarray
+    reach: float
+    waves: np.ndarray
 
 
 class StepReport(Record):
-    """What the last step did, and what it left out. Batches without bodies do not count.
+    """Work done and postponed by the last step. Batches without bodies are not counted.
 
     batches_stepped
-    batches_waiting: not due, by their own divisors
-    batches_passed_over: due, but the budget did not reach them
-    body_substeps: done
-    body_substeps_wanted: of the batches that were due, without a budget
-    behind: s: how far the bodies that have waited longest are behind the world's time
-    lost: s: the most that a batch lost in this step: bodies go in slow motion rather than in too long substeps
+    batches_waiting: not due, because of their divisors
+    batches_passed_over: due, but out of budget
+    body_substeps: done in this step
+    body_substeps_wanted: of the batches that were due, as without a budget
+    behind: s: the longest time by which a batch is behind the world
+    lost: s: the most simulated time that a batch lost in this step: rather than take substeps that are too long, bodies move in slow motion
     """
     __slots__ = ('batches_stepped', 'batches_waiting', 'batches_passed_over', 'body_substeps', 'body_substeps_wanted', 'behind', 'lost')
     batches_stepped: int
@@ -401,15 +470,54 @@ class StepReport(Record):
     lost: float
 
 
+class Timings(Record):
+    """Seconds that the phases of the last step took on the stepping thread, by a monotonic clock. `total` also includes
+    the work between phases. Phases that did not occur are 0. Neither part of snapshots nor of the world's hash.
+
+    total
+    colliders: waking what is about to be hit, moving colliders, sorting them for the search
+    wind: preparing the wind's fields; bodies evaluate them as part of their motion
+    motion: of batches without body contact: loads, wind, water, contact with colliders
+    body_contact: of batches with body contact: their motion, and the contact between their bodies
+    wake: finding sleeping bodies that wind or water moves
+    emit_and_rules: ends, spawns, divergence, and falling asleep
+    events: listing and sorting them
+    """
+    __slots__ = ('total', 'colliders', 'wind', 'motion', 'body_contact', 'wake', 'emit_and_rules', 'events')
+    total: float
+    colliders: float
+    wind: float
+    motion: float
+    body_contact: float
+    wake: float
+    emit_and_rules: float
+    events: float
+
+
+class LoadGains(Record):
+    """Artistic control of AERODYNAMIC loads. The factors multiply the coefficients, so bodies still move physically.
+
+    drag: on translation, 0 to 100; default 1
+    lift: and its moment, 0 to 100; default 1
+    spin_drag: 0 to 100; default 1
+    turbulence: intensity of the body's own wake, 0 to 100; default 1
+    """
+    __slots__ = ('drag', 'lift', 'spin_drag', 'turbulence')
+    drag: float
+    lift: float
+    spin_drag: float
+    turbulence: float
+
+
 class BatchPace(Record):
-    """How a batch keeps up with its world.
+    """How a batch keeps pace with its world.
 
     divisor: as set
-    substeps: in the last step of the world; 0: it waited
+    substeps: in the world's last step; 0: it waited
     waited: steps since it was last stepped
-    behind: s: the same as time
-    lost: s, in all: what its bodies' clocks are slow by
-    body_substeps: in all
+    behind: s since it was last stepped
+    lost: s, simulated time lost in total
+    body_substeps: in total
     """
     __slots__ = ('divisor', 'substeps', 'waited', 'behind', 'lost', 'body_substeps')
     divisor: int
@@ -423,24 +531,50 @@ class BatchPace(Record):
 class BodyState(Record):
     """What lr_body_state says.
 
-    key: read only: ignored by lr_body_set_state
+    noise_seed: read only: ignored by lr_body_set_state
     position: m, of the centre of mass, world frame
     orientation: unit quaternion x y z w, body to world
     linear_velocity: m/s, of the centre of mass, world frame
     angular_velocity: rad/s, world frame
     scale: 0.001 to 1000
     age: s, 0 to 1e9
-    resting: `Rest`; read only
+    sleep_state: `Sleep`; read only
+    user: as in lr_body_desc
     """
-    __slots__ = ('key', 'position', 'orientation', 'linear_velocity', 'angular_velocity', 'scale', 'age', 'resting')
-    key: int
+    __slots__ = ('noise_seed', 'position', 'orientation', 'linear_velocity', 'angular_velocity', 'scale', 'age', 'sleep_state', 'user')
+    noise_seed: int
     position: np.ndarray
     orientation: np.ndarray
     linear_velocity: np.ndarray
     angular_velocity: np.ndarray
     scale: float
     age: float
-    resting: Rest
+    sleep_state: Sleep
+    user: int
+    _enums = {'sleep_state': Sleep}
+
+
+class BatchForce(Record):
+    """Forces on every body of a batch, until changed. All default to 0; each component up to 1e9 in magnitude.
+
+    force: N, world frame
+    torque: N m, world frame
+    acceleration: m/s^2, world frame; of the body, whatever its mass
+    angular_acceleration: rad/s^2, world frame
+    body_force: N, body frame
+    body_torque: N m, body frame
+    body_acceleration: m/s^2, body frame
+    body_angular_acceleration: rad/s^2, body frame
+    """
+    __slots__ = ('force', 'torque', 'acceleration', 'angular_acceleration', 'body_force', 'body_torque', 'body_acceleration', 'body_angular_acceleration')
+    force: np.ndarray
+    torque: np.ndarray
+    acceleration: np.ndarray
+    angular_acceleration: np.ndarray
+    body_force: np.ndarray
+    body_torque: np.ndarray
+    body_acceleration: np.ndarray
+    body_angular_acceleration: np.ndarray
 
 
 class ColliderState(Record):
@@ -449,8 +583,8 @@ class ColliderState(Record):
     kind: `ColliderKind`
     position: m, world frame
     orientation: unit quaternion x y z w, collider to world
-    linear_velocity: m/s, that it has until told otherwise; 0 while `MoveMode.TO` is pending
-    angular_velocity: rad/s, world frame; alike
+    linear_velocity: m/s, that lasts until changed; 0 while `MoveMode.TO` is pending
+    angular_velocity: rad/s, world frame, that lasts until changed; 0 while `MoveMode.TO` is pending
     friction
     restitution
     layers
@@ -469,15 +603,15 @@ class ColliderState(Record):
 
 
 class BatchContact(Record):
-    """How the bodies of a batch meet colliders. Of a pair, friction is the geometric mean of both and restitution the larger.
-    Bodies touch with their hull, reduced to 32 points at most, or as the ellipsoid that they are.
+    """How bodies of a batch collide. A contact uses the geometric mean of both frictions and the larger restitution. A body
+    collides as its hull, reduced to at most 32 points, or as an ellipsoid if its asset is one.
 
-    layers: bit mask: colliders that are in one of these are met; initially all; 0: none
-    friction: coefficient of Coulomb friction, 0 to 10; initially 0.5
-    restitution: speed after over speed before an impact, 0 to 1; initially 0.1
-    rolling_resistance: moment against rolling and spinning over normal force and a lever, 0 to 10; initially 0.05. The lever is the geometric mean of reach and half of the least width: a sphere's radius
-    flags: `EventKind`; initially 0
-    ground_effect: the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and heightfields gives in theory; initially 0. docs/maintainers/contact.md
+    layers: bits: collides with colliders that share at least one; default all; 0: none
+    friction: coefficient of Coulomb friction, 0 to 10; default 0.5
+    restitution: speed after an impact over speed before it, 0 to 1; default 0.1
+    rolling_resistance: moment against rolling and spinning over normal force times lever, 0 to 10; default 0.05. The lever is the geometric mean of reach and half the thickness: of a sphere, its radius
+    flags: bits: `ContactFlags.NEVER_SLEEP`; default 0
+    ground_effect: air cushion under a sheet that settles on a plane or heightfield, as a share of theory, 0 to 1; default 0. docs/maintainers/contact.md
     """
     __slots__ = ('layers', 'friction', 'restitution', 'rolling_resistance', 'flags', 'ground_effect')
     layers: int
@@ -488,38 +622,93 @@ class BatchContact(Record):
     ground_effect: float
 
 
-class BatchEvents(Record):
-    """What rules and emitter did in the last step, and since the batch began.
+class BatchRules(Record):
+    """When the bodies of a batch end. Diverged bodies end under any rules, unless lr_batch_set_divergence_policy holds
+    them.
 
-    born: by rate and bursts
+    action: `EndAction`; default `EndAction.DESTROY`
+    max_age: s, up to 1e9; default 0: no limit
+    volume_count: elements of `volumes` in use; default 0
+    volumes: tested with the centre of mass
+    """
+    __slots__ = ('action', 'max_age', 'volume_count', 'volumes')
+    action: int
+    max_age: float
+    volume_count: int
+    volumes: np.ndarray
+
+
+class Emitter(Record):
+    """How bodies of a batch spawn. Random values depend only on the world's seed, the body's noise seed, and the number of
+    times it has respawned.
+
+    shape: `EmitShape`; default `EmitShape.POINT`
+    position: m, centre of the shape; default 0
+    orientation: of the shape, x y z w, normalised by the call; default 0 0 0 1
+    size: m, half extents or semi-axes along the shape's own axes, 0 to 1e9; default 0
+    pose: `Pose`, of the bodies; default `Pose.RANDOM`
+    body_orientation: body to world, normalised by the call; default 0 0 0 1
+    direction: of the velocity, world frame, any length but 0; default 0, -1, 0
+    spread: rad, half angle of a cone about `direction`, filled evenly, 0 to pi; default 0
+    speed_min: m/s, uniform in this range; default 0
+    speed_max: m/s, uniform in this range; default 0
+    spin_min: rad/s, uniform in this range, about a random axis; default 0
+    spin_max: rad/s, uniform in this range, about a random axis; default 0
+    scale_min: uniform in this range; default 1
+    scale_max: uniform in this range; default 1
+    rate: spawns per second, 0 to 1e9; default 0: bodies respawn, but none are added
+    burst_interval: s between bursts, >= 1e-4
+    burst_count: spawns in each burst; default 0: no bursts
+    """
+    __slots__ = ('shape', 'position', 'orientation', 'size', 'pose', 'body_orientation', 'direction', 'spread', 'speed_min', 'speed_max', 'spin_min', 'spin_max', 'scale_min', 'scale_max', 'rate', 'burst_interval', 'burst_count')
+    shape: int
+    position: np.ndarray
+    orientation: np.ndarray
+    size: np.ndarray
+    pose: int
+    body_orientation: np.ndarray
+    direction: np.ndarray
+    spread: float
+    speed_min: float
+    speed_max: float
+    spin_min: float
+    spin_max: float
+    scale_min: float
+    scale_max: float
+    rate: float
+    burst_interval: float
+    burst_count: int
+
+
+class BatchCounts(Record):
+    """Numbers of bodies that rules ended and the emitter spawned in the last step, and totals since the batch was created.
+    lr_world_get_events names the bodies.
+
+    spawned: by rate and bursts
     destroyed: by the rules
     respawned
-    missed: births for which there was no room
-    by_not_finite: Why bodies ended: the first cause that held, in this order. bodies that have left physics: lr_batch_set_fault_policy
+    missed: spawns dropped for lack of room
+    by_divergence: Why bodies ended: the first cause that applied, in this order. diverged: lr_batch_set_divergence_policy
     by_age
     by_volume
-    total_born: with those of lr_batch_emit
+    diverged: bodies that diverged in the last step, held or ended
+    total_spawned: including lr_batch_spawn
     total_destroyed
     total_respawned
     total_missed
-    ended_ids: destroyed or respawned in the last step: destroyed + respawned of them, in no order
-    born_ids: `born` of them
-    faulted: bodies that have left physics in the last step, held or ended
-    total_faulted: since the batch began
+    total_diverged
     """
-    __slots__ = ('born', 'destroyed', 'respawned', 'missed', 'by_not_finite', 'by_age', 'by_volume', 'total_born', 'total_destroyed', 'total_respawned', 'total_missed', 'ended_ids', 'born_ids', 'faulted', 'total_faulted')
-    born: int
+    __slots__ = ('spawned', 'destroyed', 'respawned', 'missed', 'by_divergence', 'by_age', 'by_volume', 'diverged', 'total_spawned', 'total_destroyed', 'total_respawned', 'total_missed', 'total_diverged')
+    spawned: int
     destroyed: int
     respawned: int
     missed: int
-    by_not_finite: int
+    by_divergence: int
     by_age: int
     by_volume: np.ndarray
-    total_born: int
+    diverged: int
+    total_spawned: int
     total_destroyed: int
     total_respawned: int
     total_missed: int
-    ended_ids: np.ndarray
-    born_ids: np.ndarray
-    faulted: int
-    total_faulted: int
+    total_diverged: int

@@ -133,4 +133,4 @@ def call(name: str, *arguments: Any) -> None:
     """Calls a function that has a status and no world, and raises what it says."""
     status = getattr(library(), name)(*arguments)
     if status:
-        raise error(status, name)
+        raise error(status, name, library().lr_last_error().decode(errors="replace"))

@@ -51,20 +51,12 @@ LR_SIMD_WASM = 5
 LR_SIMD_PLAIN = 6
 LR_ASSET_DIAGONAL = 1
 LR_CHECK_THREADS = 1
-LR_WIND_NONE = 0
-LR_WIND_UNIFORM = 1
-LR_WIND_SOURCE_GUSTS = 1
-LR_WIND_SOURCE_RANKINE = 2
-LR_WIND_SOURCE_LAMB_OSEEN = 3
-LR_WIND_SOURCE_POINT_BLOWER = 4
-LR_WIND_SOURCE_LINE_BLOWER = 5
-LR_WIND_SOURCE_TURBULENCE = 6
-LR_WIND_SOURCE_GRID = 7
-LR_WIND_SOURCE_GROUND = 8
+LR_MAX_WIND_SOURCES = 64
+LR_VORTEX_LAMB_OSEEN = 0
+LR_VORTEX_RANKINE = 1
 LR_WIND_OUTSIDE_ZERO = 0
 LR_WIND_OUTSIDE_CLAMP = 1
 LR_WIND_OUTSIDE_REPEAT = 2
-LR_MAX_WIND_SOURCES = 64
 LR_MAX_WIND_SAMPLES = 67108864
 LR_MAX_WAVES = 8
 LR_RECORD_CALLBACKS = 1
@@ -85,9 +77,9 @@ LR_TRANSFORM_3X4_ROW_MAJOR = 2
 LR_TRANSFORM_3X4_COLUMN_MAJOR = 3
 LR_TRANSFORM_4X4_ROW_MAJOR = 4
 LR_TRANSFORM_4X4_COLUMN_MAJOR = 5
-LR_REST_AWAKE = 0
-LR_REST_RESTING = 1
-LR_REST_HELD = 2
+LR_SLEEP_AWAKE = 0
+LR_SLEEP_ASLEEP = 1
+LR_SLEEP_HELD = 2
 LR_FORCE_MODE_FORCE = 0
 LR_FORCE_MODE_ACCELERATION = 1
 LR_FORCE_MODE_IMPULSE = 2
@@ -108,20 +100,24 @@ LR_MAX_COLLIDER_VERTICES = 67108864
 LR_MOVE_TO = 1
 LR_MOVE_PLACE = 2
 LR_MOVE_VELOCITY = 3
-LR_CONTACT_NEVER_REST = 1
-LR_CONTACT_BEGIN = 1
-LR_CONTACT_END = 2
-LR_BODY_LANDED = 3
-LR_BODY_WOKE = 4
-LR_BODY_KILLED = 5
-LR_BODY_FAULTED = 6
-LR_EVENTS_BEGIN = 1
-LR_EVENTS_END = 2
-LR_EVENTS_LANDED = 4
-LR_EVENTS_WOKE = 8
-LR_EVENTS_KILLED = 16
-LR_EVENTS_FAULTED = 32
-LR_EVENTS_ALL = 63
+LR_CONTACT_NEVER_SLEEP = 1
+LR_EVENT_SPAWNED = 1
+LR_EVENT_HIT = 2
+LR_EVENT_LIFTED = 3
+LR_EVENT_LANDED = 4
+LR_EVENT_WOKE = 5
+LR_EVENT_KILLED = 6
+LR_EVENT_RESPAWNED = 7
+LR_EVENT_DIVERGED = 8
+LR_EVENTS_SPAWNED = 1
+LR_EVENTS_HIT = 2
+LR_EVENTS_LIFTED = 4
+LR_EVENTS_LANDED = 8
+LR_EVENTS_WOKE = 16
+LR_EVENTS_KILLED = 32
+LR_EVENTS_RESPAWNED = 64
+LR_EVENTS_DIVERGED = 128
+LR_EVENTS_ALL = 255
 LR_RAY_BODIES = 1
 LR_RAY_COLLIDERS = 2
 LR_OVERLAP_SPHERE = 1
@@ -134,9 +130,9 @@ LR_VOLUME_SPHERE = 2
 LR_KILL_INSIDE = 0
 LR_KILL_OUTSIDE = 1
 LR_MAX_KILL_VOLUMES = 8
-LR_FAULT_AUTO = 0
-LR_FAULT_FREEZE = 1
-LR_FAULT_REMOVE = 2
+LR_DIVERGENCE_AUTO = 0
+LR_DIVERGENCE_FREEZE = 1
+LR_DIVERGENCE_REMOVE = 2
 LR_EMIT_POINT = 0
 LR_EMIT_BOX = 1
 LR_EMIT_SPHERE = 2
@@ -156,34 +152,39 @@ class lr_asset(ctypes.Structure):
 
 
 lr_task_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32)
-lr_task_fn.__doc__ = """Tasks of an engine's job system, in place of the world's own threads: docs/reference/stepping.md. Both functions are given or neither.
+lr_task_fn.__doc__ = """Runs the world's tasks on an engine's job system instead of on threads of its own: docs/reference/stepping.md. Set
+both functions or neither.
 
-`enqueue` has run(task, begin, end) called for ranges that together hold each of the indices 0 to count - 1 once, in
-any order, on any threads, at any time from now on until `finish` returns: one call for all, one for each, or what a
-parallel-for makes of it, also right away inside `enqueue`. It returns a token for `finish`, of any value.
-`finish` returns when all of these calls have returned. It is called exactly once for each `enqueue`, by the same thread.
-Its thread had best run what has not begun itself: the world's caller does its share first, so that late tasks find
-nothing left to do, and return at once.
+`enqueue` starts a task: call run(task, begin, end) for ranges that together cover each index from 0 to count - 1
+exactly once. Any split, order and threads will do, from one call for all indices to a parallel-for, and calls may be
+made inside `enqueue`. All must have returned when `finish` returns. The returned token is passed to `finish`; any
+value is allowed.
+`finish` waits for the task. It is called exactly once for each `enqueue`, on the same thread. While it waits, it
+should run calls that have not started: the stepping thread does its share of the work first, so these find nothing
+left to do and return at once.
 
-Indices stand for threads, not for pieces of work, which the tasks share out among themselves: how they are spread changes
-speed, never results. Both are called within lr_world_step alone, by its thread, in the floating-point mode that it came
-with; tasks set and restore their own. Neither may throw, longjmp, or call the library on the same world; nor may run()
-be called after `finish`.
+An index stands for a thread, not for a piece of work: tasks share out the work among themselves, so the split
+affects speed, never results. Both functions are called only during lr_world_step, on the thread that called it and
+in that thread's floating-point mode; tasks set and restore their own. Neither may throw, longjmp, or call the
+library on the same world. Do not call run() after `finish`.
 """
 
 
 lr_log_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int32, ctypes.c_char_p)
-lr_log_fn.__doc__ = """Receives a message, valid during the call only. Called from the thread that calls the library: with LR_CHECK_THREADS also
-while another thread's call on the world goes on. Must not call the library on the same world. May be null.
+lr_log_fn.__doc__ = """Receives a log message, valid during the call only. Called on the thread that calls the library; with
+LR_CHECK_THREADS possibly while another thread is inside a call on the world. Must not call the library on the same
+world. May be null.
 """
 
 
 lr_fault_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_char_p)
-lr_fault_fn.__doc__ = """One numbered fault of an asset file; see docs/reference/asset_format.md. Strings are valid during the call only."""
+lr_fault_fn.__doc__ = """Receives one numbered fault of an asset file; docs/reference/asset_format.md lists them. Strings are valid during the
+call only.
+"""
 
 
 class lr_wind_query(ctypes.Structure):
-    """What a wind callback is asked. Arrays have one value a body."""
+    """Input and output of a wind callback. Arrays hold one value per body."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('count', ctypes.c_uint32),
@@ -198,16 +199,18 @@ class lr_wind_query(ctypes.Structure):
 
 
 lr_wind_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.POINTER(lr_wind_query))
-lr_wind_fn.__doc__ = """Called once for each body and substep, in no certain order, from the thread that steps and from the world's workers, or the
-job system's, at the same time (with worker_count 0 from the stepping thread alone). Results must depend on nothing but position, time
-and batch for the world to be deterministic. Must not call the library on the same world, throw, or keep pointers. A
-body whose values are not finite, or over 1000 m/s, gets 0 for all of them, and a warning is logged once after the
-step.
+lr_wind_fn.__doc__ = """Called with each body once per substep, in no particular order. Calls come at the same time from the stepping thread
+and from the world's workers or the job system's threads; with worker_count 0 from the stepping thread alone. For a
+deterministic world the results must depend only on position, time and batch. Must not call the library on the same
+world, throw, or keep pointers. If a body's results are not finite, or exceed 1000 m/s, all of them are taken as 0,
+and one warning is logged after the step.
 """
 
 
-class lr_surface_query(ctypes.Structure):
-    """What a surface callback is asked. Arrays have one value a body, and hold what plane and waves give at first."""
+class lr_water_query(ctypes.Structure):
+    """Input and output of a water surface callback. Arrays hold one value per body; outputs are preset to the values of the
+    plane and its waves.
+    """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('count', ctypes.c_uint32),
@@ -222,28 +225,28 @@ class lr_surface_query(ctypes.Structure):
     ]
 
 
-lr_surface_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.POINTER(lr_surface_query))
-lr_surface_fn.__doc__ = """Called for bodies near the surface: once, and twice more for each substep; on what terms: as lr_wind_fn.
-A body whose values are not finite, too large (heights over `reach`, velocities over 1000 m/s, accelerations over
-1e6 m/s^2), or whose normal is none gets those of the plane, and a warning is logged once
-after the step.
+lr_water_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.POINTER(lr_water_query))
+lr_water_fn.__doc__ = """Called for bodies near the water surface: once, and twice more in each substep. Threads and restrictions: as for
+lr_wind_fn. A body's results are replaced by the plane's if one is not finite, if a height exceeds `reach`, a
+velocity 1000 m/s or an acceleration 1e6 m/s^2, or if the normal is invalid; one warning is then logged after the
+step.
 """
 
 
 lr_record_fn = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64)
-lr_record_fn.__doc__ = """Takes the next `size` bytes of a recording, valid during the call only: append them to a file, or to a ring in memory.
-Returns 0; anything else ends the recording. Called within functions that take the world, by their thread; with
-LR_RECORD_CALLBACKS also by those that run wind and surface callbacks, never by two at a time. Must not call the library on
-the same world, throw or longjmp.
+lr_record_fn.__doc__ = """Receives the next `size` bytes of a recording, valid during the call only: append them to a file or a ring buffer.
+Return 0, or anything else to end the recording. Called inside functions that take the world, on their thread. With
+LR_RECORD_CALLBACKS it is also called on the threads that run wind and water callbacks, but never by two at a time.
+Must not call the library on the same world, throw or longjmp.
 """
 
 
 class lr_allocator(ctypes.Structure):
-    """Where a world takes its memory from. Both functions are given or neither; neither means the C library's.
+    """The allocator of a world. Set both functions, or neither to use the C library's.
     `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most 128), or null.
-    `release` gets the very size and alignment that were asked for. Called only from the thread that calls the library,
-    during lr_world_step only where bodies meet each other (lr_batch_set_pair_contact) in greater number than ever before.
-    Must not call the library on the same world.
+    `release` receives the same size and alignment as the matching `allocate`. Both are called only on the thread that
+    calls the library. lr_world_step calls them only when more bodies touch each other than ever before
+    (lr_batch_set_body_contact). Neither may call the library on the same world.
     """
     _fields_ = [
         ('user', ctypes.c_void_p),
@@ -262,8 +265,8 @@ class lr_job_system(ctypes.Structure):
 
 
 class lr_ellipsoid_desc(ctypes.Structure):
-    """A solid ellipsoid, with everything from closed forms: mass, Lamb's added mass, and the decay of k and epsilon in a
-    uniform stream. The quickest way to a first falling body.
+    """A solid ellipsoid: the quickest way to a first falling body. Mass, added mass (Lamb) and the decay of k and epsilon
+    in a uniform stream come from closed forms.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -278,10 +281,10 @@ class lr_ellipsoid_desc(ctypes.Structure):
 
 
 class lr_aerodynamics(ctypes.Structure):
-    """Coefficients of the quasi-steady loads at scale 1; equations in docs/maintainers/physics.md, AERODYNAMIC. Everything acts at
-    `center` along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
-    spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
-    the fluid.
+    """Coefficients of the quasi-steady loads (LR_LOADS_AERODYNAMIC) at scale 1; equations: docs/maintainers/physics.md,
+    AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
+    Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
+    lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -309,8 +312,8 @@ class lr_aerodynamics(ctypes.Structure):
 
 
 class lr_rigid_desc(ctypes.Structure):
-    """A body whose numbers are known, without mesh or file: from another solver, from measurements, or a section of a card in
-    two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes.
+    """A body of known numbers without a mesh or file: from another solver, from measurements, or the cross-section of a
+    card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -329,7 +332,7 @@ class lr_rigid_desc(ctypes.Structure):
 
 
 class lr_asset_info(ctypes.Structure):
-    """What an asset is. Matrices are row-major and symmetric."""
+    """Properties of an asset. Matrices are row-major and symmetric."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('flags', ctypes.c_uint32),
@@ -378,7 +381,7 @@ class lr_world_desc(ctypes.Structure):
 
 
 class lr_world_info(ctypes.Structure):
-    """lr_world_info: 64 bytes."""
+    """lr_world_info: 88 bytes."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('simd_target', ctypes.c_int32),
@@ -390,51 +393,100 @@ class lr_world_info(ctypes.Structure):
         ('memory_bytes', ctypes.c_uint64),
         ('collider_count', ctypes.c_uint64),
         ('awake_count', ctypes.c_uint64),
-    ]
-
-
-class lr_wind_desc(ctypes.Structure):
-    """lr_wind_desc: 24 bytes."""
-    _fields_ = [
-        ('struct_size', ctypes.c_uint32),
-        ('kind', ctypes.c_int32),
-        ('velocity', ctypes.c_float * 3),
+        ('budget', ctypes.c_uint64),
+        ('gravity', ctypes.c_float * 3),
         ('reserved', ctypes.c_uint32),
     ]
 
 
-class lr_wind_source_desc(ctypes.Structure):
-    """Fields that a kind does not have are not used, but must be in range. Lengths up to 1e6 m, speeds up to 1000 m/s."""
+class lr_gusts_desc(ctypes.Structure):
+    """Gusts: fluctuations of the uniform wind in time, with mean 0. They start from 0 when added, the fast ones first, and
+    reach full strength after 4 integral times; an update continues them.
+    """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
-        ('kind', ctypes.c_int32),
+        ('seed', ctypes.c_uint32),
+        ('direction', ctypes.c_float * 3),
+        ('rms', ctypes.c_float),
+        ('angle_rms', ctypes.c_float),
+        ('integral_time', ctypes.c_float),
+    ]
+
+
+class lr_vortex_desc(ctypes.Structure):
+    """A straight vortex."""
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
+        ('core', ctypes.c_int32),
+        ('position', ctypes.c_float * 3),
+        ('axis', ctypes.c_float * 3),
+        ('velocity', ctypes.c_float * 3),
+        ('circulation', ctypes.c_float),
+        ('core_radius', ctypes.c_float),
+        ('outer_radius', ctypes.c_float),
+        ('half_length', ctypes.c_float),
+    ]
+
+
+class lr_blower_desc(ctypes.Structure):
+    """A blower: a turbulent jet, round or from a slot."""
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
         ('position', ctypes.c_float * 3),
         ('direction', ctypes.c_float * 3),
         ('side', ctypes.c_float * 3),
         ('velocity', ctypes.c_float * 3),
         ('speed', ctypes.c_float),
-        ('circulation', ctypes.c_float),
-        ('size', ctypes.c_float),
-        ('radius', ctypes.c_float),
+        ('nozzle_radius', ctypes.c_float),
         ('half_length', ctypes.c_float),
         ('range', ctypes.c_float),
         ('spread', ctypes.c_float),
-        ('period', ctypes.c_float),
-        ('reference_height', ctypes.c_float),
-        ('octaves', ctypes.c_uint32),
+    ]
+
+
+class lr_turbulence_desc(ctypes.Structure):
+    """Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind."""
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
         ('seed', ctypes.c_uint32),
+        ('octaves', ctypes.c_uint32),
+        ('velocity', ctypes.c_float * 3),
+        ('rms', ctypes.c_float),
+        ('integral_length', ctypes.c_float),
+        ('eddy_life', ctypes.c_float),
+    ]
+
+
+class lr_wind_grid_desc(ctypes.Structure):
+    """Samples of wind on a lattice, in one or more frames that are played in a loop."""
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
         ('outside', ctypes.c_int32),
+        ('position', ctypes.c_float * 3),
+        ('velocity', ctypes.c_float * 3),
+        ('spacing', ctypes.c_float * 3),
         ('counts', ctypes.c_uint32 * 3),
         ('frames', ctypes.c_uint32),
-        ('spacing', ctypes.c_float * 3),
-        ('reserved', ctypes.c_uint32),
+        ('frame_time', ctypes.c_float),
         ('samples', ctypes.POINTER(ctypes.c_float)),
     ]
 
 
+class lr_ground_wind_desc(ctypes.Structure):
+    """A logarithmic profile over the ground, a plane: scales the uniform wind and the gusts."""
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
+        ('position', ctypes.c_float * 3),
+        ('normal', ctypes.c_float * 3),
+        ('velocity', ctypes.c_float * 3),
+        ('roughness_length', ctypes.c_float),
+        ('reference_height', ctypes.c_float),
+    ]
+
+
 class lr_wave(ctypes.Structure):
-    """A long-crested wave of deep water. Heights add; its frequency sqrt(2 pi g/length) is that of the world's gravity when
-    the surface is set.
+    """A long-crested deep-water wave. Heights of waves add up. The frequency sqrt(2 pi g/length) uses the world's gravity
+    at the time of lr_world_set_water.
     """
     _fields_ = [
         ('direction', ctypes.c_float * 3),
@@ -444,10 +496,8 @@ class lr_wave(ctypes.Structure):
     ]
 
 
-class lr_surface_desc(ctypes.Structure):
-    """The lower fluid fills everything below a plane, or below the waves on it. Above is the fluid of the world or of each
-    batch's asset. Bodies float, sink, and go through; surface tension is ignored.
-    """
+class lr_water_desc(ctypes.Structure):
+    """The water surface. Water fills everything below it; above it is the fluid of the world or of each batch's asset."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('wave_count', ctypes.c_uint32),
@@ -462,7 +512,7 @@ class lr_surface_desc(ctypes.Structure):
 
 
 class lr_step_report(ctypes.Structure):
-    """What the last step did, and what it left out. Batches without bodies do not count."""
+    """Work done and postponed by the last step. Batches without bodies are not counted."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('batches_stepped', ctypes.c_uint32),
@@ -472,6 +522,24 @@ class lr_step_report(ctypes.Structure):
         ('body_substeps_wanted', ctypes.c_uint64),
         ('behind', ctypes.c_double),
         ('lost', ctypes.c_double),
+    ]
+
+
+class lr_timings(ctypes.Structure):
+    """Seconds that the phases of the last step took on the stepping thread, by a monotonic clock. `total` also includes
+    the work between phases. Phases that did not occur are 0. Neither part of snapshots nor of the world's hash.
+    """
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
+        ('reserved', ctypes.c_uint32),
+        ('total', ctypes.c_double),
+        ('colliders', ctypes.c_double),
+        ('wind', ctypes.c_double),
+        ('motion', ctypes.c_double),
+        ('body_contact', ctypes.c_double),
+        ('wake', ctypes.c_double),
+        ('emit_and_rules', ctypes.c_double),
+        ('events', ctypes.c_double),
     ]
 
 
@@ -519,7 +587,7 @@ class lr_turbulence_table(ctypes.Structure):
 
 
 class lr_load_gains(ctypes.Structure):
-    """Art control of the AERODYNAMIC loads: factors on top of the coefficients, so that motion stays that of some body."""
+    """Artistic control of AERODYNAMIC loads. The factors multiply the coefficients, so bodies still move physically."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('reserved', ctypes.c_uint32),
@@ -531,7 +599,7 @@ class lr_load_gains(ctypes.Structure):
 
 
 class lr_batch_pace(ctypes.Structure):
-    """How a batch keeps up with its world."""
+    """How a batch keeps pace with its world."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('divisor', ctypes.c_uint32),
@@ -544,9 +612,9 @@ class lr_batch_pace(ctypes.Structure):
 
 
 class lr_batch_view(ctypes.Structure):
-    """The state of a batch where it lies: arrays with one value a body, `count` of them, 64-byte aligned. Bodies are dense:
-    those that move come first, then those at rest, and where one leaves its part of them, the last of that part takes its
-    place. Pointers are valid until the next call that is not a query.
+    """Read access to a batch's state without a copy: arrays of `count` values, one per body, 64-byte aligned. Awake bodies
+    come first, then sleeping ones, without gaps. A body that leaves either part is replaced by the last one of that
+    part. Pointers are valid until the next call that is not a query.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -557,8 +625,9 @@ class lr_batch_view(ctypes.Structure):
         ('spin', ctypes.POINTER(ctypes.c_float) * 3),
         ('scale', ctypes.POINTER(ctypes.c_float)),
         ('age', ctypes.POINTER(ctypes.c_float)),
-        ('key', ctypes.POINTER(ctypes.c_uint32)),
+        ('noise_seed', ctypes.POINTER(ctypes.c_uint32)),
         ('ids', ctypes.POINTER(ctypes.c_uint64)),
+        ('user', ctypes.POINTER(ctypes.c_uint64)),
         ('capacity', ctypes.c_uint32),
         ('reserved', ctypes.c_uint32),
         ('revision', ctypes.c_uint64),
@@ -568,10 +637,10 @@ class lr_batch_view(ctypes.Structure):
 
 
 class lr_body_desc(ctypes.Structure):
-    """lr_body_desc: 72 bytes."""
+    """lr_body_desc: 80 bytes."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
-        ('key', ctypes.c_uint32),
+        ('noise_seed', ctypes.c_uint32),
         ('position', ctypes.c_float * 3),
         ('orientation', ctypes.c_float * 4),
         ('linear_velocity', ctypes.c_float * 3),
@@ -579,27 +648,28 @@ class lr_body_desc(ctypes.Structure):
         ('scale', ctypes.c_float),
         ('age', ctypes.c_float),
         ('reserved', ctypes.c_uint32),
+        ('user', ctypes.c_uint64),
     ]
 
 
 class lr_body_state(ctypes.Structure):
-    """lr_body_state: 76 bytes."""
+    """lr_body_state: 80 bytes."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
-        ('key', ctypes.c_uint32),
+        ('noise_seed', ctypes.c_uint32),
         ('position', ctypes.c_float * 3),
         ('orientation', ctypes.c_float * 4),
         ('linear_velocity', ctypes.c_float * 3),
         ('angular_velocity', ctypes.c_float * 3),
         ('scale', ctypes.c_float),
         ('age', ctypes.c_float),
-        ('reserved', ctypes.c_uint32),
-        ('resting', ctypes.c_int32),
+        ('sleep_state', ctypes.c_int32),
+        ('user', ctypes.c_uint64),
     ]
 
 
 class lr_body_force(ctypes.Structure):
-    """A force and a torque on one body, at the body's true size: a body of scale 2 has eight times the mass."""
+    """A force and a torque on one body. Scale matters: a body of scale 2 has eight times the mass."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('mode', ctypes.c_int32),
@@ -614,7 +684,7 @@ class lr_body_force(ctypes.Structure):
 
 
 class lr_force_arrays(ctypes.Structure):
-    """The same for many bodies of one batch, in the order of its view."""
+    """Forces on consecutive bodies of one batch, in the order of its view."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('mode', ctypes.c_int32),
@@ -628,7 +698,7 @@ class lr_force_arrays(ctypes.Structure):
 
 
 class lr_batch_force(ctypes.Structure):
-    """What acts on every body of a batch. All initially 0, each component up to 1e9 in magnitude."""
+    """Forces on every body of a batch, until changed. All default to 0; each component up to 1e9 in magnitude."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('reserved', ctypes.c_uint32),
@@ -644,7 +714,7 @@ class lr_batch_force(ctypes.Structure):
 
 
 class lr_collider_desc(ctypes.Structure):
-    """Fields that a kind does not have are not used."""
+    """A collider. Fields that its kind does not use are ignored. Arrays are copied."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('kind', ctypes.c_int32),
@@ -668,9 +738,8 @@ class lr_collider_desc(ctypes.Structure):
 
 
 class lr_collider_motion(ctypes.Structure):
-    """How one collider moves. Within a step its position goes evenly from where it begins to where it ends, and its
-    orientation by the normalised linear quaternion, the shorter way round: what turns by more than half a turn in a step
-    seems to turn by less.
+    """A motion of one collider. Within a step its position moves linearly and its orientation follows the normalised linear
+    quaternion, the shorter way round: rotations of more than half a turn per step appear shorter.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -700,8 +769,8 @@ class lr_collider_state(ctypes.Structure):
     ]
 
 
-class lr_collider_surface(ctypes.Structure):
-    """What can be changed of a collider besides its motion."""
+class lr_material(ctypes.Structure):
+    """The material of a collider."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('layers', ctypes.c_uint32),
@@ -711,8 +780,8 @@ class lr_collider_surface(ctypes.Structure):
 
 
 class lr_batch_contact(ctypes.Structure):
-    """How the bodies of a batch meet colliders. Of a pair, friction is the geometric mean of both and restitution the larger.
-    Bodies touch with their hull, reduced to 32 points at most, or as the ellipsoid that they are.
+    """How bodies of a batch collide. A contact uses the geometric mean of both frictions and the larger restitution. A body
+    collides as its hull, reduced to at most 32 points, or as an ellipsoid if its asset is one.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -726,29 +795,31 @@ class lr_batch_contact(ctypes.Structure):
     ]
 
 
-class lr_contact_event(ctypes.Structure):
-    """Never changes: 64 bytes, an element of arrays without gaps."""
+class lr_event(ctypes.Structure):
+    """One event: 64 bytes in arrays without gaps. This struct never changes after 0.2."""
     _fields_ = [
         ('kind', ctypes.c_int32),
         ('batch', ctypes.c_uint32),
         ('body', ctypes.c_uint64),
+        ('user', ctypes.c_uint64),
         ('collider', ctypes.c_uint64),
         ('position', ctypes.c_float * 3),
         ('normal', ctypes.c_float * 3),
         ('speed', ctypes.c_float),
         ('impulse', ctypes.c_float),
-        ('reserved', ctypes.c_uint32 * 2),
     ]
 
 
-class lr_contact_event_list(ctypes.Structure):
-    """lr_contact_event_list: 32 bytes."""
+class lr_event_list(ctypes.Structure):
+    """lr_event_list: 40 bytes."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('count', ctypes.c_uint32),
-        ('events', ctypes.POINTER(lr_contact_event)),
+        ('events', ctypes.POINTER(lr_event)),
         ('lost', ctypes.c_uint64),
         ('total_lost', ctypes.c_uint64),
+        ('capacity', ctypes.c_uint32),
+        ('kinds', ctypes.c_uint32),
     ]
 
 
@@ -767,9 +838,12 @@ class lr_ray(ctypes.Structure):
 
 
 class lr_ray_hit(ctypes.Structure):
-    """Never changes: 48 bytes, an element of arrays without gaps. All 0 where nothing is hit."""
+    """The first hit of a ray, all 0 if there is none: 56 bytes in arrays without gaps. This struct never changes after
+    0.2.
+    """
     _fields_ = [
         ('body', ctypes.c_uint64),
+        ('user', ctypes.c_uint64),
         ('collider', ctypes.c_uint64),
         ('distance', ctypes.c_float),
         ('position', ctypes.c_float * 3),
@@ -802,8 +876,8 @@ class lr_kill_volume(ctypes.Structure):
 
 
 class lr_batch_rules(ctypes.Structure):
-    """When the bodies of a batch end. A body that has left physics ends under any rules, unless lr_batch_set_fault_policy says
-    that it is held.
+    """When the bodies of a batch end. Diverged bodies end under any rules, unless lr_batch_set_divergence_policy holds
+    them.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -815,8 +889,8 @@ class lr_batch_rules(ctypes.Structure):
 
 
 class lr_emitter_desc(ctypes.Structure):
-    """How bodies of a batch are born. What is drawn for a body depends on the world's seed, its key, and how often it has
-    respawned, and on nothing else.
+    """How bodies of a batch spawn. Random values depend only on the world's seed, the body's noise seed, and the number of
+    times it has respawned.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -841,27 +915,25 @@ class lr_emitter_desc(ctypes.Structure):
     ]
 
 
-class lr_batch_events(ctypes.Structure):
-    """What rules and emitter did in the last step, and since the batch began."""
+class lr_batch_counts(ctypes.Structure):
+    """Numbers of bodies that rules ended and the emitter spawned in the last step, and totals since the batch was created.
+    lr_world_get_events names the bodies.
+    """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
-        ('born', ctypes.c_uint32),
+        ('spawned', ctypes.c_uint32),
         ('destroyed', ctypes.c_uint32),
         ('respawned', ctypes.c_uint32),
         ('missed', ctypes.c_uint32),
-        ('by_not_finite', ctypes.c_uint32),
+        ('by_divergence', ctypes.c_uint32),
         ('by_age', ctypes.c_uint32),
         ('by_volume', ctypes.c_uint32 * 8),
-        ('reserved', ctypes.c_uint32),
-        ('total_born', ctypes.c_uint64),
+        ('diverged', ctypes.c_uint32),
+        ('total_spawned', ctypes.c_uint64),
         ('total_destroyed', ctypes.c_uint64),
         ('total_respawned', ctypes.c_uint64),
         ('total_missed', ctypes.c_uint64),
-        ('ended_ids', ctypes.POINTER(ctypes.c_uint64)),
-        ('born_ids', ctypes.POINTER(ctypes.c_uint64)),
-        ('faulted', ctypes.c_uint32),
-        ('reserved_1', ctypes.c_uint32),
-        ('total_faulted', ctypes.c_uint64),
+        ('total_diverged', ctypes.c_uint64),
     ]
 
 
@@ -880,43 +952,43 @@ FIELD_DOCS = {
     'lr_ellipsoid_desc': {
         'semi_axes': 'm, each 1e-6 to 1e3, along body x, y, z',
         'density': 'kg/m^3 of the body, > 0',
-        'fluid_density': 'kg/m^3, > 0; initially 1.2, air',
-        'fluid_viscosity': 'm^2/s, kinematic, > 0; initially 1.5e-5, air',
-        'intensity': 'turbulence intensity I of k0 = 3/2 (I U0)^2, 0 to 10; initially 1, as in the paper',
-        'center_of_mass': 'm, from the centre of the ellipsoid, inside it; initially 0. A ballasted body: its centre of buoyancy stays at the centre, its moments of inertia those of the uniform solid',
+        'fluid_density': 'kg/m^3, > 0; default 1.2, air',
+        'fluid_viscosity': 'm^2/s, kinematic, > 0; default 1.5e-5, air',
+        'intensity': 'turbulence intensity I of k0 = 3/2 (I U0)^2, 0 to 10; default 1, as in the paper',
+        'center_of_mass': "m, from the ellipsoid's centre, inside it; default 0. For ballast: the centre of buoyancy and the moments of inertia stay those of the uniform solid",
     },
     'lr_aerodynamics': {
         'axes': 'rows: unit vectors in the body frame, right-handed',
-        'drag': 'Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v, Re = s d/nu, and along each axis -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. m^2, drag coefficient times area',
-        'drag_blunt': 'm^2, the part that grows with the Reynolds number: of rounded bodies',
-        'drag_layer': 'm^(3/2), of the boundary layer',
-        'drag_stokes': 'm, of creeping flow',
-        'lift': 'Lift rho G x v, G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i',
+        'drag': 'Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v with Re = s d/nu, and along each axis -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. m^2, drag coefficient times area',
+        'drag_blunt': 'm^2, the part of rounded bodies, which grows with the Reynolds number',
+        'drag_layer': 'm^(3/2), boundary layer',
+        'drag_stokes': 'm, creeping flow',
+        'lift': 'Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i',
         'spin_lift': 'm^3',
-        'lift_moment': 'm^3, moment rho lift_moment_k v_i v_j of that lift about k',
+        'lift_moment': 'm^3, moment of the lift about k: rho lift_moment_k v_i v_j',
         'spin_drag': 'Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5',
         'spin_drag_stream': 'm^4',
         'spin_drag_stokes': 'm^3',
-        'intensity': "of the velocity of the fluid in the body's own wake: per axis `intensity` times s. More than 0.4, gains included, acts as 0.4: such a wake would feed itself",
-        'length': 'm, correlated over length/s',
-        'wake_reynolds': 'that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar',
+        'intensity': "velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself",
+        'length': 'm: the fluctuations are correlated over length/s',
+        'wake_reynolds': 'scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar',
         'broadside': 'Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k sigma to lift_moment_k. 0 to 1',
         'lift_stall': '',
         'lift_moment_stalled': 'm^3',
-        'roll_damping': "Couple -rho g_k (g . w)/s, g_k = sqrt(roll_damping_k) v_k, on the part of the spin about the stream: a wing's roll. All >= 0. In a plane that spin is nought. m^4",
-        'center': 'm, where all of it acts, from the centre of buoyancy, body frame; initially 0; within 2 d',
+        'roll_damping': 'Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps roll; in plane motion this spin is 0. All >= 0. m^4',
+        'center': 'm, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0',
     },
     'lr_rigid_desc': {
         'mass': 'kg, > 0',
         'volume': 'm^3, > 0',
         'inertia': 'kg m^2, positive definite',
-        'added_mass': 'order vx vy vz wx wy wz, fluid density included as in lr_asset_info: kg, kg m, kg m^2; positive semi-definite; initially 0',
-        'center_of_buoyancy': 'm, from the centre of mass; initially 0',
-        'fluid_density': 'kg/m^3, > 0; initially 1.2, air',
-        'fluid_viscosity': 'm^2/s, kinematic, > 0; initially 1.5e-5, air',
+        'added_mass': 'kg, kg m, kg m^2: order vx vy vz wx wy wz, fluid density included, as in lr_asset_info; positive semi-definite; default 0',
+        'center_of_buoyancy': 'm, from the centre of mass; default 0',
+        'fluid_density': 'kg/m^3, > 0; default 1.2, air',
+        'fluid_viscosity': 'm^2/s, kinematic, > 0; default 1.5e-5, air',
         'extents': 'm, full size along the body axes, > 0',
-        'intensity': 'of the turbulence table, as in lr_ellipsoid_desc; initially 1',
-        'aerodynamics': 'copied; null, as initially: those of an ellipsoid with these extents',
+        'intensity': 'of the turbulence table, as in lr_ellipsoid_desc; default 1',
+        'aerodynamics': "copied; default null: an ellipsoid's with these extents",
     },
     'lr_asset_info': {
         'flags': '`AssetFlags`',
@@ -924,11 +996,11 @@ FIELD_DOCS = {
         'mass': 'kg',
         'volume': 'm^3',
         'density': 'kg/m^3',
-        'center_of_mass': 'm, in the frame of the mesh: where the body origin lies in it',
+        'center_of_mass': "m, in the frame of the mesh: the position of the body's origin in it",
         'center_of_buoyancy': 'm, from the centre of mass, body axes',
         'inertia': 'kg m^2, about the centre of mass, body axes',
         'added_mass': 'about the centre of mass, order vx vy vz wx wy wz, fluid density included: kg for the 3x3 block of v, kg m for the coupling, kg m^2 for the block of w',
-        'fluid_density': 'kg/m^3, of the fluid it was baked in',
+        'fluid_density': 'kg/m^3, of the fluid that the asset was baked in',
         'fluid_viscosity': 'm^2/s, kinematic',
         'length_d': 'm, characteristic length: the largest extent',
         'length_b': 'm, thickness',
@@ -938,343 +1010,386 @@ FIELD_DOCS = {
         'c0': 'Kolmogorov constant of the Langevin model, paper Eq. 10',
         'turbulence_dt': 's between table samples',
         'turbulence_count': 'number of table samples',
-        'hull_vertex_count': '0 for an asset without a hull',
+        'hull_vertex_count': '0: no hull',
         'hull_triangle_count': '',
-        'format_version': 'of the file; 0 for an asset without a file',
-        'content_hash': 'of everything that matters for motion; equal for equal assets',
+        'format_version': 'of the file; 0: created without a file',
+        'content_hash': 'of everything that affects motion; equal for equal assets',
     },
     'lr_world_desc': {
-        'worker_count': "threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With `jobs`: the most indices in one enqueue, as many as its threads but the caller's; 0: one less than this machine has threads, from 1 to 64, and a warning that it is a guess",
-        'seed': 'of all noise; initially 0',
-        'gravity': 'm/s^2; initially 0, -9.81, 0',
-        'fluid_density': 'kg/m^3, >= 0; initially 0: each batch in the fluid its asset was baked in',
-        'simd_target': '`SimdTarget`; initially `SimdTarget.AUTO`',
-        'fluid_viscosity': "m^2/s, kinematic, >= 0; initially 0: as each batch's asset was baked",
-        'allocator': "copied; initially null functions: the C library's",
-        'log': 'initially null: silence',
+        'worker_count': "threads besides the caller's, 0 to 64; default 0: everything runs on the caller's thread. With `jobs`: threads of the job system besides the caller's, and the most indices in one enqueue; 0 guesses the machine's threads less one, from 1 to 64, and logs a warning",
+        'seed': 'of all noise; default 0',
+        'gravity': 'm/s^2; default 0, -9.81, 0',
+        'fluid_density': 'kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in',
+        'simd_target': '`SimdTarget`; default `SimdTarget.AUTO`',
+        'fluid_viscosity': 'm^2/s, kinematic, >= 0; default 0: each batch uses the value its asset was baked with',
+        'allocator': "copied; default null functions: the C library's",
+        'log': 'default null: no messages',
         'log_user': '',
-        'jobs': "copied; initially null functions: worker_count threads of the world's own",
-        'checks': 'bits `WorldChecks`; initially 0',
+        'jobs': 'copied; default null functions: the world starts worker_count threads of its own',
+        'checks': 'bits `WorldChecks`: misuse to detect, for development; default 0',
     },
     'lr_world_info': {
-        'simd_target': 'what `SimdTarget.AUTO` became',
-        'worker_count': 'as in the desc; with jobs what 0 became',
+        'simd_target': '`SimdTarget`: in use, never `SimdTarget.AUTO`',
+        'worker_count': 'as in the desc; with `jobs` and 0: the guess',
         'batch_count': '',
         'body_count': '',
         'substep_count': 'substeps since creation; the time index of the noise',
         'time': 's since creation: the sum of all dt, in double',
-        'memory_bytes': 'taken from the allocator at present',
+        'memory_bytes': 'currently allocated',
         'collider_count': '',
-        'awake_count': 'bodies that are not at rest: lr_body_set_rest',
+        'awake_count': 'bodies that are not asleep: lr_body_set_sleep',
+        'budget': 'as set by lr_world_set_budget',
+        'gravity': 'm/s^2, as set by lr_world_set_gravity',
     },
-    'lr_wind_desc': {
-        'kind': '`WindKind`; initially `WindKind.UNIFORM`',
-        'velocity': 'm/s, each up to 1000 in magnitude; initially 0',
+    'lr_gusts_desc': {
+        'seed': "combined with the world's; default 0",
+        'direction': 'mean direction, any length but 0; default 1, 0, 0',
+        'rms': 'm/s, root mean square speed, 0 to 1000; default 1',
+        'angle_rms': 'rad, root mean square angle from `direction`, 0 to 1; default 0.1',
+        'integral_time': 's, up to 1e6; default 0: 4 s. IEC 61400-1: 5.67 times height over wind speed',
     },
-    'lr_wind_source_desc': {
-        'kind': '`WindSourceKind`; initially 0, which is none of them',
-        'position': "m: a point of the vortex axis (its middle, if half_length > 0), the nozzle's middle, the grid's first sample, a point of the ground; initially 0",
-        'direction': "any length but 0: the vortex axis (right-hand rule), where a blower blows, about where gusts blow, the ground's upward normal; initially 1, 0, 0",
-        'side': 'along the slot of a line blower, not along its direction; initially 0, 0, 1',
-        'velocity': 'm/s, of the source itself; initially 0',
-        'speed': 'm/s: of a blower at its nozzle; root mean square of gusts in all, of turbulence for each component; >= 0; initially 1',
-        'circulation': 'm^2/s, up to 1e6 in magnitude; initially 1',
-        'size': 'm, >= 1e-4: core radius, radius of the nozzle or half width of the slot, integral length of turbulence, roughness length of the ground (0.0001 water, 0.03 grass, 1 town); initially 1',
-        'radius': 'm: a vortex fades out from half of it on, to nothing at it; 0: no limit; initially 0',
-        'half_length': 'm: of a vortex, which fades likewise, 0 for no limit; of a slot; initially 0',
-        'range': 'm, >= size: a blower fades out from half of it on, to nothing at it; initially 10',
-        'spread': '0 to 1: widening of a jet per length, 0.11 as measured; gusts: root mean square angle in radians from `direction`; initially 0.1',
-        'period': 's: integral time of gusts, 0 for 4, as 2 m over the ground in 3 m/s (IEC 61400-1: 5.67 times the height over the speed); life of the largest eddies, 0 for size/speed; time from one frame to the next, 0 for 1; up to 1e6; initially 0',
-        'reference_height': "m: where the ground's factor is 1; >= size; initially 10",
-        'octaves': 'of turbulence, each half as large as the one before, 1 to 4; initially 2',
-        'seed': "of gusts and turbulence, together with the world's; initially 0",
-        'outside': '`WindOutside`; initially `WindOutside.ZERO`',
-        'counts': 'samples of a grid along x, y, z, each >= 1',
-        'frames': 'of a grid, shown one after the other and again from the first; >= 1; initially 1',
-        'spacing': 'm between samples, >= 1e-4; initially 1',
-        'samples': 'm/s, x y z of each sample; x varies fastest, then y, z, frame; copied',
+    'lr_vortex_desc': {
+        'core': '`VortexCore`; default `VortexCore.LAMB_OSEEN`',
+        'position': 'm, a point on the axis, its middle if half_length > 0; default 0',
+        'axis': 'right-hand rule, any length but 0; default 0, 1, 0',
+        'velocity': 'm/s, of the vortex itself; default 0',
+        'circulation': 'm^2/s, up to 1e6 and up to 6000 * core_radius in magnitude; default 1',
+        'core_radius': 'm, >= 1e-4; default 1',
+        'outer_radius': 'm: fades from half this distance to nothing at it; default 0: no limit',
+        'half_length': 'm: likewise along the axis; default 0: no limit',
+    },
+    'lr_blower_desc': {
+        'position': 'm, the middle of the nozzle; default 0',
+        'direction': 'of the jet, any length but 0; default 1, 0, 0',
+        'side': 'along the slot; not parallel to `direction`; default 0, 0, 1. Unused by a round jet',
+        'velocity': 'm/s, of the blower itself; default 0',
+        'speed': 'm/s at the nozzle, 0 to 1000; default 1',
+        'nozzle_radius': 'm, >= 1e-4: of a round nozzle, half the width of a slot; default 1',
+        'half_length': 'm: half the length of the slot; default 0: a round jet',
+        'range': 'm, >= nozzle_radius: fades from half this distance to nothing at it; default 10',
+        'spread': 'widening of the jet per length, 0 to 1; default 0.1, measured as 0.11',
+    },
+    'lr_turbulence_desc': {
+        'seed': "combined with the world's; default 0",
+        'octaves': 'each half the size of the one before, 1 to 4; default 2',
+        'velocity': 'm/s, of the pattern, besides the uniform wind; default 0',
+        'rms': 'm/s, root mean square of each component, 0 to 1000; default 1',
+        'integral_length': 'm, >= 1e-4; default 1',
+        'eddy_life': 's, of the largest eddies, up to 1e6; default 0: integral_length/rms',
+    },
+    'lr_wind_grid_desc': {
+        'outside': '`WindOutside`; default `WindOutside.ZERO`',
+        'position': 'm, of the first sample; default 0',
+        'velocity': 'm/s, of the grid itself; default 0',
+        'spacing': 'm between samples, >= 1e-4; default 1',
+        'counts': 'samples along x, y, z, each >= 1',
+        'frames': '>= 1; default 1',
+        'frame_time': 's between frames, up to 1e6; default 0: 1 s',
+        'samples': 'm/s, each up to 1000 in magnitude: x y z of each sample; x varies fastest, then y, z, frame; copied. Null in an update: keeps the samples, if counts and frames are unchanged. lr_world_get_wind_grid gives null',
+    },
+    'lr_ground_wind_desc': {
+        'position': 'm, a point on the ground; default 0',
+        'normal': 'upward, any length but 0; default 0, 1, 0',
+        'velocity': 'm/s, of the plane itself; default 0',
+        'roughness_length': 'm, >= 1e-4; default 0.03, grass (0.0001 water, 1 town)',
+        'reference_height': 'm, >= roughness_length: the height at which the factor is 1; default 10',
     },
     'lr_wind_query': {
         'count': 'bodies, 1 to 256',
-        'batch': 'whose bodies they are; 0 when asked by lr_world_sample_wind',
+        'batch': 'of these bodies; id 0 in lr_world_sample_wind',
         'time': 's, of the middle of the substep',
-        'position': 'm: where the bodies are expected to be at that time; finite',
-        'velocity': "m/s, 0 at first: the velocity that is added to the other sources'",
-        'rate': 'm/s^2, 0 at first: its partial derivative in time, if it is known',
-        'gradient': "1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear",
+        'position': 'm: expected positions of the bodies at that time; finite',
+        'velocity': "m/s, preset to 0: write the velocity to add to the other sources'",
+        'rate': 'm/s^2, preset to 0: write its partial derivative in time, if known',
+        'gradient': "1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid",
     },
     'lr_wave': {
-        'direction': 'where it goes: any vector not along the normal; its part in the plane counts',
+        'direction': 'of travel: any vector not along the normal; only its part in the plane counts',
         'length': 'm, crest to crest, 1e-3 to 1e6',
-        'amplitude': 'm, half of crest to trough, 0 to length/7: steeper ones break',
-        'phase': "rad, up to 1e6 in magnitude: 0 has a crest at `position` at the world's time 0",
+        'amplitude': 'm, half of crest to trough, 0 to length/7: steeper waves break',
+        'phase': 'rad, up to 1e6 in magnitude; 0 puts a crest at `position` at world time 0',
     },
-    'lr_surface_desc': {
-        'wave_count': 'used part of `waves`; initially 0',
-        'position': 'm, a point of the plane, each up to 1e9 in magnitude; initially 0',
-        'normal': 'upward, any length but 0; initially 0, 1, 0',
-        'density': "kg/m^3, 1e-3 to 1e6; initially 998. A batch whose own fluid is denser keeps that one's",
-        'viscosity': 'm^2/s, kinematic, 1e-12 to 1e3; initially 1e-6',
-        'current': 'm/s, velocity of the lower fluid, each up to 1000 in magnitude; initially 0',
-        'reach': "m, 0 to 1e6: a callback's surface lies at most so far from the plane; initially 0",
+    'lr_water_desc': {
+        'wave_count': 'elements of `waves` in use; default 0',
+        'position': 'm, a point of the plane, each up to 1e9 in magnitude; default 0',
+        'normal': 'upward, any length but 0; default 0, 1, 0',
+        'density': 'kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density',
+        'viscosity': 'm^2/s, kinematic, 1e-12 to 1e3; default 1e-6',
+        'current': 'm/s, velocity of the water, each up to 1000 in magnitude; default 0',
+        'reach': "m, 0 to 1e6: the farthest that a callback's surface lies from the plane; default 0",
         'waves': '',
     },
-    'lr_surface_query': {
+    'lr_water_query': {
         'count': 'bodies, 1 to 256',
-        'batch': 'whose bodies they are',
+        'batch': 'of these bodies',
         'time': 's',
         'position': 'm; finite',
-        'height': "m above the plane of the surface there, along the plane's normal",
+        'height': "m, of the surface above the plane, along the plane's normal",
         'normal': "unit, of the surface, less than 80 degrees from the plane's",
-        'velocity': 'm/s, of the lower fluid at the position',
-        'rate': 'm/s^2, its acceleration. Where the surface is steep it is what lets bodies slide down',
+        'velocity': 'm/s, of the water at the position',
+        'rate': 'm/s^2, acceleration of the water; lets bodies slide down a steep surface',
     },
     'lr_step_report': {
         'batches_stepped': '',
-        'batches_waiting': 'not due, by their own divisors',
-        'batches_passed_over': 'due, but the budget did not reach them',
-        'body_substeps': 'done',
-        'body_substeps_wanted': 'of the batches that were due, without a budget',
-        'behind': "s: how far the bodies that have waited longest are behind the world's time",
-        'lost': 's: the most that a batch lost in this step: bodies go in slow motion rather than in too long substeps',
+        'batches_waiting': 'not due, because of their divisors',
+        'batches_passed_over': 'due, but out of budget',
+        'body_substeps': 'done in this step',
+        'body_substeps_wanted': 'of the batches that were due, as without a budget',
+        'behind': 's: the longest time by which a batch is behind the world',
+        'lost': 's: the most simulated time that a batch lost in this step: rather than take substeps that are too long, bodies move in slow motion',
+    },
+    'lr_timings': {
+        'total': '',
+        'colliders': 'waking what is about to be hit, moving colliders, sorting them for the search',
+        'wind': "preparing the wind's fields; bodies evaluate them as part of their motion",
+        'motion': 'of batches without body contact: loads, wind, water, contact with colliders',
+        'body_contact': 'of batches with body contact: their motion, and the contact between their bodies',
+        'wake': 'finding sleeping bodies that wind or water moves',
+        'emit_and_rules': 'ends, spawns, divergence, and falling asleep',
+        'events': 'listing and sorting them',
     },
     'lr_recording_desc': {
-        'flags': 'bits `RecordingFlags`; initially `RecordingFlags.CALLBACKS`',
-        'hash_interval': 'steps from one hash of the world in the recording to the next; 0: none; initially 1',
-        'write': 'must be given',
+        'flags': 'bits `RecordingFlags`; default `RecordingFlags.CALLBACKS`',
+        'hash_interval': 'steps between recorded hashes of the world; 0: none; default 1',
+        'write': 'required',
         'user': '',
     },
     'lr_batch_desc': {
-        'capacity': 'the most bodies at a time, 1 to 2^26; memory for all is taken at once',
-        'asset': 'kept by reference until the batch ends',
-        'load_model': '`Loads`; initially `Loads.DEFAULT`',
-        'clock': '`Clock`; initially `Clock.SPEED`',
-        'table_end': '`TableEnd`; initially `TableEnd.CLAMP`',
-        'integrator': '`Integrator`; initially `Integrator.DEFAULT`',
-        'damping_gain': 'multiplies the turbulent damping, 0 to 100; initially 1',
-        'noise_gain': 'multiplies the turbulent noise, 0 to 100; initially 1; 0 for repeatable single falls',
+        'capacity': 'the most bodies at a time, 1 to 2^26; memory for all is allocated at creation',
+        'asset': 'required; the batch keeps a reference until it is destroyed',
+        'load_model': '`Loads`; default `Loads.DEFAULT`',
+        'clock': '`Clock`; default `Clock.SPEED`',
+        'table_end': '`TableEnd`; default `TableEnd.CLAMP`',
+        'integrator': '`Integrator`; default `Integrator.DEFAULT`',
+        'damping_gain': 'multiplies the turbulent damping, 0 to 100; default 1',
+        'noise_gain': 'multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable',
     },
     'lr_turbulence_table': {
         'count': 'samples, 1 to 65536',
         'chi': '1/s, turbulent frequency epsilon / k, `count` values >= 0',
         'epsilon': 'm^2/s^3, dissipation rate, `count` values >= 0',
         'dt': 's between samples, > 0',
-        'u0': 'm/s, speed the table was made at, > 0: what `Clock.SPEED` scales by',
-        'l': 'm, length the table was made with, > 0',
-        'c0': 'Kolmogorov constant, > 0; initially 6.5, its limit at high Reynolds number',
-        'stationary': 'sample that `Clock.SPEED` uses, < count; initially 0',
+        'u0': 'm/s, the speed that the table was made at, > 0; `Clock.SPEED` scales by it',
+        'l': 'm, the length that the table was made with, > 0',
+        'c0': 'Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number',
+        'stationary': 'the sample that `Clock.SPEED` uses, < count; default 0',
     },
     'lr_load_gains': {
-        'drag': 'of translation, 0 to 100; initially 1',
-        'lift': 'and its moment, 0 to 100; initially 1',
-        'spin_drag': '0 to 100; initially 1',
-        'turbulence': "intensity of the body's own wake, 0 to 100; initially 1",
+        'drag': 'on translation, 0 to 100; default 1',
+        'lift': 'and its moment, 0 to 100; default 1',
+        'spin_drag': '0 to 100; default 1',
+        'turbulence': "intensity of the body's own wake, 0 to 100; default 1",
     },
     'lr_batch_pace': {
         'divisor': 'as set',
-        'substeps': 'in the last step of the world; 0: it waited',
+        'substeps': "in the world's last step; 0: it waited",
         'waited': 'steps since it was last stepped',
-        'behind': 's: the same as time',
-        'lost': "s, in all: what its bodies' clocks are slow by",
-        'body_substeps': 'in all',
+        'behind': 's since it was last stepped',
+        'lost': 's, simulated time lost in total',
+        'body_substeps': 'in total',
     },
     'lr_batch_view': {
         'count': 'bodies',
         'position': 'm, world frame: x, y, z',
         'orientation': 'unit quaternion x, y, z, w, body to world',
-        'velocity': "m/s, of the centre of mass, in the BODY frame: turn by the orientation for the world's",
+        'velocity': 'm/s, of the centre of mass, in the BODY frame: rotate by `orientation` for world',
         'spin': 'rad/s, angular velocity, in the BODY frame',
         'scale': 'uniform scale',
-        'age': 's; of a body at rest some earlier one: lr_body_get_state has it exactly',
-        'key': 'what tells the noise of bodies apart',
+        'age': 's; outdated for sleeping bodies: lr_body_get_state gives their exact age',
+        'noise_seed': 'bodies with different seeds have independent noise',
         'ids': '',
+        'user': 'lr_body_desc.user',
         'capacity': '',
-        'revision': 'differs whenever bodies at rest have woken, ended, or changed their places',
-        'awake_count': 'bodies [0, awake_count) move, [awake_count, count) are at rest: lr_body_set_rest',
+        'revision': 'changes whenever sleeping bodies wake, end or change places',
+        'awake_count': 'bodies [0, awake_count) are awake, [awake_count, count) asleep: lr_body_set_sleep',
     },
     'lr_body_desc': {
-        'key': 'tells its noise apart; initially 0: the world gives each body its own, in order of birth',
-        'position': 'm, of the centre of mass; initially 0',
-        'orientation': 'quaternion x y z w, normalised when taken; initially 0 0 0 1',
-        'linear_velocity': 'm/s, of the centre of mass; initially 0',
-        'angular_velocity': 'rad/s, world frame; initially 0',
-        'scale': 'uniform, 0.001 to 1000; mass goes with its cube; initially 1',
-        'age': 's, 0 to 1e9; initially 0. Bodies grow no older than that',
+        'noise_seed': 'default 0: the world assigns each body the next one',
+        'position': 'm, of the centre of mass; default 0',
+        'orientation': 'quaternion x y z w, normalised by the call; default 0 0 0 1',
+        'linear_velocity': 'm/s, of the centre of mass; default 0',
+        'angular_velocity': 'rad/s, world frame; default 0',
+        'scale': 'uniform, 0.001 to 1000; mass scales with its cube; default 1',
+        'age': 's, 0 to 1e9, where it stops growing; default 0',
+        'user': "the caller's own number, also in views, events and ray hits; default 0. A respawn keeps it. It does not affect motion: part of snapshots, not of the world's hash",
     },
     'lr_body_state': {
-        'key': 'read only: ignored by lr_body_set_state',
+        'noise_seed': 'read only: ignored by lr_body_set_state',
         'position': 'm, of the centre of mass, world frame',
         'orientation': 'unit quaternion x y z w, body to world',
         'linear_velocity': 'm/s, of the centre of mass, world frame',
         'angular_velocity': 'rad/s, world frame',
         'scale': '0.001 to 1000',
         'age': 's, 0 to 1e9',
-        'resting': '`Rest`; read only',
+        'sleep_state': '`Sleep`; read only',
+        'user': 'as in lr_body_desc',
     },
     'lr_body_force': {
-        'mode': '`ForceMode`; initially `ForceMode.FORCE`',
+        'mode': '`ForceMode`; default `ForceMode.FORCE`',
         'body': '',
-        'frame': '`Frame`, of force, torque and point; initially `Frame.WORLD`',
-        'flags': '`ForceFlags`; initially 0',
-        'force': 'initially 0',
-        'torque': 'about the centre of mass; initially 0',
-        'point': 'm; in the world frame a position, in the body frame from the centre of mass. Its arm is taken at the time of the call',
+        'frame': '`Frame`, of force, torque and point; default `Frame.WORLD`',
+        'flags': '`ForceFlags`; default 0',
+        'force': 'default 0',
+        'torque': 'about the centre of mass; default 0',
+        'point': 'm; world frame: a position, body frame: from the centre of mass. The lever arm is fixed by the call',
     },
     'lr_force_arrays': {
-        'mode': '`ForceMode`; initially `ForceMode.FORCE`',
-        'frame': '`Frame`; initially `Frame.WORLD`',
-        'first': 'index in the view of the first body; initially 0',
+        'mode': '`ForceMode`; default `ForceMode.FORCE`',
+        'frame': '`Frame`; default `Frame.WORLD`',
+        'first': 'index in the view of the first body; default 0',
         'count': 'bodies',
-        'stride': "bytes from one body's value to the next's, a multiple of 4; initially 0: no gaps, 4",
+        'stride': "bytes from one body's value to the next, a multiple of 4; default 0: 4, no gaps",
         'force': 'x, y, z: `count` values each, not kept; all three or none',
-        'torque': 'alike; all three or none',
+        'torque': 'x, y, z: `count` values each, not kept; all three or none',
     },
     'lr_batch_force': {
         'force': 'N, world frame',
         'torque': 'N m, world frame',
         'acceleration': 'm/s^2, world frame; of the body, whatever its mass',
         'angular_acceleration': 'rad/s^2, world frame',
-        'body_force': 'the same four in the body frame',
-        'body_torque': '',
-        'body_acceleration': '',
-        'body_angular_acceleration': '',
+        'body_force': 'N, body frame',
+        'body_torque': 'N m, body frame',
+        'body_acceleration': 'm/s^2, body frame',
+        'body_angular_acceleration': 'rad/s^2, body frame',
     },
     'lr_collider_desc': {
-        'kind': '`ColliderKind`; initially 0, which is none of them',
-        'position': 'm, up to 1e9 in magnitude; initially 0',
-        'orientation': 'quaternion x y z w, normalised when taken; initially 0 0 0 1',
-        'linear_velocity': "m/s, of the frame's origin, up to 1e6; initially 0. It moves so until told otherwise",
-        'angular_velocity': 'rad/s, world frame, up to 1e6; initially 0',
-        'size': 'm, > 0, up to 1e6; initially 0',
-        'friction': '0 to 10; initially 0.5',
-        'restitution': '0 to 1; initially 0.2',
-        'layers': 'bits: it meets bodies that have one of them; initially 1',
+        'kind': '`ColliderKind`; must be set: the default 0 is no kind',
+        'position': 'm, up to 1e9 in magnitude; default 0',
+        'orientation': 'quaternion x y z w, normalised by the call; default 0 0 0 1',
+        'linear_velocity': "m/s, of the frame's origin, up to 1e6; default 0. Lasts until changed",
+        'angular_velocity': 'rad/s, world frame, up to 1e6; default 0. Lasts until changed',
+        'size': 'm, > 0, up to 1e6; default 0',
+        'friction': '0 to 10; default 0.5',
+        'restitution': '0 to 1; default 0.2',
+        'layers': 'bits: collides with bodies that share at least one; default 1',
         'flags': '0',
         'vertex_count': 'hull: 4 to `MAX_HULL_VERTICES`; mesh: 3 to `MAX_COLLIDER_VERTICES`',
         'triangle_count': 'mesh: 1 to `MAX_COLLIDER_VERTICES`',
         'counts': 'heightfield: samples along x and z, each >= 2',
-        'spacing': 'heightfield: m between samples, 1e-6 to 1e6; initially 1',
-        'vertices': 'm, x y z each, up to 1e6 in magnitude; copied, as are the others',
-        'indices': '3 a triangle, each < vertex_count',
+        'spacing': 'heightfield: m between samples, 1e-6 to 1e6; default 1',
+        'vertices': 'm, x y z each, up to 1e6 in magnitude',
+        'indices': '3 per triangle, each < vertex_count',
         'heights': 'm, up to 1e6 in magnitude; x varies fastest',
     },
     'lr_collider_motion': {
-        'mode': '`MoveMode`; initially `MoveMode.TO`',
+        'mode': '`MoveMode`; default `MoveMode.TO`',
         'collider': '',
-        'position': 'm, as in lr_collider_desc; `MoveMode.TO`, `MoveMode.PLACE`; initially 0',
-        'orientation': 'alike; initially 0 0 0 1',
-        'linear_velocity': 'm/s; `MoveMode.PLACE`, `MoveMode.VELOCITY`; initially 0',
-        'angular_velocity': 'rad/s; alike',
+        'position': 'm, as in lr_collider_desc; `MoveMode.TO` and `MoveMode.PLACE`; default 0',
+        'orientation': 'quaternion x y z w; `MoveMode.TO` and `MoveMode.PLACE`; default 0 0 0 1',
+        'linear_velocity': 'm/s; `MoveMode.PLACE` and `MoveMode.VELOCITY`; default 0',
+        'angular_velocity': 'rad/s; `MoveMode.PLACE` and `MoveMode.VELOCITY`; default 0',
     },
     'lr_collider_state': {
         'kind': '`ColliderKind`',
         'position': 'm, world frame',
         'orientation': 'unit quaternion x y z w, collider to world',
-        'linear_velocity': 'm/s, that it has until told otherwise; 0 while `MoveMode.TO` is pending',
-        'angular_velocity': 'rad/s, world frame; alike',
+        'linear_velocity': 'm/s, that lasts until changed; 0 while `MoveMode.TO` is pending',
+        'angular_velocity': 'rad/s, world frame, that lasts until changed; 0 while `MoveMode.TO` is pending',
         'friction': '',
         'restitution': '',
         'layers': '',
         'flags': '0',
     },
-    'lr_collider_surface': {
-        'layers': 'as in lr_collider_desc; initially 1',
-        'friction': 'initially 0.5',
-        'restitution': 'initially 0.2',
+    'lr_material': {
+        'layers': 'as in lr_collider_desc; default 1',
+        'friction': 'as in lr_collider_desc; default 0.5',
+        'restitution': 'as in lr_collider_desc; default 0.2',
     },
     'lr_batch_contact': {
-        'layers': 'bit mask: colliders that are in one of these are met; initially all; 0: none',
-        'friction': 'coefficient of Coulomb friction, 0 to 10; initially 0.5',
-        'restitution': 'speed after over speed before an impact, 0 to 1; initially 0.1',
-        'rolling_resistance': "moment against rolling and spinning over normal force and a lever, 0 to 10; initially 0.05. The lever is the geometric mean of reach and half of the least width: a sphere's radius",
-        'flags': '`EventKind`; initially 0',
-        'ground_effect': 'the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and heightfields gives in theory; initially 0. docs/maintainers/contact.md',
+        'layers': 'bits: collides with colliders that share at least one; default all; 0: none',
+        'friction': 'coefficient of Coulomb friction, 0 to 10; default 0.5',
+        'restitution': 'speed after an impact over speed before it, 0 to 1; default 0.1',
+        'rolling_resistance': 'moment against rolling and spinning over normal force times lever, 0 to 10; default 0.05. The lever is the geometric mean of reach and half the thickness: of a sphere, its radius',
+        'flags': 'bits: `ContactFlags.NEVER_SLEEP`; default 0',
+        'ground_effect': 'air cushion under a sheet that settles on a plane or heightfield, as a share of theory, 0 to 1; default 0. docs/maintainers/contact.md',
     },
-    'lr_contact_event': {
-        'kind': '`EventKind`, `EventKind`',
+    'lr_event': {
+        'kind': '`EventKind`',
         'batch': '',
-        'body': 'stale where it has been destroyed',
-        'collider': '`EventKind`; else 0',
-        'position': 'm, world frame: of `EventKind.CONTACT_BEGIN` where they touch, else of the centre of mass; of one that has left physics where that was last sane',
-        'normal': '`EventKind.CONTACT_BEGIN`: unit, world frame, from the collider to the body; else 0',
-        'speed': 'm/s, `EventKind.CONTACT_BEGIN`: at which they approach each other along the normal, >= 0; else 0',
-        'impulse': 'N s, `EventKind.CONTACT_BEGIN`: along the normal, of the substep in which they meet; else 0',
+        'body': 'stale if it was destroyed',
+        'user': "the body's: lr_body_desc.user",
+        'collider': '`EventKind.HIT`, `EventKind.LIFTED`; else id 0',
+        'position': 'm, world frame: the point of contact in `EventKind.HIT`; where it ended in `EventKind.KILLED` and `EventKind.RESPAWNED`; the last valid centre of mass in `EventKind.DIVERGED`; else the centre of mass',
+        'normal': '`EventKind.HIT`: unit, world frame, from the collider to the body; else 0',
+        'speed': 'm/s, `EventKind.HIT`: approach speed along the normal, >= 0; else 0',
+        'impulse': 'N s, `EventKind.HIT`: along the normal, in the substep of first contact; else 0',
     },
-    'lr_contact_event_list': {
+    'lr_event_list': {
         'count': '',
-        'events': 'of the last step; null before lr_world_set_contact_events',
-        'lost': 'events of the last step for which there was no room: the last ones in their order',
-        'total_lost': 'since lr_world_set_contact_events',
+        'events': 'of the last step; null before lr_world_set_events',
+        'lost': 'events of the last step beyond capacity: those last in order are dropped',
+        'total_lost': 'since lr_world_set_events',
+        'capacity': 'as set by lr_world_set_events',
+        'kinds': 'bits `EventKinds`, likewise',
     },
     'lr_ray': {
-        'flags': '`RayFlags`, what it can hit; initially both',
-        'origin': 'm, up to 1e9 in magnitude; initially 0',
-        'direction': 'of any length from 1e-6 to 1e6; initially 0, -1, 0',
-        'max_distance': 'm, 0 to 1e9; initially 1e9',
-        'batch': 'whose bodies it can hit; initially 0: all',
-        'collider_layers': 'bits: it meets colliders that have one of them; initially all',
+        'flags': 'bits `RayFlags`: what it can hit; default both',
+        'origin': 'm, up to 1e9 in magnitude; default 0',
+        'direction': 'any length from 1e-6 to 1e6; default 0, -1, 0',
+        'max_distance': 'm, 0 to 1e9; default 1e9',
+        'batch': 'hits bodies of this batch only; default id 0: of all batches',
+        'collider_layers': 'bits: hits colliders that share at least one; default all',
     },
     'lr_ray_hit': {
-        'body': '0 where it is a collider',
-        'collider': '0 where it is a body',
+        'body': 'id 0: it hit a collider',
+        'user': "the body's: lr_body_desc.user",
+        'collider': 'id 0: it hit a body',
         'distance': "m, from the ray's origin",
         'position': 'm, world frame',
-        'normal': 'unit, world frame, out of what is hit; against the ray where that begins inside, at distance 0',
+        'normal': 'unit, world frame, outward. If the ray starts inside: against the ray, at distance 0',
     },
     'lr_overlap_desc': {
-        'shape': '`OverlapShape`; initially `OverlapShape.SPHERE`',
-        'position': 'm, of its middle, up to 1e9 in magnitude; initially 0',
-        'orientation': 'of a box, x y z w, normalised when taken; initially 0 0 0 1',
-        'size': 'm, > 0, up to 1e6; initially 1',
-        'batch': 'whose bodies are looked for; initially 0: all',
+        'shape': '`OverlapShape`; default `OverlapShape.SPHERE`',
+        'position': 'm, of its centre, up to 1e9 in magnitude; default 0',
+        'orientation': 'of a box, x y z w, normalised by the call; default 0 0 0 1',
+        'size': 'm, > 0, up to 1e6; default 1',
+        'batch': 'finds bodies of this batch only; default id 0: of all batches',
     },
     'lr_kill_volume': {
         'shape': '`VolumeShape`',
-        'side': '`KillSide`: where bodies end',
+        'side': '`KillSide`: the side on which bodies end',
         'center': 'm, up to 1e9 in magnitude',
-        'size': 'm; of a plane its normal, of any length but 0',
+        'size': 'm; of a plane its normal, any length but 0',
     },
     'lr_batch_rules': {
-        'action': '`EndAction`; initially `EndAction.DESTROY`',
-        'max_age': 's, up to 1e9; initially 0: no limit',
-        'volume_count': 'used part of `volumes`; initially 0',
-        'volumes': 'by the centre of mass',
+        'action': '`EndAction`; default `EndAction.DESTROY`',
+        'max_age': 's, up to 1e9; default 0: no limit',
+        'volume_count': 'elements of `volumes` in use; default 0',
+        'volumes': 'tested with the centre of mass',
     },
     'lr_emitter_desc': {
-        'shape': '`EmitShape`; initially `EmitShape.POINT`',
-        'position': 'm, centre of the shape; initially 0',
-        'orientation': 'of the shape, x y z w, normalised when taken; initially 0 0 0 1',
-        'size': "m, half extents or semi-axes along the shape's own axes, 0 to 1e9; initially 0",
-        'pose': '`Pose`, of the bodies; initially `Pose.RANDOM`',
-        'body_orientation': 'body to world, normalised when taken; initially 0 0 0 1',
-        'direction': 'of the velocity, world frame, of any length but 0; initially 0, -1, 0',
-        'spread': 'rad, half angle of a cone about `direction`, filled evenly, 0 to pi; initially 0',
-        'speed_min': 'm/s, evenly between; initially 0',
-        'speed_max': 'm/s, evenly between; initially 0',
-        'spin_min': 'rad/s, evenly between, about any axis alike; initially 0',
-        'spin_max': 'rad/s, evenly between, about any axis alike; initially 0',
-        'scale_min': 'evenly between; initially 1',
-        'scale_max': 'evenly between; initially 1',
-        'rate': 'births per second, 0 to 1e9; initially 0: bodies respawn, but none are added',
+        'shape': '`EmitShape`; default `EmitShape.POINT`',
+        'position': 'm, centre of the shape; default 0',
+        'orientation': 'of the shape, x y z w, normalised by the call; default 0 0 0 1',
+        'size': "m, half extents or semi-axes along the shape's own axes, 0 to 1e9; default 0",
+        'pose': '`Pose`, of the bodies; default `Pose.RANDOM`',
+        'body_orientation': 'body to world, normalised by the call; default 0 0 0 1',
+        'direction': 'of the velocity, world frame, any length but 0; default 0, -1, 0',
+        'spread': 'rad, half angle of a cone about `direction`, filled evenly, 0 to pi; default 0',
+        'speed_min': 'm/s, uniform in this range; default 0',
+        'speed_max': 'm/s, uniform in this range; default 0',
+        'spin_min': 'rad/s, uniform in this range, about a random axis; default 0',
+        'spin_max': 'rad/s, uniform in this range, about a random axis; default 0',
+        'scale_min': 'uniform in this range; default 1',
+        'scale_max': 'uniform in this range; default 1',
+        'rate': 'spawns per second, 0 to 1e9; default 0: bodies respawn, but none are added',
         'burst_interval': 's between bursts, >= 1e-4',
-        'burst_count': 'births at once in each burst; initially 0: no bursts',
+        'burst_count': 'spawns in each burst; default 0: no bursts',
     },
-    'lr_batch_events': {
-        'born': 'by rate and bursts',
+    'lr_batch_counts': {
+        'spawned': 'by rate and bursts',
         'destroyed': 'by the rules',
         'respawned': '',
-        'missed': 'births for which there was no room',
-        'by_not_finite': 'Why bodies ended: the first cause that held, in this order. bodies that have left physics: lr_batch_set_fault_policy',
+        'missed': 'spawns dropped for lack of room',
+        'by_divergence': 'Why bodies ended: the first cause that applied, in this order. diverged: lr_batch_set_divergence_policy',
         'by_age': '',
         'by_volume': '',
-        'total_born': 'with those of lr_batch_emit',
+        'diverged': 'bodies that diverged in the last step, held or ended',
+        'total_spawned': 'including lr_batch_spawn',
         'total_destroyed': '',
         'total_respawned': '',
         'total_missed': '',
-        'ended_ids': 'destroyed or respawned in the last step: destroyed + respawned of them, in no order',
-        'born_ids': '`born` of them',
-        'faulted': 'bodies that have left physics in the last step, held or ended',
-        'total_faulted': 'since the batch began',
+        'total_diverged': '',
     },
 }
 
@@ -1286,10 +1401,15 @@ INITS = {
     'lr_asset_info': 'lr_asset_info_init',
     'lr_world_desc': 'lr_world_desc_init',
     'lr_world_info': 'lr_world_info_init',
-    'lr_wind_desc': 'lr_wind_desc_init',
-    'lr_wind_source_desc': 'lr_wind_source_desc_init',
-    'lr_surface_desc': 'lr_surface_desc_init',
+    'lr_gusts_desc': 'lr_gusts_desc_init',
+    'lr_vortex_desc': 'lr_vortex_desc_init',
+    'lr_blower_desc': 'lr_blower_desc_init',
+    'lr_turbulence_desc': 'lr_turbulence_desc_init',
+    'lr_wind_grid_desc': 'lr_wind_grid_desc_init',
+    'lr_ground_wind_desc': 'lr_ground_wind_desc_init',
+    'lr_water_desc': 'lr_water_desc_init',
     'lr_step_report': 'lr_step_report_init',
+    'lr_timings': 'lr_timings_init',
     'lr_recording_desc': 'lr_recording_desc_init',
     'lr_batch_desc': 'lr_batch_desc_init',
     'lr_turbulence_table': 'lr_turbulence_table_init',
@@ -1304,14 +1424,14 @@ INITS = {
     'lr_collider_desc': 'lr_collider_desc_init',
     'lr_collider_motion': 'lr_collider_motion_init',
     'lr_collider_state': 'lr_collider_state_init',
-    'lr_collider_surface': 'lr_collider_surface_init',
+    'lr_material': 'lr_material_init',
     'lr_batch_contact': 'lr_batch_contact_init',
-    'lr_contact_event_list': 'lr_contact_event_list_init',
+    'lr_event_list': 'lr_event_list_init',
     'lr_ray': 'lr_ray_init',
     'lr_overlap_desc': 'lr_overlap_desc_init',
     'lr_batch_rules': 'lr_batch_rules_init',
     'lr_emitter_desc': 'lr_emitter_desc_init',
-    'lr_batch_events': 'lr_batch_events_init',
+    'lr_batch_counts': 'lr_batch_counts_init',
 }
 
 # name: (result, parameters, their names, text)
@@ -1322,8 +1442,8 @@ PROTOTYPES = {
         (),
         """uint32_t lr_version()
 
-        Version of the library that is loaded: major << 22 | minor << 12 | patch. Compare it with the macros above when the
-        library is loaded at run time: a different major, or before 1.0 a different minor, is another ABI.
+        Version of the loaded library: major << 22 | minor << 12 | patch. Compare it with the macros above when you load the
+        library at run time. A different major version has a different ABI; before 1.0, so has a different minor version.
         Any thread.
         """,
     ),
@@ -1333,7 +1453,20 @@ PROTOTYPES = {
         ('status',),
         """const char* lr_status_string(lr_status status)
 
-        A short English phrase for a status, no full stop; never null; static storage. Unknown values give "unknown status".
+        A short English phrase for a status, without a full stop. Unknown values give "unknown status". Never null; static
+        storage.
+        Any thread.
+        """,
+    ),
+    'lr_last_error': (
+        ctypes.c_char_p,
+        [],
+        (),
+        """const char* lr_last_error()
+
+        The text of the calling thread's last failed call: the function and the reason, as the log has it. Calls that succeed
+        leave it alone. Never null, empty before the first failure, cut after 255 bytes. Valid until the thread's next failed
+        call.
         Any thread.
         """,
     ),
@@ -1343,11 +1476,11 @@ PROTOTYPES = {
         ('targets', 'capacity', 'count'),
         """lr_status lr_simd_targets(int32_t* targets, uint32_t capacity, uint32_t* count)
 
-        Writes the instruction sets that this build has and this processor can run, best first.
+        Lists the instruction sets that this build contains and this processor supports, best first.
 
-        targets: `capacity` values, may be null when capacity is 0.
-        capacity: elements that there is room for
-        count: how many there are, even if more than capacity.
+        targets: receives up to `capacity` values; may be null when capacity is 0.
+        capacity: number of elements that fit
+        count: receives the full number, even if it exceeds capacity.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL (count is set).
         Any thread.
@@ -1359,7 +1492,7 @@ PROTOTYPES = {
         ('target',),
         """const char* lr_simd_target_name(int32_t target)
 
-        A name for people: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown"; never null; static
+        A display name: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown". Never null; static
         storage.
         Any thread.
         """,
@@ -1370,10 +1503,10 @@ PROTOTYPES = {
         ('path_utf8', 'out'),
         """lr_status lr_asset_load_file(const char* path_utf8, lr_asset** out)
 
-        Reads an asset made by `lr_bake`, a regular file. It is verified whole before anything of it is used.
+        Loads an asset made by `lr_bake` from a regular file. The whole file is verified before any of it is used.
 
         path_utf8: UTF-8 on every platform.
-        out: receives an asset with one reference, release it with lr_asset_release; null after an error.
+        out: receives the asset with one reference, which lr_asset_release gives back; null after an error.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_FORMAT, LR_ERROR_ASSET_VERSION, LR_ERROR_ASSET_CORRUPT, LR_ERROR_ASSET_INVALID, LR_ERROR_OUT_OF_MEMORY.
         Any thread.
@@ -1385,9 +1518,11 @@ PROTOTYPES = {
         ('bytes', 'size', 'out'),
         """lr_status lr_asset_load_memory(const void* bytes, uint64_t size, lr_asset** out)
 
-        The same from `size` bytes in memory, of any alignment, not kept.
+        Loads an asset from memory.
 
-        size: bytes
+        bytes: of any alignment, not kept.
+        size: number of bytes
+        out: as for lr_asset_load_file.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_ASSET_*, LR_ERROR_OUT_OF_MEMORY.
         Any thread.
@@ -1399,11 +1534,11 @@ PROTOTYPES = {
         ('bytes', 'size', 'report', 'user'),
         """lr_status lr_asset_check_memory(const void* bytes, uint64_t size, lr_fault_fn report, void* user)
 
-        Says everything that is wrong with asset bytes, by one call of `report` for each fault (may be null).
+        Checks the bytes of an asset and calls `report`, which may be null, once for each fault found.
         Returns what lr_asset_load_memory would.
 
-        size: bytes
-        user: as given along with the function
+        size: number of bytes
+        user: passed to each call of the function
         Any thread.
         """,
     ),
@@ -1413,12 +1548,12 @@ PROTOTYPES = {
         ('desc', 'struct_size'),
         """lr_status lr_ellipsoid_desc_init(lr_ellipsoid_desc* desc, uint32_t struct_size)
 
-        Fills a desc with its initial values.
+        Sets the defaults. All other _init functions work alike.
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof(lr_ellipsoid_desc) as the caller sees it.
+        struct_size: sizeof(lr_ellipsoid_desc) in the caller's header.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. The other _init functions are alike.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
         Any thread.
         """,
     ),
@@ -1428,10 +1563,12 @@ PROTOTYPES = {
         ('desc', 'out'),
         """lr_status lr_asset_create_ellipsoid(const lr_ellipsoid_desc* desc, lr_asset** out)
 
+        Creates an asset from an ellipsoid. Formulas: Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md.
+
         desc: initialised by its `_init` function, or with struct_size set
         out: as for lr_asset_load_file.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. Source: Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
         Any thread.
         """,
     ),
@@ -1441,7 +1578,7 @@ PROTOTYPES = {
         ('asset',),
         """lr_status lr_asset_retain(lr_asset* asset)
 
-        Adds a reference, to be given back by lr_asset_release.
+        Adds a reference, which lr_asset_release gives back.
 
         asset: the asset
 
@@ -1455,7 +1592,7 @@ PROTOTYPES = {
         ('asset',),
         """void lr_asset_release(lr_asset* asset)
 
-        Gives a reference back; the last one frees the asset. Batches hold their own. Null is fine.
+        Gives back a reference. The last one frees the asset. Each batch holds its own. Null is allowed.
 
         asset: the asset
         Any thread.
@@ -1467,9 +1604,9 @@ PROTOTYPES = {
         ('aerodynamics', 'struct_size'),
         """lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size)
 
-        Initially the axes are those of the body, `length` is 1 and all else 0: no loads.
+        Sets the axes to the body's, `length` to 1 and everything else to 0: no loads.
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_rigid_desc_init': (
@@ -1479,7 +1616,7 @@ PROTOTYPES = {
         """lr_status lr_rigid_desc_init(lr_rigid_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_asset_create_rigid': (
@@ -1488,10 +1625,12 @@ PROTOTYPES = {
         ('desc', 'out'),
         """lr_status lr_asset_create_rigid(const lr_rigid_desc* desc, lr_asset** out)
 
+        Creates an asset from given numbers.
+
         desc: initialised by its `_init` function, or with struct_size set
         out: as for lr_asset_load_file.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also matrices that no body has), LR_ERROR_OUT_OF_MEMORY.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for matrices that no body can have), LR_ERROR_OUT_OF_MEMORY.
         Any thread.
         """,
     ),
@@ -1501,7 +1640,7 @@ PROTOTYPES = {
         ('info', 'struct_size'),
         """lr_status lr_asset_info_init(lr_asset_info* info, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_asset_get_info': (
@@ -1509,6 +1648,8 @@ PROTOTYPES = {
         [ctypes.POINTER(lr_asset), ctypes.POINTER(lr_asset_info)],
         ('asset', 'info'),
         """lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info)
+
+        Reads an asset's properties.
 
         asset: the asset
         info: initialised by lr_asset_info_init, or with struct_size set.
@@ -1523,7 +1664,7 @@ PROTOTYPES = {
         ('asset', 'aerodynamics'),
         """lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics)
 
-        The coefficients of an asset, as baked.
+        Reads an asset's baked coefficients.
 
         asset: the asset
         aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
@@ -1539,7 +1680,7 @@ PROTOTYPES = {
         """lr_status lr_world_desc_init(lr_world_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_world_create': (
@@ -1547,6 +1688,8 @@ PROTOTYPES = {
         [ctypes.POINTER(lr_world_desc), ctypes.POINTER(ctypes.POINTER(lr_world))],
         ('desc', 'out'),
         """lr_status lr_world_create(const lr_world_desc* desc, lr_world** out)
+
+        Creates a world.
 
         desc: initialised by its `_init` function, or with struct_size set
         out: receives the world, null after an error.
@@ -1561,7 +1704,7 @@ PROTOTYPES = {
         ('world',),
         """void lr_world_destroy(lr_world* world)
 
-        Frees a world with all its batches and bodies, and ends its worker threads. A recording ends. Null is fine.
+        Destroys a world with its batches and bodies, stops its worker threads and ends its recording. Null is allowed.
 
         world: the world
         """,
@@ -1572,7 +1715,7 @@ PROTOTYPES = {
         ('info', 'struct_size'),
         """lr_status lr_world_info_init(lr_world_info* info, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_world_get_info': (
@@ -1581,7 +1724,10 @@ PROTOTYPES = {
         ('world', 'info'),
         """lr_status lr_world_get_info(const lr_world* world, lr_world_info* info)
 
+        Reads counts, time and settings of the world.
+
         world: the world
+        info: initialised, or with struct_size set.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
         """,
@@ -1592,7 +1738,7 @@ PROTOTYPES = {
         ('world', 'gravity'),
         """lr_status lr_world_set_gravity(lr_world* world, const float* gravity)
 
-        Takes effect with the next step. Another one than before wakes all bodies (lr_body_set_rest).
+        Sets gravity from the next step on. A change wakes all bodies (lr_body_set_sleep).
 
         world: the world
         gravity: m/s^2, 3 values, each up to 1e4 in magnitude.
@@ -1606,80 +1752,345 @@ PROTOTYPES = {
         ('world', 'target'),
         """lr_status lr_world_set_simd_target(lr_world* world, int32_t target)
 
-        Changes the instruction set from the next step on; results do not change.
+        Sets the instruction set from the next step on. Results do not change.
 
         world: the world
+        target: LR_SIMD_*.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_UNSUPPORTED.
         """,
     ),
-    'lr_wind_desc_init': (
+    'lr_world_set_uniform_wind': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_wind_desc), ctypes.c_uint32],
-        ('desc', 'struct_size'),
-        """lr_status lr_wind_desc_init(lr_wind_desc* desc, uint32_t struct_size)
+        [ctypes.POINTER(lr_world), ctypes.c_float, ctypes.c_float, ctypes.c_float],
+        ('world', 'x', 'y', 'z'),
+        """lr_status lr_world_set_uniform_wind(lr_world* world, float x, float y, float z)
 
-        desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
-        """,
-    ),
-    'lr_world_set_wind': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_wind_desc)],
-        ('world', 'desc'),
-        """lr_status lr_world_set_wind(lr_world* world, const lr_wind_desc* desc)
-
-        The uniform part of the fluid's velocity; copied. Bodies feel the fluid's velocity relative to theirs. A change is
-        spread evenly over the next step, and bodies feel the fluid's acceleration in it (Froude-Krylov force and added mass):
-        one that has the fluid's density is carried along, a heavy one keeps most of its velocity. What is set before the
-        world's first step is there from the beginning and accelerates nothing; setting the same wind again changes nothing.
-        Null is still fluid. docs/reference/wind_and_water.md.
+        Sets the uniform wind, the same velocity everywhere; 0 before the first call. A change is spread evenly over the next
+        step, in which bodies feel the fluid accelerate (Froude-Krylov force and added mass): a body as dense as the fluid is
+        carried along, a heavy one keeps most of its velocity. A wind set before the world's first step is there from the
+        beginning and accelerates nothing. Setting the same wind again changes nothing.
 
         world: the world
-        desc: initialised by its `_init` function, or with struct_size set
+        x: m/s, each up to 1000 in magnitude.
+        y: m/s, each up to 1000 in magnitude.
+        z: m/s, each up to 1000 in magnitude.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
         """,
     ),
-    'lr_wind_source_desc_init': (
+    'lr_world_get_uniform_wind': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_wind_source_desc), ctypes.c_uint32],
+        [ctypes.POINTER(lr_world), ctypes.POINTER(ctypes.c_float)],
+        ('world', 'velocity'),
+        """lr_status lr_world_get_uniform_wind(const lr_world* world, float* velocity)
+
+        Reads the uniform wind that was set last.
+
+        world: the world
+        velocity: receives 3 values, m/s; unchanged after an error.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT.
+        """,
+    ),
+    'lr_gusts_desc_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_gusts_desc), ctypes.c_uint32],
         ('desc', 'struct_size'),
-        """lr_status lr_wind_source_desc_init(lr_wind_source_desc* desc, uint32_t struct_size)
+        """lr_status lr_gusts_desc_init(lr_gusts_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
-    'lr_world_add_wind': (
+    'lr_world_add_gusts': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_wind_source_desc), ctypes.POINTER(ctypes.c_uint32)],
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_gusts_desc), ctypes.POINTER(ctypes.c_uint32)],
         ('world', 'desc', 'out'),
-        """lr_status lr_world_add_wind(lr_world* world, const lr_wind_source_desc* desc, lr_wind_source* out)
+        """lr_status lr_world_add_gusts(lr_world* world, const lr_gusts_desc* desc, lr_wind_source* out)
 
-        Adds a source. Bodies keep their velocities: a field that appears is not one that accelerates.
+        Adds gusts. The struct is copied.
 
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
-        out: receives the handle, 0 after an error; may be null.
+        out: receives the handle, id 0 after an error; may be null.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->samples of a grid), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY (of sources), LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
-    'lr_world_update_wind': (
+    'lr_world_update_gusts': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_wind_source_desc)],
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_gusts_desc)],
         ('world', 'source', 'desc'),
-        """lr_status lr_world_update_wind(lr_world* world, lr_wind_source source, const lr_wind_source_desc* desc)
+        """lr_status lr_world_update_gusts(lr_world* world, lr_wind_source source, const lr_gusts_desc* desc)
 
-        Replaces everything of a source, also its kind. A grid may be given without samples: it then keeps those it has, if
-        counts and frames are as before.
+        Replaces all values of a source of this kind.
 
         world: the world
         source: handle of a wind source of the world
         desc: initialised by its `_init` function, or with struct_size set
 
-        Returns LR_OK, LR_ERROR_STALE_WIND_SOURCE, and what lr_world_add_wind returns.
+        Returns LR_OK, LR_ERROR_STALE_WIND_SOURCE, LR_ERROR_INVALID_ARGUMENT (also a source of another kind), and every status of lr_world_add_gusts but LR_ERROR_CAPACITY.
+        """,
+    ),
+    'lr_world_get_gusts': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_gusts_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_get_gusts(const lr_world* world, lr_wind_source source, lr_gusts_desc* desc)
+
+        Reads a source of this kind as it was added or last updated.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised, or with struct_size set; unchanged after an error.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_STALE_WIND_SOURCE, LR_ERROR_INVALID_ARGUMENT (a source of another kind).
+        """,
+    ),
+    'lr_vortex_desc_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_vortex_desc), ctypes.c_uint32],
+        ('desc', 'struct_size'),
+        """lr_status lr_vortex_desc_init(lr_vortex_desc* desc, uint32_t struct_size)
+
+        desc: initialised by its `_init` function, or with struct_size set
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_world_add_vortex': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_vortex_desc), ctypes.POINTER(ctypes.c_uint32)],
+        ('world', 'desc', 'out'),
+        """lr_status lr_world_add_vortex(lr_world* world, const lr_vortex_desc* desc, lr_wind_source* out)
+
+        Adds a vortex. Returns what lr_world_add_gusts would.
+
+        world: the world
+        desc: initialised by its `_init` function, or with struct_size set
+        out: the handle; may be null.
+        """,
+    ),
+    'lr_world_update_vortex': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_vortex_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_update_vortex(lr_world* world, lr_wind_source source, const lr_vortex_desc* desc)
+
+        Updates a vortex. Returns what lr_world_update_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
+        """,
+    ),
+    'lr_world_get_vortex': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_vortex_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_get_vortex(const lr_world* world, lr_wind_source source, lr_vortex_desc* desc)
+
+        Reads a vortex as last set. Returns what lr_world_get_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
+        """,
+    ),
+    'lr_blower_desc_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_blower_desc), ctypes.c_uint32],
+        ('desc', 'struct_size'),
+        """lr_status lr_blower_desc_init(lr_blower_desc* desc, uint32_t struct_size)
+
+        desc: initialised by its `_init` function, or with struct_size set
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_world_add_blower': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_blower_desc), ctypes.POINTER(ctypes.c_uint32)],
+        ('world', 'desc', 'out'),
+        """lr_status lr_world_add_blower(lr_world* world, const lr_blower_desc* desc, lr_wind_source* out)
+
+        Adds a blower. Returns what lr_world_add_gusts would.
+
+        world: the world
+        desc: initialised by its `_init` function, or with struct_size set
+        out: the handle; may be null.
+        """,
+    ),
+    'lr_world_update_blower': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_blower_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_update_blower(lr_world* world, lr_wind_source source, const lr_blower_desc* desc)
+
+        Updates a blower. Returns what lr_world_update_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
+        """,
+    ),
+    'lr_world_get_blower': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_blower_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_get_blower(const lr_world* world, lr_wind_source source, lr_blower_desc* desc)
+
+        Reads a blower as last set. Returns what lr_world_get_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
+        """,
+    ),
+    'lr_turbulence_desc_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_turbulence_desc), ctypes.c_uint32],
+        ('desc', 'struct_size'),
+        """lr_status lr_turbulence_desc_init(lr_turbulence_desc* desc, uint32_t struct_size)
+
+        desc: initialised by its `_init` function, or with struct_size set
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_world_add_turbulence': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_turbulence_desc), ctypes.POINTER(ctypes.c_uint32)],
+        ('world', 'desc', 'out'),
+        """lr_status lr_world_add_turbulence(lr_world* world, const lr_turbulence_desc* desc, lr_wind_source* out)
+
+        Adds turbulence. Returns what lr_world_add_gusts would.
+
+        world: the world
+        desc: initialised by its `_init` function, or with struct_size set
+        out: the handle; may be null.
+        """,
+    ),
+    'lr_world_update_turbulence': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_turbulence_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_update_turbulence(lr_world* world, lr_wind_source source, const lr_turbulence_desc* desc)
+
+        Updates turbulence. Returns what lr_world_update_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
+        """,
+    ),
+    'lr_world_get_turbulence': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_turbulence_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_get_turbulence(const lr_world* world, lr_wind_source source, lr_turbulence_desc* desc)
+
+        Reads turbulence as last set. Returns what lr_world_get_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
+        """,
+    ),
+    'lr_wind_grid_desc_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_wind_grid_desc), ctypes.c_uint32],
+        ('desc', 'struct_size'),
+        """lr_status lr_wind_grid_desc_init(lr_wind_grid_desc* desc, uint32_t struct_size)
+
+        desc: initialised by its `_init` function, or with struct_size set
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_world_add_wind_grid': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_wind_grid_desc), ctypes.POINTER(ctypes.c_uint32)],
+        ('world', 'desc', 'out'),
+        """lr_status lr_world_add_wind_grid(lr_world* world, const lr_wind_grid_desc* desc, lr_wind_source* out)
+
+        Adds a grid. Returns what lr_world_add_gusts would.
+
+        world: the world
+        desc: initialised by its `_init` function, or with struct_size set
+        out: the handle; may be null.
+        """,
+    ),
+    'lr_world_update_wind_grid': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_wind_grid_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_update_wind_grid(lr_world* world, lr_wind_source source, const lr_wind_grid_desc* desc)
+
+        Updates a grid. Returns what lr_world_update_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
+        """,
+    ),
+    'lr_world_get_wind_grid': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_wind_grid_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_get_wind_grid(const lr_world* world, lr_wind_source source, lr_wind_grid_desc* desc)
+
+        Reads a grid as last set. Returns what lr_world_get_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
+        """,
+    ),
+    'lr_ground_wind_desc_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_ground_wind_desc), ctypes.c_uint32],
+        ('desc', 'struct_size'),
+        """lr_status lr_ground_wind_desc_init(lr_ground_wind_desc* desc, uint32_t struct_size)
+
+        desc: initialised by its `_init` function, or with struct_size set
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_world_add_ground_wind': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_ground_wind_desc), ctypes.POINTER(ctypes.c_uint32)],
+        ('world', 'desc', 'out'),
+        """lr_status lr_world_add_ground_wind(lr_world* world, const lr_ground_wind_desc* desc, lr_wind_source* out)
+
+        Adds the wind over a ground. Returns what lr_world_add_gusts would.
+
+        world: the world
+        desc: initialised by its `_init` function, or with struct_size set
+        out: the handle; may be null.
+        """,
+    ),
+    'lr_world_update_ground_wind': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_ground_wind_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_update_ground_wind(lr_world* world, lr_wind_source source, const lr_ground_wind_desc* desc)
+
+        Updates the wind over a ground. Returns what lr_world_update_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
+        """,
+    ),
+    'lr_world_get_ground_wind': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_ground_wind_desc)],
+        ('world', 'source', 'desc'),
+        """lr_status lr_world_get_ground_wind(const lr_world* world, lr_wind_source source, lr_ground_wind_desc* desc)
+
+        Reads the wind over a ground as last set. Returns what lr_world_get_gusts would.
+
+        world: the world
+        source: handle of a wind source of the world
+        desc: initialised by its `_init` function, or with struct_size set
         """,
     ),
     'lr_world_remove_wind': (
@@ -1688,10 +2099,24 @@ PROTOTYPES = {
         ('world', 'source'),
         """lr_status lr_world_remove_wind(lr_world* world, lr_wind_source source)
 
+        Removes a source of any kind.
+
         world: the world
         source: handle of a wind source of the world
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_WIND_SOURCE.
+        """,
+    ),
+    'lr_wind_source_is_valid': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32],
+        ('world', 'source'),
+        """int32_t lr_wind_source_is_valid(const lr_world* world, lr_wind_source source)
+
+        Returns 1 if the wind source exists in this world, else 0. Never an error: see lr_body_is_valid.
+
+        world: the world
+        source: handle of a wind source of the world
         """,
     ),
     'lr_world_set_wind_callback': (
@@ -1700,10 +2125,10 @@ PROTOTYPES = {
         ('world', 'callback', 'user'),
         """lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user)
 
-        An engine's own field, added to all else. Null removes it. Not part of snapshots.
+        Sets a callback that adds an engine's own wind field to all other wind. Null removes it. Not part of snapshots.
 
         world: the world
-        user: as given along with the function
+        user: passed to each call of the function
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world).
         """,
@@ -1714,34 +2139,35 @@ PROTOTYPES = {
         ('world', 'positions', 'count', 'velocities'),
         """lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities)
 
-        The velocity of the fluid at the world's present time, of all sources: for particles, cloth, arrows on a screen.
+        Evaluates the fluid's velocity from all sources at the world's current time, for particles, cloth or debug arrows.
 
         world: the world
         positions: 3 * count values, m, x y z x y z ..., each up to 1e9 in magnitude.
-        count: elements of the arrays
-        velocities: receives 3 * count, m/s. Both may be null when count is 0; they may be the same array.
+        count: number of elements
+        velocities: receives 3 * count, m/s. Both may be null when count is 0, and both may be the same array.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
         """,
     ),
-    'lr_surface_desc_init': (
+    'lr_water_desc_init': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_surface_desc), ctypes.c_uint32],
+        [ctypes.POINTER(lr_water_desc), ctypes.c_uint32],
         ('desc', 'struct_size'),
-        """lr_status lr_surface_desc_init(lr_surface_desc* desc, uint32_t struct_size)
+        """lr_status lr_water_desc_init(lr_water_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
-    'lr_world_set_surface': (
+    'lr_world_set_water': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_surface_desc)],
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_water_desc)],
         ('world', 'desc'),
-        """lr_status lr_world_set_surface(lr_world* world, const lr_surface_desc* desc)
+        """lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc)
 
-        From the next step on; copied. Null removes it. Bodies keep their velocities, also those that are now in another
-        fluid. A batch whose mass matrix is singular in it stays in its own, with a warning. Part of snapshots and hash.
+        Sets the water from the next step on. The struct is copied; null removes the water. Bodies keep their velocities,
+        even if they are now in another fluid. A batch whose mass matrix would be singular in water stays in its own fluid,
+        and a warning is logged. Part of snapshots and of the world's hash.
 
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
@@ -1749,16 +2175,32 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
         """,
     ),
-    'lr_world_set_surface_callback': (
+    'lr_world_get_water': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), lr_surface_fn, ctypes.c_void_p],
-        ('world', 'callback', 'user'),
-        """lr_status lr_world_set_surface_callback(lr_world* world, lr_surface_fn callback, void* user)
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_water_desc), ctypes.POINTER(ctypes.c_int32)],
+        ('world', 'desc', 'present'),
+        """lr_status lr_world_get_water(const lr_world* world, lr_water_desc* desc, int32_t* present)
 
-        An engine's own water, while there is a surface. Null removes it. Not part of snapshots.
+        Reads the water.
 
         world: the world
-        user: as given along with the function
+        desc: initialised, or with struct_size set; receives initial values if there is no water.
+        present: receives 1 or 0.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
+        """,
+    ),
+    'lr_world_set_water_callback': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), lr_water_fn, ctypes.c_void_p],
+        ('world', 'callback', 'user'),
+        """lr_status lr_world_set_water_callback(lr_world* world, lr_water_fn callback, void* user)
+
+        Sets a callback for an engine's own water, used while lr_world_set_water has set a surface. Null removes it. Not
+        part of snapshots.
+
+        world: the world
+        user: passed to each call of the function
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world).
         """,
@@ -1769,13 +2211,16 @@ PROTOTYPES = {
         ('world', 'dt', 'substeps'),
         """lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps)
 
-        Advances all bodies by dt in `substeps` equal parts.
+        Advances all bodies by dt, in `substeps` equal parts. At 60 Hz use 2 substeps for leaves and paper of a few
+        centimetres, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end bodies and emitters spawn them at
+        the end of the step. Allocates only in the case that lr_allocator describes. Saves, sets and restores the calling
+        thread's floating-point mode.
 
         world: the world
         dt: s, > 0.
-        substeps: 1 to LR_MAX_SUBSTEPS; at 60 Hz, 2 suit leaves and paper of some centimetres, 4 petals and confetti (docs/maintainers/numerics.md). At its end bodies end and are born as the batches' rules and emitters say. Allocates nothing but what lr_allocator says. The floating-point mode of the calling thread is saved, set and restored.
+        substeps: 1 to LR_MAX_SUBSTEPS.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step has been taken, not to be repeated, but bodies went through each other in it; the next one asks for the memory again.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step was taken, so do not repeat it, but bodies may have passed through each other. The next step asks for the memory again.
         """,
     ),
     'lr_world_set_budget': (
@@ -1784,12 +2229,14 @@ PROTOTYPES = {
         ('world', 'body_substeps'),
         """lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps)
 
-        A budget for the work of each step: a count of substeps of single bodies, whatever each of them costs, at most 2^48; 0, as at
-        first: none. From the next step on; part of snapshots. Where the batches that are due want more, each gets the fewest substeps that
-        keep falls as they are (lr_batch_set_rate), those that have waited longest first; nobody waits for ever. The same calls give the
-        same bits on every machine. A batch on whose single bodies forces act is stepped at once, even over the budget. docs/reference/stepping.md.
+        Limits the work of each step to a number of substeps of single bodies: the same work, so the same bits, on every
+        machine. Takes effect at the next step. Part of snapshots. If the batches that are due need more, each first gets the
+        fewest substeps that preserve its fall statistics (lr_batch_set_rate); batches that have waited longest come first,
+        and none waits forever. A batch with forces on single bodies is stepped at once, even beyond the budget.
+        docs/reference/stepping.md.
 
         world: the world
+        body_substeps: at most 2^48; 0, the default, for no limit.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT.
         """,
@@ -1800,7 +2247,7 @@ PROTOTYPES = {
         ('report', 'struct_size'),
         """lr_status lr_step_report_init(lr_step_report* report, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_world_get_step_report': (
@@ -1809,8 +2256,33 @@ PROTOTYPES = {
         ('world', 'report'),
         """lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report)
 
+        Reads the report of the last step: zeros before the first step and after a snapshot is restored.
+
         world: the world
-        report: initialised, or with struct_size set. Zeros before the first step, and after a snapshot was restored.
+        report: initialised, or with struct_size set.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
+        """,
+    ),
+    'lr_timings_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_timings), ctypes.c_uint32],
+        ('timings', 'struct_size'),
+        """lr_status lr_timings_init(lr_timings* timings, uint32_t struct_size)
+
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_world_get_timings': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_timings)],
+        ('world', 'timings'),
+        """lr_status lr_world_get_timings(const lr_world* world, lr_timings* timings)
+
+        Reads the timings of the last step: zeros before the first one.
+
+        world: the world
+        timings: initialised, or with struct_size set.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
         """,
@@ -1821,9 +2293,9 @@ PROTOTYPES = {
         ('world', 'out'),
         """lr_status lr_world_hash(const lr_world* world, uint64_t* out)
 
-        A hash of the state of all bodies and the time index. Independent of the order of bodies in memory, of the processor
-        and of worker_count; equal hashes mean equal motion from here on, given equal worlds. Wind sources are part of it,
-        grids by the hash of their samples, the surface, and colliders.
+        Computes a hash of the world's time index, bodies, colliders, water and wind sources (grids by the hash of their
+        samples). It does not depend on the order of bodies in memory, the processor or worker_count. Worlds with equal
+        settings and equal hashes move alike from here on.
 
         world: the world
 
@@ -1847,14 +2319,14 @@ PROTOTYPES = {
         ('world', 'memory', 'size', 'written'),
         """lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written)
 
-        Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter,
-        rates, budget, colliders with their ids, how batches meet them and each other) into `size` bytes at `memory`, any alignment.
-        Assets, how batches were created, threads and callbacks are not part of it, nor the samples of wind grids and the data of
-        hulls, heightfields and meshes, which are named by their hash.
+        Writes the world's state into `size` bytes at `memory`, of any alignment: time, gravity, wind, water, budget; bodies
+        and colliders with their handles; each batch's turbulence table, loads, forces, rules, emitter, rate and contact
+        settings. Not included: assets, the descs of batches, threads, callbacks, the samples of wind grids, and the data of
+        hulls, heightfields and meshes; samples and data are identified by their hash.
 
         world: the world
         memory: the bytes
-        size: bytes
+        size: number of bytes
         written: bytes used; may be null.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL.
@@ -1866,14 +2338,15 @@ PROTOTYPES = {
         ('world', 'memory', 'size'),
         """lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size)
 
-        Puts a saved state back, also into another world or process whose batches were created in the same order from equal
-        assets with equal capacities. Bodies, wind sources and colliders have the same ids as when it was saved; grids of
-        wind, hulls, heightfields and meshes must be in the world already, in any place. Checked whole before anything changes.
-        Allocates nothing where the world has held as much before. docs/reference/snapshots.md: which versions restore which snapshots.
+        Restores a saved state. The world may be another one, also in another process, if its batches were created in the
+        same order from equal assets with equal capacities. Bodies, wind sources and colliders get their handles back. Wind
+        grids, hulls, heightfields and meshes must already be in the world, anywhere. The snapshot is checked as a whole
+        before anything changes. Allocates nothing in a world that has held as much before. docs/reference/snapshots.md says
+        which versions restore which snapshots.
 
         world: the world
         memory: the bytes
-        size: bytes
+        size: number of bytes
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY.
         """,
@@ -1885,7 +2358,7 @@ PROTOTYPES = {
         """lr_status lr_recording_desc_init(lr_recording_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_world_record_start': (
@@ -1894,15 +2367,15 @@ PROTOTYPES = {
         ('world', 'desc'),
         """lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc)
 
-        From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
-        its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB of memory,
-        some bytes for each asset, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording
-        ends, a message is logged, and the world goes on.
+        Starts a recording, at any time. First writes the world's present state and the assets of its batches, then each call
+        that can change the world: its arguments, as a rule before it is carried out, and its status after it. Allocates 64
+        KiB and a few bytes per asset; while starting, also a copy of the assets and a snapshot. If `write` refuses, the
+        recording ends, a message is logged, and the world goes on.
 
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; already recording; `write` has refused), LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
     'lr_world_record_stop': (
@@ -1915,7 +2388,7 @@ PROTOTYPES = {
 
         world: the world
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (none is under way: also where `write` has refused).
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (not recording, also after `write` has refused).
         """,
     ),
     'lr_batch_desc_init': (
@@ -1925,7 +2398,7 @@ PROTOTYPES = {
         """lr_status lr_batch_desc_init(lr_batch_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_create': (
@@ -1934,9 +2407,11 @@ PROTOTYPES = {
         ('world', 'desc', 'out'),
         """lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* out)
 
+        Creates a batch.
+
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
-        out: receives the batch, 0 after an error.
+        out: receives the batch, id 0 after an error.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->asset), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
         """,
@@ -1947,12 +2422,25 @@ PROTOTYPES = {
         ('world', 'batch'),
         """lr_status lr_batch_destroy(lr_world* world, lr_batch batch)
 
-        Ends a batch with all its bodies. Those of batches that it met (lr_batch_set_pair_contact) wake.
+        Destroys a batch with all its bodies. Wakes the bodies of batches that had body contact with it
+        (lr_batch_set_body_contact).
 
         world: the world
         batch: handle of a batch of the world
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH.
+        """,
+    ),
+    'lr_batch_is_valid': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32],
+        ('world', 'batch'),
+        """int32_t lr_batch_is_valid(const lr_world* world, lr_batch batch)
+
+        Returns 1 if the batch exists in this world, else 0. Never an error: see lr_body_is_valid.
+
+        world: the world
+        batch: handle of a batch of the world
         """,
     ),
     'lr_turbulence_table_init': (
@@ -1961,7 +2449,7 @@ PROTOTYPES = {
         ('table', 'struct_size'),
         """lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_set_turbulence_table': (
@@ -1970,8 +2458,8 @@ PROTOTYPES = {
         ('world', 'batch', 'table'),
         """lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table)
 
-        Replaces a batch's table; null puts the asset's own back. With AERODYNAMIC loads the table sets the velocity of the fluid
-        around the body, instead of the intensity in lr_aerodynamics.
+        Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the table replaces the
+        intensity of lr_aerodynamics: it sets the velocity of the fluid around the body.
 
         world: the world
         batch: handle of a batch of the world
@@ -1985,9 +2473,9 @@ PROTOTYPES = {
         ('world', 'batch', 'aerodynamics'),
         """lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics)
 
-        Coefficients of the AERODYNAMIC loads for a batch, in place of its asset's, from the next step on; copied. Null puts the
-        asset's own back. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. With other axes than the
-        body's, or another center than 0, a body of LR_ASSET_DIAGONAL takes the slower path of all others.
+        Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
+        restores the asset's. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. Axes other
+        than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
 
         world: the world
         batch: handle of a batch of the world
@@ -2001,7 +2489,7 @@ PROTOTYPES = {
         ('world', 'batch', 'aerodynamics'),
         """lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics)
 
-        What the batch's coefficients are at present.
+        Reads a batch's current coefficients.
 
         world: the world
         batch: handle of a batch of the world
@@ -2016,7 +2504,7 @@ PROTOTYPES = {
         ('gains', 'struct_size'),
         """lr_status lr_load_gains_init(lr_load_gains* gains, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_set_load_gains': (
@@ -2025,12 +2513,28 @@ PROTOTYPES = {
         ('world', 'batch', 'gains'),
         """lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains)
 
-        From the next step on; null puts all at 1. LANGEVIN loads have their gains in lr_batch_desc.
+        Sets the gains of a batch from the next step on; null sets all to 1. The gains of LANGEVIN loads are in
+        lr_batch_desc.
 
         world: the world
         batch: handle of a batch of the world
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+        """,
+    ),
+    'lr_batch_get_load_gains': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_load_gains)],
+        ('world', 'batch', 'gains'),
+        """lr_status lr_batch_get_load_gains(const lr_world* world, lr_batch batch, lr_load_gains* gains)
+
+        Reads the gains of a batch.
+
+        world: the world
+        batch: handle of a batch of the world
+        gains: initialised, or with struct_size set.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
         """,
     ),
     'lr_batch_set_rate': (
@@ -2039,11 +2543,21 @@ PROTOTYPES = {
         ('world', 'batch', 'divisor'),
         """lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor)
 
-        How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
+        Sets how often a batch is stepped: level of detail for bodies that are far away, small or out of sight. A batch of
+        divisor n takes one substep where other batches take n: fewer in each step or, if n exceeds the world's substeps, one
+        every few steps that covers them all. Substeps are never so long that fall statistics change: at most 1/60 s, and
+        length_d / 1.5 m/s for bodies under 2.5 cm. Larger divisors have no further effect. docs/reference/stepping.md.
+        Takes effect at the next step and may change at any time: a waiting batch catches up when it is next stepped. Part of
+        snapshots. While a batch waits
+         - views and lr_body_get_state show bodies as of their last step, lr_batch_pace.behind ago;
+         - bodies that are created or set count as of that time too;
+         - lr_batch_write_transforms extrapolates to the present by the bodies' velocities;
+         - a force on one of its bodies ends the wait, and acts with the impulse that it would have had in one step;
+         - its rules, emitter and events wait too.
 
         world: the world
         batch: handle of a batch of the world
-        divisor: 1 to 1024, at first 1. A batch of divisor n takes one substep where others take n: fewer in each step, or, where n is more than the world's substeps, one in every so many steps, which makes up for all of them. No substep gets longer by that than falls keep their statistics: 1/60 s, for bodies under 2.5 cm length_d / 1.5 m/s. A divisor beyond has no more effect. From the next step on, at any time: a batch that waits makes up for all of it when next stepped. While it waits - views and lr_body_get_state have the bodies as they were last stepped, lr_batch_pace.behind ago, and bodies that are made or set are taken to be from then; transforms are moved on by that time with the bodies' velocities; - a force on one of its bodies ends the waiting, and acts with the impulse that it would have had in one step; - its rules, emitter and events wait too. Part of snapshots.
+        divisor: 1 to 1024; default 1.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
         """,
@@ -2054,7 +2568,7 @@ PROTOTYPES = {
         ('pace', 'struct_size'),
         """lr_status lr_batch_pace_init(lr_batch_pace* pace, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_get_pace': (
@@ -2062,6 +2576,8 @@ PROTOTYPES = {
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_batch_pace)],
         ('world', 'batch', 'pace'),
         """lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace)
+
+        Reads a batch's rate and backlog.
 
         world: the world
         batch: handle of a batch of the world
@@ -2076,7 +2592,7 @@ PROTOTYPES = {
         ('view', 'struct_size'),
         """lr_status lr_batch_view_init(lr_batch_view* view, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_get_view': (
@@ -2085,11 +2601,31 @@ PROTOTYPES = {
         ('world', 'batch', 'view'),
         """lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view)
 
+        Gets the view of a batch.
+
         world: the world
         batch: handle of a batch of the world
         view: initialised, or with struct_size set.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+        """,
+    ),
+    'lr_batch_get_bounds': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(ctypes.c_float), ctypes.POINTER(ctypes.c_float)],
+        ('world', 'batch', 'low', 'high'),
+        """lr_status lr_batch_get_bounds(const lr_world* world, lr_batch batch, float* low, float* high)
+
+        Computes a box around all bodies of a batch, awake or asleep, for culling. Each body counts as the sphere that
+        contains it in any orientation; the box of a waiting batch (lr_batch_set_rate) also contains the places that
+        lr_batch_write_transforms extrapolates to. The cost is proportional to the number of bodies.
+
+        world: the world
+        batch: handle of a batch of the world
+        low: receive x, y, z of the corners, m, world frame. A batch without bodies gives the largest float in `low` and its negative in `high`: the union with any other box is that box.
+        high: receive x, y, z of the corners, m, world frame. A batch without bodies gives the largest float in `low` and its negative in `high`: the union with any other box is that box.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH.
         """,
     ),
     'lr_batch_write_transforms': (
@@ -2098,19 +2634,19 @@ PROTOTYPES = {
         ('world', 'batch', 'format', 'dst', 'stride', 'count', 'written'),
         """lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride, uint32_t count, uint32_t* written)
 
-        Writes the transforms of the first `count` bodies of a batch, or of all where there are fewer, in the order of its view; of one that
-        waits (lr_batch_set_rate), moved on to the world's time. The mesh to be drawn must have its origin at the centre of mass
-        (lr_asset_info.center_of_mass).
-        An instance buffer keeps what was written before: where lr_batch_view.revision is that of the last time, bodies at rest then still
-        lie there, and it is enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md.
-        Keep both numbers for each buffer that is written in turn.
+        Writes the transforms of a batch's first `count` bodies, or of all if there are fewer, in the order of its view. Draw
+        a mesh whose origin is the centre of mass (lr_asset_info.center_of_mass). Bodies of a waiting batch
+        (lr_batch_set_rate) are extrapolated to the world's time.
+        An instance buffer that still holds the last write needs no rewrite of sleeping bodies. While lr_batch_view.revision
+        is unchanged, `count` may be the greater of the old and the new awake_count; otherwise write all bodies. Remember
+        both numbers per buffer. docs/reference/bodies.md.
 
         world: the world
         batch: handle of a batch of the world
         format: one of the constants above
         dst: 4-byte aligned, room for `count` elements `stride` bytes apart.
-        stride: 0 for elements without gaps, else a multiple of 4, at least an element.
-        count: elements of the arrays
+        stride: 0 for elements without gaps, else a multiple of 4 no smaller than an element.
+        count: number of elements
         written: elements written; may be null.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
@@ -2123,7 +2659,7 @@ PROTOTYPES = {
         """lr_status lr_body_desc_init(lr_body_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_body_create': (
@@ -2137,7 +2673,7 @@ PROTOTYPES = {
         world: the world
         batch: handle of a batch of the world
         descs: `count` elements.
-        count: elements of the arrays
+        count: number of elements
         out_ids: receives `count` ids; may be null.
 
         Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY.
@@ -2149,14 +2685,27 @@ PROTOTYPES = {
         ('world', 'bodies', 'count'),
         """lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count)
 
-        Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed. What lay on
-        them wakes.
+        Destroys `count` bodies of any batches, all or none: a stale or repeated id fails the call. Wakes the bodies that lay
+        on them.
 
         world: the world
         bodies: `count` ids of bodies
-        count: elements of the arrays
+        count: number of elements
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY.
+        """,
+    ),
+    'lr_body_is_valid': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint64],
+        ('world', 'body'),
+        """int32_t lr_body_is_valid(const lr_world* world, lr_body body)
+
+        Returns 1 if the body exists in this world, else 0. Never an error: a null world gives 0, and so does a call
+        that lr_world_desc.checks refuses. Not recorded.
+
+        world: the world
+        body: id of a body
         """,
     ),
     'lr_body_state_init': (
@@ -2165,7 +2714,7 @@ PROTOTYPES = {
         ('state', 'struct_size'),
         """lr_status lr_body_state_init(lr_body_state* state, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_body_get_state': (
@@ -2174,8 +2723,11 @@ PROTOTYPES = {
         ('world', 'body', 'state'),
         """lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state)
 
+        Reads the state of a body.
+
         world: the world
-        body: a body's id
+        body: id of a body
+        state: initialised, or with struct_size set.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE.
         """,
@@ -2186,37 +2738,37 @@ PROTOTYPES = {
         ('world', 'body', 'state'),
         """lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state)
 
-        Sets everything but the key, and wakes the body. The quaternion is normalised. Positions up to 1e9 m, velocities up to
-        1e6 m/s and rad/s are taken, here and by lr_body_create. For many bodies a frame, prefer forces and wind: this breaks
-        the physics by design.
+        Sets everything but the noise seed, and wakes the body. The quaternion is normalised. Limits, also of lr_body_create:
+        positions up to 1e9 m, velocities up to 1e6 m/s and rad/s. To steer bodies every frame, prefer forces and wind:
+        setting the state bypasses physics.
 
         world: the world
-        body: a body's id
+        body: id of a body
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
         """,
     ),
-    'lr_body_set_rest': (
+    'lr_body_set_sleep': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.POINTER(ctypes.c_uint64), ctypes.c_uint32, ctypes.c_int32],
-        ('world', 'bodies', 'count', 'rest'),
-        """lr_status lr_body_set_rest(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest)
+        ('world', 'bodies', 'count', 'sleep_state'),
+        """lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, int32_t sleep_state)
 
-        Puts bodies of any batches to rest, or wakes them, all or none; some may be so already, or be given twice. A body at
-        rest does not move, whatever acts on it, and costs a step nothing. Its velocities and the forces on it end. It wakes
-         - by this function, lr_world_wake_box, and lr_body_set_state,
-         - by a force, impulse or velocity on it that is not zero (lr_body_add_force, lr_batch_add_forces),
-         - by a change of lr_batch_set_force, lr_world_set_gravity or lr_batch_set_pair_contact, with all others that it is about,
-         - when it begins anew by its batch's rules,
-         - by contact: colliders, wind. docs/reference/bodies.md.
-        It grows older, and the rules of its batch are for it too: they look at bodies at rest in every 16th step of the batch.
-        Bodies that wake and come to rest change indices in the view, not ids. Part of snapshots. The first body at rest of a
-        batch takes up to 25 bytes for each of the batch's capacity.
+        Puts bodies of any batches to sleep or wakes them, all or none. Bodies may already be in that state, and ids may
+        repeat. A sleeping body does not move, whatever acts on it, and adds no cost to a step. Its velocities and pending
+        forces are cleared. It still ages, and its batch's rules still apply: they check sleeping bodies in every 16th step
+        of the batch. Falling asleep and waking change a body's index in the view, not its id. Part of snapshots. A batch's
+        first sleeping body allocates up to 25 bytes for each body of the batch's capacity. A body is woken by
+         - this function, lr_world_wake_box and lr_body_set_state;
+         - a force, impulse or velocity other than zero (lr_body_add_force, lr_batch_add_forces);
+         - a change by lr_batch_set_force, lr_world_set_gravity or lr_batch_set_body_contact that concerns it;
+         - a respawn by its batch's rules;
+         - contact with colliders or other bodies, and wind: docs/reference/bodies.md.
 
         world: the world
         bodies: `count` ids of bodies
-        count: elements of the arrays
-        rest: LR_REST_*.
+        count: number of elements
+        sleep_state: LR_SLEEP_*.
 
         Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
         """,
@@ -2227,13 +2779,14 @@ PROTOTYPES = {
         ('world', 'low', 'high', 'woken'),
         """lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken)
 
-        Wakes all bodies at rest that reach into a box, each taken to be a cube that it can turn in: for what the world does not
-        know of, as footsteps and explosions.
+        Wakes all sleeping bodies that touch a box, for events that the world does not know about, such as footsteps and
+        explosions. Each body counts as the cube that contains it in any orientation. The cost depends on the bodies near the
+        box alone.
 
         world: the world
         low: x, y, z of its corners, m, low <= high.
         high: x, y, z of its corners, m, low <= high.
-        woken: how many; may be null. It takes time by what lies there, not by what rests elsewhere.
+        woken: receives how many; may be null.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
         """,
@@ -2244,7 +2797,7 @@ PROTOTYPES = {
         ('force', 'struct_size'),
         """lr_status lr_body_force_init(lr_body_force* force, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_body_add_force': (
@@ -2253,13 +2806,13 @@ PROTOTYPES = {
         ('world', 'forces', 'count'),
         """lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32_t count)
 
-        Puts `count` forces on bodies of any batches, all or none; a body may be there more than once. One of them may
-        give its body up to 1e9 m/s^2, torques as much over its length; an impulse up to 1e6 m/s and rad/s. Pending forces
-        are part of snapshots and of the world's hash. The first force or acceleration on a body of a batch takes 96 bytes
-        for each of the batch's capacity.
+        Applies `count` forces to bodies of any batches, all or none. A body may occur more than once. Each element may give
+        its body at most 1e9 m/s^2 (torques: 1e9 m/s^2 over its length), an impulse at most 1e6 m/s and rad/s. Pending forces
+        are part of snapshots and of the world's hash. The first force or acceleration on a body of a batch allocates 96
+        bytes for each body of the batch's capacity.
 
         world: the world
-        count: elements of the arrays
+        count: number of elements
 
         Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
         """,
@@ -2270,7 +2823,7 @@ PROTOTYPES = {
         ('arrays', 'struct_size'),
         """lr_status lr_force_arrays_init(lr_force_arrays* arrays, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_add_forces': (
@@ -2279,10 +2832,12 @@ PROTOTYPES = {
         ('world', 'batch', 'arrays'),
         """lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays)
 
+        Applies forces to many bodies of a batch; limits, snapshots and memory as for lr_body_add_force.
+
         world: the world
         batch: handle of a batch of the world
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (some of three pointers), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also first + count over the batch's bodies), LR_ERROR_OUT_OF_MEMORY.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (some of three pointers), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also if first + count exceeds the batch's bodies), LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
     'lr_batch_force_init': (
@@ -2291,7 +2846,7 @@ PROTOTYPES = {
         ('force', 'struct_size'),
         """lr_status lr_batch_force_init(lr_batch_force* force, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_set_force': (
@@ -2300,12 +2855,28 @@ PROTOTYPES = {
         ('world', 'batch', 'force'),
         """lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force)
 
-        From the next step on, until changed; copied. Null ends it. A change wakes the batch's bodies. Part of snapshots.
+        Sets the forces on a batch from the next step on. The struct is copied; null clears them. A change wakes the batch's
+        sleeping bodies. Part of snapshots.
 
         world: the world
         batch: handle of a batch of the world
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+        """,
+    ),
+    'lr_batch_get_force': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_batch_force)],
+        ('world', 'batch', 'force'),
+        """lr_status lr_batch_get_force(const lr_world* world, lr_batch batch, lr_batch_force* force)
+
+        Reads the forces on every body of a batch.
+
+        world: the world
+        batch: handle of a batch of the world
+        force: initialised, or with struct_size set.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
         """,
     ),
     'lr_collider_desc_init': (
@@ -2315,7 +2886,7 @@ PROTOTYPES = {
         """lr_status lr_collider_desc_init(lr_collider_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_collider_create': (
@@ -2324,15 +2895,15 @@ PROTOTYPES = {
         ('world', 'descs', 'count', 'out_ids'),
         """lr_status lr_collider_create(lr_world* world, const lr_collider_desc* descs, uint32_t count, lr_collider* out_ids)
 
-        Creates `count` colliders, all or none. They are there from the next step on. Hulls, heightfields and meshes that are equal
+        Creates `count` colliders, all or none, which collide from the next step on. Equal hulls, heightfields and meshes
         share one copy of their data.
 
         world: the world
         descs: `count` elements.
-        count: elements of the arrays
-        out_ids: receives `count` ids; may be null.
+        count: number of elements
+        out_ids: receives `count` handles; may be null.
 
-        Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT (also arrays that the kind needs), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also a hull that is flat: thinner than 1e-4 of its largest extent; a mesh with an index out of range, or no triangle with an area), LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
+        Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT (also for arrays that the kind needs), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for a flat hull, thinner than 1e-4 of its largest extent, and for a mesh with an index out of range or no triangle with an area), LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
     'lr_collider_destroy': (
@@ -2341,13 +2912,25 @@ PROTOTYPES = {
         ('world', 'colliders', 'count'),
         """lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uint32_t count)
 
-        Destroys `count` colliders, all or none: if one of them is stale, or given twice, nothing is destroyed.
+        Destroys `count` colliders, all or none: a stale or repeated handle fails the call.
 
         world: the world
         colliders: `count` handles of colliders
-        count: elements of the arrays
+        count: number of elements
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER.
+        """,
+    ),
+    'lr_collider_is_valid': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint64],
+        ('world', 'collider'),
+        """int32_t lr_collider_is_valid(const lr_world* world, lr_collider collider)
+
+        Returns 1 if the collider exists in this world, else 0. Never an error: see lr_body_is_valid.
+
+        world: the world
+        collider: handle of a collider
         """,
     ),
     'lr_collider_motion_init': (
@@ -2356,7 +2939,7 @@ PROTOTYPES = {
         ('motion', 'struct_size'),
         """lr_status lr_collider_motion_init(lr_collider_motion* motion, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_collider_move': (
@@ -2365,11 +2948,11 @@ PROTOTYPES = {
         ('world', 'motions', 'count'),
         """lr_status lr_collider_move(lr_world* world, const lr_collider_motion* motions, uint32_t count)
 
-        Moves `count` colliders, all or none, in this order: of several motions of one collider the last holds. Planes that turn
-        keep all bodies of the world from the fast path while they do.
+        Moves `count` colliders, all or none, in order: the last motion of a collider wins. While a plane rotates, no body of
+        the world can use the fast path.
 
         world: the world
-        count: elements of the arrays
+        count: number of elements
 
         Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_STALE_COLLIDER, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
         """,
@@ -2380,7 +2963,7 @@ PROTOTYPES = {
         ('state', 'struct_size'),
         """lr_status lr_collider_state_init(lr_collider_state* state, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_collider_get_state': (
@@ -2389,33 +2972,35 @@ PROTOTYPES = {
         ('world', 'collider', 'state'),
         """lr_status lr_collider_get_state(const lr_world* world, lr_collider collider, lr_collider_state* state)
 
+        Reads the state of a collider.
+
         world: the world
-        collider: a collider's handle
+        collider: handle of a collider
         state: initialised, or with struct_size set.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE.
         """,
     ),
-    'lr_collider_surface_init': (
+    'lr_material_init': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_collider_surface), ctypes.c_uint32],
-        ('surface', 'struct_size'),
-        """lr_status lr_collider_surface_init(lr_collider_surface* surface, uint32_t struct_size)
+        [ctypes.POINTER(lr_material), ctypes.c_uint32],
+        ('material', 'struct_size'),
+        """lr_status lr_material_init(lr_material* material, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
-    'lr_collider_set_surface': (
+    'lr_collider_set_material': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.POINTER(ctypes.c_uint64), ctypes.c_uint32, ctypes.POINTER(lr_collider_surface)],
-        ('world', 'colliders', 'count', 'surface'),
-        """lr_status lr_collider_set_surface(lr_world* world, const lr_collider* colliders, uint32_t count, const lr_collider_surface* surface)
+        [ctypes.POINTER(lr_world), ctypes.POINTER(ctypes.c_uint64), ctypes.c_uint32, ctypes.POINTER(lr_material)],
+        ('world', 'colliders', 'count', 'material'),
+        """lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders, uint32_t count, const lr_material* material)
 
-        Gives `count` colliders the same surface, all or none, from the next step on.
+        Sets one material for `count` colliders, all or none, from the next step on.
 
         world: the world
         colliders: `count` handles of colliders
-        count: elements of the arrays
+        count: number of elements
 
         Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
         """,
@@ -2426,7 +3011,7 @@ PROTOTYPES = {
         ('contact', 'struct_size'),
         """lr_status lr_batch_contact_init(lr_batch_contact* contact, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_set_contact': (
@@ -2435,7 +3020,8 @@ PROTOTYPES = {
         ('world', 'batch', 'contact'),
         """lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_contact* contact)
 
-        From the next step on; copied. Null is what a batch has initially. Wakes the batch's bodies at rest. Part of snapshots.
+        Sets how a batch collides from the next step on. The struct is copied; null restores the defaults. Wakes the batch's
+        sleeping bodies. Part of snapshots.
 
         world: the world
         batch: handle of a batch of the world
@@ -2449,6 +3035,8 @@ PROTOTYPES = {
         ('world', 'batch', 'contact'),
         """lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact)
 
+        Reads how a batch collides.
+
         world: the world
         batch: handle of a batch of the world
         contact: initialised, or with struct_size set.
@@ -2456,19 +3044,18 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
         """,
     ),
-    'lr_batch_set_pair_contact': (
+    'lr_batch_set_body_contact': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_uint32, ctypes.c_int32],
         ('world', 'a', 'b', 'enabled'),
-        """lr_status lr_batch_set_pair_contact(lr_world* world, lr_batch a, lr_batch b, int32_t enabled)
+        """lr_status lr_batch_set_body_contact(lr_world* world, lr_batch a, lr_batch b, int32_t enabled)
 
-        Whether bodies of `a` and of `b` meet each other, from the next step on; their order does not matter, and a == b are the
-        bodies of one batch among themselves. Initially none do. Friction, restitution and rolling resistance are those of
-        lr_batch_contact: of a pair, friction is the geometric mean of both and restitution the larger. Layers are for colliders alone.
-        Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
-        at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
-        The first pair of a batch takes 28 bytes for each of its capacity, and up to 75 more unless there have been colliders.
-        docs/maintainers/contact.md
+        Turns body contact on or off from the next step on: collisions between bodies of `a` and bodies of `b`, in either
+        order. Pass the same batch twice for collisions within it. Off by default. Contacts use friction, restitution and
+        rolling resistance of lr_batch_contact, combined as there; layers apply to colliders only. Bodies of batches stepped
+        at different rates (lr_batch_set_rate), or waiting for the budget, collide only while one of the two is asleep. A
+        change wakes the sleeping bodies of both batches. Part of snapshots. A batch's first pair allocates 28 bytes for each
+        body of its capacity, and up to 75 more if the world has never had colliders. docs/maintainers/contact.md.
 
         world: the world
         a: handle of a batch of the world
@@ -2478,11 +3065,13 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH (either), LR_ERROR_INVALID_ARGUMENT (enabled), LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
-    'lr_batch_get_pair_contact': (
+    'lr_batch_get_body_contact': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_uint32, ctypes.POINTER(ctypes.c_int32)],
         ('world', 'a', 'b', 'enabled'),
-        """lr_status lr_batch_get_pair_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled)
+        """lr_status lr_batch_get_body_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled)
+
+        Reads whether bodies of two batches collide.
 
         world: the world
         a: handle of a batch of the world
@@ -2492,44 +3081,47 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH (either).
         """,
     ),
-    'lr_world_set_contact_events': (
+    'lr_world_set_events': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_uint32],
         ('world', 'capacity', 'kinds'),
-        """lr_status lr_world_set_contact_events(lr_world* world, uint32_t capacity, uint32_t kinds)
+        """lr_status lr_world_set_events(lr_world* world, uint32_t capacity, uint32_t kinds)
 
-        Has events kept, at most `capacity` of a step, from now on: contacts that there are already do not begin again.
+        Enables events; at most `capacity` are stored per step. Contacts that already exist do not begin again. capacity 0
+        disables events. All memory is allocated here and by lr_batch_create, none in steps: 64 bytes per event, and 233 for
+        each body of a batch's capacity. Neither part of snapshots nor of the world's hash.
 
         world: the world
-        capacity: elements that there is room for
-        kinds: bits LR_EVENTS_*. capacity 0 ends it. All memory is taken here and by lr_batch_create, 225 bytes for each of a batch's capacity and 64 for each event, and a step takes none. Neither part of snapshots nor of the world's hash.
+        capacity: number of elements that fit
+        kinds: bits LR_EVENTS_*.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits; no bit but a capacity), LR_ERROR_OUT_OF_MEMORY.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits, or no bits with a capacity), LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
-    'lr_contact_event_list_init': (
+    'lr_event_list_init': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_contact_event_list), ctypes.c_uint32],
+        [ctypes.POINTER(lr_event_list), ctypes.c_uint32],
         ('list', 'struct_size'),
-        """lr_status lr_contact_event_list_init(lr_contact_event_list* list, uint32_t struct_size)
+        """lr_status lr_event_list_init(lr_event_list* list, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
-    'lr_world_get_contact_events': (
+    'lr_world_get_events': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_contact_event_list)],
+        [ctypes.POINTER(lr_world), ctypes.POINTER(lr_event_list)],
         ('world', 'list'),
-        """lr_status lr_world_get_contact_events(const lr_world* world, lr_contact_event_list* list)
+        """lr_status lr_world_get_events(const lr_world* world, lr_event_list* list)
 
-        Valid until the next call that is not a query; empty after lr_world_snapshot_restore. In order of batches (their place in the
-        world's table), then of the bodies' keys, then of kinds, then of colliders' slots: independent of workers, processors and where
-        bodies lie in memory. Bodies that share a key are in order of their slots.
-        Contact is looked at after each substep, and ends only at the end of a step: what bounces within one begins once. What touches
-        and leaves within a step begins and ends in it. A body at rest still touches what it lies on. Of a body that ends there is one
-        LR_BODY_KILLED and nothing else, but LR_BODY_FAULTED where that is why; of those destroyed by lr_body_destroy there is nothing. At
-        most four colliders of a body count, those that press it most; other bodies that it touches count as one of the four, and neither
-        begin nor end. A body that comes to rest on other bodies has landed.
+        Gets the events of the last step. Valid until the next call that is not a query; empty after
+        lr_world_snapshot_restore. Sorted by batch (its place in the world's table), noise seed, kind and collider slot, so
+        the order does not depend on workers, processor or memory. Bodies with the same noise seed are sorted by slot.
+        Contacts are checked after each substep but end only at the end of a step: a body that bounces within a step begins
+        one contact, and one that touches and leaves begins and ends it. A sleeping body still touches its support. A body
+        that ends has one LR_EVENT_KILLED or LR_EVENT_RESPAWNED, and before it at most LR_EVENT_SPAWNED, after it at most
+        LR_EVENT_DIVERGED. lr_body_destroy and lr_batch_destroy cause no event. A body has at most four contacts, those that
+        press it most. Contact with other bodies takes one of the four and causes no events, but a body that falls asleep on
+        other bodies has landed.
 
         world: the world
         list: initialised, or with struct_size set.
@@ -2543,7 +3135,7 @@ PROTOTYPES = {
         ('ray', 'struct_size'),
         """lr_status lr_ray_init(lr_ray* ray, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_world_ray_cast': (
@@ -2552,17 +3144,18 @@ PROTOTYPES = {
         ('world', 'rays', 'count', 'hits'),
         """lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits)
 
-        What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/maintainers/contact.md);
-        those of batches that wait (lr_batch_set_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
-        meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
-        before colliders, then the order is that of batches and keys, or of colliders' slots.
+        Finds the first hit of each ray. Bodies have their contact shape, the hull of their asset or an ellipsoid
+        (docs/maintainers/contact.md); bodies of waiting batches (lr_batch_set_rate) are where they were last stepped. Planes
+        and heightfields are solid below their surface; meshes are hit from both sides. Colliders are where the last step or
+        lr_collider_move put them. Hits at equal distances are sorted: bodies before colliders, then by batch and noise seed
+        or by collider slot.
 
         world: the world
         rays: `count` elements.
-        count: elements of the arrays
-        hits: receives `count` elements.
+        count: number of elements
+        hits: receives `count` elements; none are written after an error.
 
-        Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_STALE_BATCH: then no hit is written.
+        Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_STALE_BATCH.
         """,
     ),
     'lr_overlap_desc_init': (
@@ -2572,7 +3165,7 @@ PROTOTYPES = {
         """lr_status lr_overlap_desc_init(lr_overlap_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_world_overlap': (
@@ -2581,15 +3174,16 @@ PROTOTYPES = {
         ('world', 'desc', 'bodies', 'capacity', 'count'),
         """lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity, uint32_t* count)
 
-        All bodies of which a part is in a sphere or box, in order of batches, then keys, then slots. They are the same as for rays.
+        Finds all bodies that overlap a sphere or box, sorted by batch, noise seed and slot. Shapes and places of bodies are
+        as for rays.
 
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
-        bodies: room for `capacity` ids; may be null when that is 0.
-        capacity: elements that there is room for
+        bodies: room for `capacity` ids; may be null when capacity is 0.
+        capacity: number of elements that fit
         count: receives how many there are.
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_BUFFER_TOO_SMALL: *count is set, and `bodies` holds no meaning.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_BUFFER_TOO_SMALL: *count is set, and the contents of `bodies` are undefined.
         """,
     ),
     'lr_batch_rules_init': (
@@ -2598,7 +3192,7 @@ PROTOTYPES = {
         ('rules', 'struct_size'),
         """lr_status lr_batch_rules_init(lr_batch_rules* rules, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_set_rules': (
@@ -2607,9 +3201,10 @@ PROTOTYPES = {
         ('world', 'batch', 'rules'),
         """lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules)
 
-        Bodies are judged at the end of each step, those at rest (lr_body_set_rest) in one of 16 of their batch. Copied; null
-        ends the rules. Part of snapshots. The first rules or emitter of a batch take 24 bytes for each of its capacity; later
-        calls, say to move a volume along with a camera, none.
+        Sets the rules of a batch. Awake bodies are checked at the end of each step, sleeping ones in every 16th step of
+        their batch. The struct is copied; null removes the rules. Part of snapshots. A batch's first rules or emitter
+        allocate 8 bytes for each body of its capacity; later calls, such as moving a volume along with a camera, allocate
+        nothing.
 
         world: the world
         batch: handle of a batch of the world
@@ -2617,37 +3212,57 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also LR_END_RESPAWN without an emitter), LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
-    'lr_batch_set_fault_policy': (
+    'lr_batch_get_rules': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_int32],
-        ('world', 'batch', 'policy'),
-        """lr_status lr_batch_set_fault_policy(lr_world* world, lr_batch batch, int32_t policy)
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_batch_rules), ctypes.POINTER(ctypes.c_int32)],
+        ('world', 'batch', 'rules', 'present'),
+        """lr_status lr_batch_get_rules(const lr_world* world, lr_batch batch, lr_batch_rules* rules, int32_t* present)
 
-        What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a collider that shoots it out of
-        the world. Every body is judged in each step, and after impulses: a number that is not finite, a coordinate over 1e10 m, a velocity
-        over 2e6 m/s or 1e9 rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
-        in lr_batch_events, and logged once for all; others are not touched by it. docs/reference/bodies.md
-        A body that is held has the position and orientation of the beginning of that step or substep, and no velocity. Nothing moves or
-        touches it, it moves and touches nothing, forces on it are taken and have no effect; it grows older, and rules may end it.
-        lr_body_set_state sets it free, and lr_body_set_rest puts it to rest like any other. lr_body_state.resting tells.
-        Initially LR_FAULT_AUTO. From the next step on, also for the others; those that are held stay so. Part of snapshots and hash.
+        Reads the rules of a batch.
 
         world: the world
         batch: handle of a batch of the world
-        policy: LR_FAULT_*. LR_FAULT_REMOVE takes memory as lr_batch_set_rules.
+        rules: initialised, or with struct_size set; receives initial values if there are none.
+        present: receives 1 or 0.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+        """,
+    ),
+    'lr_batch_set_divergence_policy': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_int32],
+        ('world', 'batch', 'policy'),
+        """lr_status lr_batch_set_divergence_policy(lr_world* world, lr_batch batch, int32_t policy)
+
+        Sets how a batch treats diverged bodies: those with a number that is not finite, a coordinate over 1e10 m, a velocity
+        over 2e6 m/s or 1e9 rad/s, or an invalid orientation. Bodies diverge through extreme forces, an unstable integrator,
+        or a collider that shoots them out of the world. Every body is checked in each step and after impulses, so such
+        values are never visible and never affect other bodies. At the end of the step the body causes LR_EVENT_DIVERGED and
+        counts in lr_batch_counts; one message is logged for all. docs/reference/bodies.md
+        A held body stays at its position and orientation from the beginning of that step or substep, without velocity. It
+        collides with nothing, and forces on it are accepted without effect. It ages, and rules can end it. lr_body_set_state
+        frees it, lr_body_set_sleep can put it to sleep, and lr_body_state.sleep_state shows that it is held.
+        Takes effect at the next step; bodies already held stay held. Part of snapshots and of the world's hash.
+        LR_DIVERGENCE_REMOVE allocates as lr_batch_set_rules does.
+
+        world: the world
+        batch: handle of a batch of the world
+        policy: LR_DIVERGENCE_*; default LR_DIVERGENCE_AUTO.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
-    'lr_batch_get_fault_policy': (
+    'lr_batch_get_divergence_policy': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(ctypes.c_int32)],
         ('world', 'batch', 'policy'),
-        """lr_status lr_batch_get_fault_policy(const lr_world* world, lr_batch batch, int32_t* policy)
+        """lr_status lr_batch_get_divergence_policy(const lr_world* world, lr_batch batch, int32_t* policy)
+
+        Reads how a batch treats diverged bodies.
 
         world: the world
         batch: handle of a batch of the world
-        policy: receives LR_FAULT_*; unchanged after an error.
+        policy: receives LR_DIVERGENCE_*; unchanged after an error.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH.
         """,
@@ -2659,7 +3274,7 @@ PROTOTYPES = {
         """lr_status lr_emitter_desc_init(lr_emitter_desc* desc, uint32_t struct_size)
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
     'lr_batch_set_emitter': (
@@ -2668,9 +3283,10 @@ PROTOTYPES = {
         ('world', 'batch', 'desc'),
         """lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc)
 
-        Bodies are born at the end of each step, after others have ended, up to the batch's capacity; those that find no room
-        are not born later. Their keys are the world's next. Copied; another emitter carries on with the fraction of a body
-        that is due and with the time since the last burst; null ends it. Part of snapshots. Memory: as lr_batch_set_rules.
+        Sets the emitter of a batch. Bodies spawn at the end of each step, after rules have ended others, up to the batch's
+        capacity; spawns beyond it are dropped, not postponed. New bodies take the world's next noise seeds, and 0 as `user`.
+        The struct is copied; null removes the emitter. A replacement keeps the pending fraction of a spawn and the time since
+        the last burst. Part of snapshots. Allocates as lr_batch_set_rules does.
 
         world: the world
         batch: handle of a batch of the world
@@ -2679,42 +3295,59 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also null while the rules respawn), LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
-    'lr_batch_emit': (
+    'lr_batch_get_emitter': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint64)],
-        ('world', 'batch', 'count', 'out_ids'),
-        """lr_status lr_batch_emit(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids)
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_emitter_desc), ctypes.POINTER(ctypes.c_int32)],
+        ('world', 'batch', 'desc', 'present'),
+        """lr_status lr_batch_get_emitter(const lr_world* world, lr_batch batch, lr_emitter_desc* desc, int32_t* present)
 
-        Bears `count` bodies now, all or none.
+        Reads the emitter of a batch.
 
         world: the world
         batch: handle of a batch of the world
-        count: elements of the arrays
+        desc: initialised, or with struct_size set; receives initial values if there is none.
+        present: receives 1 or 0.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+        """,
+    ),
+    'lr_batch_spawn': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint64)],
+        ('world', 'batch', 'count', 'out_ids'),
+        """lr_status lr_batch_spawn(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids)
+
+        Spawns `count` bodies now, all or none.
+
+        world: the world
+        batch: handle of a batch of the world
+        count: number of elements
         out_ids: receives `count` ids; may be null.
 
         Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT (no emitter), LR_ERROR_CAPACITY.
         """,
     ),
-    'lr_batch_events_init': (
+    'lr_batch_counts_init': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_batch_events), ctypes.c_uint32],
-        ('events', 'struct_size'),
-        """lr_status lr_batch_events_init(lr_batch_events* events, uint32_t struct_size)
+        [ctypes.POINTER(lr_batch_counts), ctypes.c_uint32],
+        ('counts', 'struct_size'),
+        """lr_status lr_batch_counts_init(lr_batch_counts* counts, uint32_t struct_size)
 
-        struct_size: sizeof the struct as the caller sees it
+        struct_size: sizeof the struct in the caller's header
         """,
     ),
-    'lr_batch_get_events': (
+    'lr_batch_get_counts': (
         ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_batch_events)],
-        ('world', 'batch', 'events'),
-        """lr_status lr_batch_get_events(const lr_world* world, lr_batch batch, lr_batch_events* events)
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_batch_counts)],
+        ('world', 'batch', 'counts'),
+        """lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_batch_counts* counts)
 
-        Lists are valid until the next call that is not a query. All but faults is 0 and null for a batch that never had rules or an
-        emitter. Totals are part of snapshots; after a restore there are no events of the last step.
+        Reads the counts of a batch. One that never had rules or an emitter counts only diverged bodies; the rest is 0.
+        Totals are part of snapshots; after a restore the counts of the last step are 0.
 
         world: the world
         batch: handle of a batch of the world
+        counts: initialised, or with struct_size set.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
         """,

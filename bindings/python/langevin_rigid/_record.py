@@ -7,9 +7,6 @@ from typing import Any, Dict, Type, TypeVar
 
 import numpy as np
 
-from . import enums
-
-ENUMS = {"simd_target": enums.SimdTarget, "resting": enums.Rest}
 MATRICES = {9: (3, 3), 36: (6, 6)}
 R = TypeVar("R", bound="Record")
 
@@ -18,6 +15,7 @@ class Record:
     """Fields as in C; arrays are NumPy's own, matrices have two dimensions."""
 
     __slots__: Any = ()
+    _enums: Dict[str, Any] = {}
 
     def __init__(self, **fields: Any) -> None:
         for name in self.__slots__:
@@ -27,7 +25,7 @@ class Record:
 
     @classmethod
     def read(cls: Type[R], struct: Any, **others: Any) -> R:
-        return cls(**{name: others[name] if name in others else _python(name, getattr(struct, name))
+        return cls(**{name: others[name] if name in others else _python(name, getattr(struct, name), cls._enums.get(name))
                       for name in cls.__slots__})
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -51,13 +49,11 @@ def _again(cls: Type[R], fields: Dict[str, Any]) -> R:
     return cls(**fields)
 
 
-def _python(name: str, value: Any) -> Any:
+def _python(name: str, value: Any, enum: Any) -> Any:
     if isinstance(value, bytes):
         return value.decode("utf-8", "replace")
     if isinstance(value, ctypes.Array):
         array = np.array(value)
         shape = MATRICES.get(array.size)
         return array.reshape(shape) if shape and name != "gradient" else array
-    if name in ENUMS:
-        return ENUMS[name](value)
-    return value
+    return enum(value) if enum else value

@@ -29,7 +29,7 @@ def dtype(struct: Any) -> Any:
 
 
 def init(struct: Type[Any]) -> Any:
-    """A struct with its initial values."""
+    """A struct with its defaults."""
     value = struct()
     name = native.INITS.get(struct.__name__)
     if name:
@@ -38,7 +38,7 @@ def init(struct: Type[Any]) -> Any:
 
 
 def integer(value: Any, kind: Any, name: str) -> int:
-    """ctypes would cut off what does not fit."""
+    """Checks the range: ctypes would truncate silently."""
     number = operator.index(value)
     bits = 8 * ctypes.sizeof(kind)
     signed = kind(-1).value < 0
@@ -49,12 +49,12 @@ def integer(value: Any, kind: Any, name: str) -> int:
 
 
 def address(array: np.ndarray, of: Any) -> Any:
-    """A pointer to an array's first element; who calls keeps the array."""
+    """A pointer to an array's first element; the caller keeps the array alive."""
     return ctypes.cast(array.ctypes.data, ctypes.POINTER(of))
 
 
 def contiguous(values: Any, of: Any, name: str) -> np.ndarray:
-    """Values as an array without gaps of the type that C wants; a copy only where they are not."""
+    """Values as a contiguous array of C's type; copied only if necessary."""
     if of in _INTEGERS:
         array = np.asarray(values)
         if array.size and array.dtype.kind not in "iub":
@@ -68,7 +68,7 @@ def contiguous(values: Any, of: Any, name: str) -> np.ndarray:
 
 
 def vectors(values: Any, width: int, count: int, name: str) -> np.ndarray:
-    """`count` vectors from as many, or from one for all."""
+    """`count` vectors, from as many or from one for all."""
     array = np.asarray(values, np.float32)
     try:
         return np.broadcast_to(array, (count, width))
@@ -94,7 +94,7 @@ def check_names(struct: Type[Any], fields: Iterable[str], hidden: Tuple[str, ...
 
 
 def assign(value: Any, fields: Mapping[str, Any], keep: List[Any]) -> Any:
-    """Fills fields of a struct; None leaves the initial value. What the struct points to is put into `keep`."""
+    """Fills fields of a struct; None leaves the default. Objects that the struct points to are added to `keep`."""
     struct = type(value)
     check_names(struct, fields)
     kinds = dict(struct._fields_)
@@ -123,8 +123,7 @@ def _assign_array(value: Any, name: str, kind: Any, given: Any, keep: List[Any])
             raise ValueError(f"{name}: {len(items)}, but at most {length} are taken")
         for at, item in enumerate(items):
             getattr(value, name)[at] = item if isinstance(item, of) else assign(init(of), item, keep)
-        counter = {"waves": "wave_count", "volumes": "volume_count"}[name]
-        setattr(value, counter, len(items))
+        setattr(value, name[:-1] + "_count", len(items))
         return
     array = np.asarray(given, dtype(of)).ravel()
     if array.size != length:
@@ -154,7 +153,7 @@ def make(struct: Type[Any], fields: Mapping[str, Any], keep: List[Any]) -> Any:
 
 
 def elements(struct: Type[Any], count: int) -> np.ndarray:
-    """An array of a struct, each with its initial values."""
+    """An array of structs with their defaults."""
     one = np.frombuffer(init(struct), np.uint8)
     array = np.empty((count, one.size), np.uint8)
     array[:] = one
@@ -162,7 +161,7 @@ def elements(struct: Type[Any], count: int) -> np.ndarray:
 
 
 class _Initial:
-    """What stands for a keyword's default in help(): the library knows it."""
+    """Stands for the library's default in help()."""
 
     def __repr__(self) -> str:
         return "<initial>"

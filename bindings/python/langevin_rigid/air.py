@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Wind, its sources, and water under a surface."""
+"""Wind, its sources, and water."""
 from __future__ import annotations
 
 import ctypes
@@ -8,43 +8,58 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional
 import numpy as np
 
 from . import _native as native
-from ._structs import address, make, rows, takes
-from .callbacks import SurfaceQuery, WindQuery, field_callback
-from .enums import WindSourceKind
+from ._fields import Water
+from ._structs import address, assign, init, make, rows, takes
+from .callbacks import WaterQuery, WindQuery, field_callback
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from typing_extensions import Unpack
 
-    from ._fields import SurfaceOptions, WindSourceOptions
+    from ._fields import (BlowerOptions, GroundWindOptions, GustsOptions, TurbulenceOptions, VortexOptions, WaterOptions,
+                          WindGridOptions)
     from .world import World
 
 
 class WindSource:
-    """A source of wind in a world, made by `World.add_wind`."""
+    """A wind source of a world, created by `World.add_gusts`, `World.add_vortex` and so on."""
 
-    def __init__(self, world: "World", handle: int, fields: Mapping[str, Any]) -> None:
+    def __init__(self, world: "World", kind: str, handle: int) -> None:
         self.world = world
+        self.kind = kind
         self.id = handle
-        self._fields: Dict[str, Any] = dict(fields)
 
-    @takes("lr_wind_source_desc", "kind")
-    def update(self, **changes: "Unpack[WindSourceOptions]") -> None:
-        """Changes what is given. A grid keeps its samples unless there are new ones."""
-        fields = {**self._fields, **changes}
+    def _desc(self) -> Any:
+        desc = _struct(self.kind)()
+        desc.struct_size = ctypes.sizeof(desc)
+        self.world._ask(f"lr_world_get_{self.kind}", self.id, ctypes.byref(desc))
+        return desc
+
+    def get(self) -> Dict[str, Any]:
+        """Its values as last set, by the names of the keywords. A grid's samples are None."""
+        desc = self._desc()
+        values = {name: getattr(desc, name) for name in native.FIELD_DOCS[type(desc).__name__]}
+        return {name: tuple(v) if isinstance(v, ctypes.Array) else None if name == "samples" else v for name, v in values.items()}
+
+    def update(self, **changes: Any) -> None:
+        """Changes the given fields. A grid keeps its samples unless new ones are given."""
         keep: List[Any] = []
-        desc = _source(fields, keep)
-        self.world._change("lr_world_update_wind", self.id, ctypes.byref(desc))
-        self._fields = _without_samples(fields)
+        desc = assign(self._desc(), _with_counts(changes), keep)
+        self.world._change(f"lr_world_update_{self.kind}", self.id, ctypes.byref(desc))
 
     def remove(self) -> None:
         self.world._change("lr_world_remove_wind", self.id)
 
     def __repr__(self) -> str:
-        return f"<WindSource {WindSourceKind(self._fields['kind']).name} {self.id:#x}>"
+        return f"<WindSource {self.kind} {self.id:#x}>"
 
 
-def _source(fields: Mapping[str, Any], keep: List[Any]) -> Any:
+def _struct(kind: str) -> Any:
+    return getattr(native, f"lr_{kind}_desc")
+
+
+def _with_counts(fields: Mapping[str, Any]) -> Dict[str, Any]:
+    """Of a grid: counts and frames as its samples have them."""
     fields = dict(fields)
     samples = fields.get("samples")
     if samples is not None:
@@ -55,21 +70,11 @@ def _source(fields: Mapping[str, Any], keep: List[Any]) -> Any:
             raise ValueError(f"samples: shape {array.shape}, but (z, y, x, 3) or (frames, z, y, x, 3) is wanted")
         frames, z, y, x, _ = array.shape
         fields.update(samples=array, counts=(x, y, z), frames=frames)
-    return make(native.lr_wind_source_desc, fields, keep)
-
-
-def _without_samples(fields: Mapping[str, Any]) -> Dict[str, Any]:
-    """What a source remembers: of a grid its counts, so that an update without samples is taken."""
-    kept = {name: value for name, value in fields.items() if name != "samples"}
-    samples = fields.get("samples")
-    if samples is not None:
-        shape = np.shape(samples)
-        kept.update(counts=shape[-2:-5:-1], frames=shape[0] if len(shape) == 5 else 1)
-    return kept
+    return fields
 
 
 class AirMixin:
-    """The part of `World` that is about fluids."""
+    """Wind and water of a `World`."""
 
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
@@ -77,29 +82,57 @@ class AirMixin:
         def _keep(self, name: str, function: Any) -> None: ...
         _handle: Any
 
-    def set_wind(self, velocity: "Optional[ArrayLike]" = None) -> None:
-        """The uniform part of the wind, m/s; none is still air. A change is spread over the next step."""
-        if velocity is None:
-            self._change("lr_world_set_wind", None)
-            return
-        desc = make(native.lr_wind_desc, {"velocity": velocity}, [])
-        self._change("lr_world_set_wind", ctypes.byref(desc))
+    def set_uniform_wind(self, velocity: "ArrayLike") -> None:
+        """Sets the uniform wind, m/s. A change is spread over the next step."""
+        x, y, z = np.asarray(velocity, float).ravel().tolist()
+        self._change("lr_world_set_uniform_wind", x, y, z)
 
-    @takes("lr_wind_source_desc", "kind")
-    def add_wind(self, kind: int, **options: "Unpack[WindSourceOptions]") -> WindSource:
-        """Adds gusts, a vortex, a blower, turbulence, a velocity grid or a ground profile: `WindSourceKind`.
+    @property
+    def uniform_wind(self) -> np.ndarray:
+        """The uniform wind as last set, m/s."""
+        velocity = np.empty(3, np.float32)
+        self._ask("lr_world_get_uniform_wind", address(velocity, ctypes.c_float))
+        return velocity
 
-        samples: of a grid, shape (z, y, x, 3) or (frames, z, y, x, 3), m/s; counts and frames follow from it.
-        """
-        fields: Dict[str, Any] = {**options, "kind": int(kind)}
+    def _add_source(self, kind: str, options: Mapping[str, Any]) -> WindSource:
         keep: List[Any] = []
-        desc = _source(fields, keep)
+        desc = make(_struct(kind), _with_counts(options), keep)
         out = ctypes.c_uint32()
-        self._change("lr_world_add_wind", ctypes.byref(desc), ctypes.byref(out))
-        return WindSource(self, out.value, _without_samples(fields))  # type: ignore[arg-type]
+        self._change(f"lr_world_add_{kind}", ctypes.byref(desc), ctypes.byref(out))
+        return WindSource(self, kind, out.value)  # type: ignore[arg-type]
+
+    @takes("lr_gusts_desc")
+    def add_gusts(self, **options: "Unpack[GustsOptions]") -> WindSource:
+        """Adds gusts: fluctuations of the uniform wind in time."""
+        return self._add_source("gusts", options)
+
+    @takes("lr_vortex_desc")
+    def add_vortex(self, **options: "Unpack[VortexOptions]") -> WindSource:
+        """Adds a straight vortex."""
+        return self._add_source("vortex", options)
+
+    @takes("lr_blower_desc")
+    def add_blower(self, **options: "Unpack[BlowerOptions]") -> WindSource:
+        """Adds a blower: a turbulent jet, round or from a slot."""
+        return self._add_source("blower", options)
+
+    @takes("lr_turbulence_desc")
+    def add_turbulence(self, **options: "Unpack[TurbulenceOptions]") -> WindSource:
+        """Adds turbulence: random eddies everywhere."""
+        return self._add_source("turbulence", options)
+
+    @takes("lr_wind_grid_desc")
+    def add_wind_grid(self, **options: "Unpack[WindGridOptions]") -> WindSource:
+        """Adds samples of wind on a lattice: shape (z, y, x, 3) or (frames, z, y, x, 3), m/s; counts and frames follow from it."""
+        return self._add_source("wind_grid", options)
+
+    @takes("lr_ground_wind_desc")
+    def add_ground_wind(self, **options: "Unpack[GroundWindOptions]") -> WindSource:
+        """Adds the profile of the wind over a ground."""
+        return self._add_source("ground_wind", options)
 
     def set_wind_callback(self, function: Optional[Callable[[WindQuery], Any]]) -> None:
-        """A field of one's own, added to all else: called with a `WindQuery` of up to 256 bodies, whose velocity it sets. None
+        """Adds your own field to the other wind: called with a `WindQuery` of up to 256 bodies, whose velocity it sets. None
         removes it.
 
             def swirl(query):
@@ -126,15 +159,22 @@ class AirMixin:
         self._ask("lr_world_sample_wind", address(points, ctypes.c_float), len(points), address(velocities, ctypes.c_float))
         return velocities.reshape(given.shape)
 
-    @takes("lr_surface_desc", "wave_count")
-    def set_surface(self, **surface: "Unpack[SurfaceOptions]") -> None:
-        """Water under a surface; without keywords as the library has it: y = 0, without waves. waves: dicts with direction,
+    @takes("lr_water_desc", "wave_count")
+    def set_water(self, **surface: "Unpack[WaterOptions]") -> None:
+        """Sets the water; without keywords the defaults: below y = 0, without waves. waves: dicts with direction,
         length, amplitude and phase."""
-        self._change("lr_world_set_surface", ctypes.byref(make(native.lr_surface_desc, surface, [])))
+        self._change("lr_world_set_water", ctypes.byref(make(native.lr_water_desc, surface, [])))
+
+    @property
+    def water(self) -> Optional[Water]:
+        """None without water."""
+        value, present = init(native.lr_water_desc), ctypes.c_int32()
+        self._ask("lr_world_get_water", ctypes.byref(value), ctypes.byref(present))
+        return Water.read(value) if present.value else None
 
     def remove_surface(self) -> None:
-        self._change("lr_world_set_surface", None)
+        self._change("lr_world_set_water", None)
 
-    def set_surface_callback(self, function: Optional[Callable[[SurfaceQuery], Any]]) -> None:
-        """Water of one's own, while there is a surface: called with a `SurfaceQuery`. None removes it."""
-        self._set_callback("lr_world_set_surface_callback", native.lr_surface_fn, SurfaceQuery, function)
+    def set_water_callback(self, function: Optional[Callable[[WaterQuery], Any]]) -> None:
+        """Your own water surface, used while water is set: called with a `WaterQuery`. None removes it."""
+        self._set_callback("lr_world_set_water_callback", native.lr_water_fn, WaterQuery, function)

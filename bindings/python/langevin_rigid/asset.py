@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Assets: what the library knows of a body's shape."""
+"""Assets: the baked properties of a body's shape."""
 from __future__ import annotations
 
 import ctypes
@@ -48,7 +48,7 @@ class Asset:
 
     @classmethod
     def from_bytes(cls, data: Any) -> "Asset":
-        """The same from bytes in memory."""
+        """Loads an asset from bytes in memory."""
         view = memoryview(data).cast("B")
         buffer = (ctypes.c_char * view.nbytes).from_buffer_copy(view)
         pointer = ctypes.POINTER(native.lr_asset)()
@@ -60,7 +60,7 @@ class Asset:
     @classmethod
     @takes("lr_ellipsoid_desc")
     def ellipsoid(cls, **options: "Unpack[EllipsoidOptions]") -> "Asset":
-        """A solid ellipsoid, with everything from closed forms: no file is needed."""
+        """A solid ellipsoid from closed forms, without a file."""
         pointer = ctypes.POINTER(native.lr_asset)()
         desc = make(native.lr_ellipsoid_desc, options, [])
         call("lr_asset_create_ellipsoid", ctypes.byref(desc), ctypes.byref(pointer))
@@ -69,7 +69,7 @@ class Asset:
     @classmethod
     @takes("lr_rigid_desc")
     def rigid(cls, **options: "Unpack[RigidOptions]") -> "Asset":
-        """A body whose numbers are known from elsewhere. aerodynamics: a dict of lr_aerodynamics, or an `Aerodynamics`."""
+        """A body with given numbers. aerodynamics: a dict of lr_aerodynamics, or an `Aerodynamics`."""
         keep: List[Any] = []
         pointer = ctypes.POINTER(native.lr_asset)()
         desc = make(native.lr_rigid_desc, options, keep)
@@ -84,7 +84,7 @@ class Asset:
 
     @property
     def info(self) -> AssetInfo:
-        """Mass, inertia, added mass, and what else the asset says."""
+        """Mass, inertia, added mass, and the asset's other properties."""
         if self._info is None:
             info = init(native.lr_asset_info)
             call("lr_asset_get_info", self._as_parameter_, ctypes.byref(info))
@@ -93,13 +93,13 @@ class Asset:
 
     @property
     def aerodynamics(self) -> Aerodynamics:
-        """Coefficients of the quasi-steady loads, as baked; `replace` makes others for `Batch.set_aerodynamics`."""
+        """Coefficients of the quasi-steady loads, as baked; `replace` derives others for `Batch.set_aerodynamics`."""
         value = init(native.lr_aerodynamics)
         call("lr_asset_get_aerodynamics", self._as_parameter_, ctypes.byref(value))
         return Aerodynamics.read(value)
 
     def close(self) -> None:
-        """Gives the reference back; batches keep their own."""
+        """Releases this reference; batches keep their own."""
         pointer, self._pointer = self._pointer, None
         if pointer is not None:
             self._release(pointer)
@@ -121,7 +121,7 @@ class Asset:
 
 
 def check_asset(data: Any) -> List[Fault]:
-    """Everything that is wrong with asset bytes; an empty list where they are sound."""
+    """All faults of asset bytes; an empty list if there are none."""
     view = memoryview(data).cast("B")
     buffer = (ctypes.c_char * view.nbytes).from_buffer_copy(view)
     faults: List[Fault] = []

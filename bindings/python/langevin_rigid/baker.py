@@ -53,7 +53,7 @@ def _numbers(values: Any) -> str:
 
 
 def _arguments(options: Dict[str, Any]) -> List[str]:
-    """Keywords as the tool's options: density=350 is --density 350, sheet=True is --sheet."""
+    """Turns keywords into the tool's options: density=350 is --density 350, sheet=True is --sheet."""
     arguments = []
     for name, value in options.items():
         if value is None or value is False:
@@ -128,5 +128,5 @@ def bake_triangles(vertices: "ArrayLike", triangles: "ArrayLike", output: Path, 
 
 
 def inspect_asset(path: Path) -> Dict[str, Any]:
-    """What `lr_bake info` says of an asset file."""
+    """The output of `lr_bake info` for an asset file."""
     return json.loads(_run(["info", os.fspath(path), "--json"]).stdout)

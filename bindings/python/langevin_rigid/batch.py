@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import ctypes
 import weakref
-from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
 import numpy as np
 
 from . import _native as native
-from ._fields import Aerodynamics, BatchContact, BatchEvents, BatchPace
-from ._structs import address, as_fields, contiguous, elements, init, make, takes, vectors
-from .enums import FaultPolicy, ForceMode, Frame, Transform
+from ._fields import Aerodynamics, BatchRules, Emitter
+from ._plain import BatchPlain
+from ._structs import address, as_fields, contiguous, elements, init, takes, vectors
+from .enums import ForceMode, Frame, Transform
 from .view import View
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._fields import (AerodynamicsOptions, BatchForceOptions, ContactOptions, EmitterOptions, KillVolumeOptions,
-                          LoadGainsOptions, TurbulenceTableOptions)
+    from ._fields import AerodynamicsOptions, TurbulenceTableOptions
     from .asset import Asset
     from .world import World
 
@@ -28,8 +28,8 @@ SHAPES = {
 }
 
 
-class Batch:
-    """Made by `World.create_batch`; it ends with its world, or by `destroy`."""
+class Batch(BatchPlain):
+    """Created by `World.create_batch`; ends with its world, or by `destroy`."""
 
     def __init__(self, world: "World", handle: int, asset: "Asset") -> None:
         self.world = world
@@ -38,10 +38,10 @@ class Batch:
         self._exports: "weakref.WeakSet[Any]" = weakref.WeakSet()
 
     def destroy(self) -> None:
-        """Ends the batch with all its bodies. No array of its views may be left."""
+        """Destroys the batch with all its bodies. No array of its views may be left."""
         if len(self._exports) and not self.world.closed:
             raise BufferError(f"{len(self._exports)} arrays still look at this batch: delete them and their view first")
-        self.world._change("lr_batch_destroy", self.id)
+        self._change("lr_batch_destroy")
 
     def __repr__(self) -> str:
         return f"<Batch {self.id:#x} of {self.asset!r}>"
@@ -49,18 +49,20 @@ class Batch:
     # Bodies.
 
     def create(self, count: Optional[int] = None, *, position: Any = None, orientation: Any = None, linear_velocity: Any = None,
-               angular_velocity: Any = None, scale: Any = None, age: Any = None, key: Any = None) -> np.ndarray:
+               angular_velocity: Any = None, scale: Any = None, age: Any = None, noise_seed: Any = None,
+               user: Any = None) -> np.ndarray:
         """Creates bodies, all or none, and returns their ids.
 
         Each value is one for all, or an array with one for each body: (count, 3) for vectors, (count, 4) for quaternions
         x, y, z, w, (count,) for the others. count: not needed where one of them is an array.
 
         position: m, of the centre of mass; 0. orientation: body to world; 0 0 0 1. linear_velocity: m/s, angular_velocity:
-        rad/s, world frame; 0. scale: 0.001 to 1000; 1. age: s; 0. key: tells the noise of bodies apart; 0: the world's next.
+        rad/s, world frame; 0. scale: 0.001 to 1000; 1. age: s; 0. noise_seed: tells the noise of bodies apart; 0: the world's next.
+        user: any number of 64 bits, found again in states, views, events and ray hits; 0.
         """
         wide = {"position": (position, 3), "orientation": (orientation, 4), "linear_velocity": (linear_velocity, 3),
                 "angular_velocity": (angular_velocity, 3)}
-        narrow = {"scale": scale, "age": age, "key": key}
+        narrow = {"scale": scale, "age": age, "noise_seed": noise_seed, "user": user}
         if count is None:
             lengths = {len(v) for v, _ in wide.values() if v is not None and np.ndim(v) == 2}
             lengths |= {len(v) for v in narrow.values() if v is not None and np.ndim(v) == 1}
@@ -73,16 +75,16 @@ class Batch:
                 descs[name] = vectors(values, width, count, name)
         for name, value in narrow.items():
             if value is not None:
-                kind = ctypes.c_uint32 if name == "key" else ctypes.c_float
+                kind = {"noise_seed": ctypes.c_uint32, "user": ctypes.c_uint64}.get(name, ctypes.c_float)
                 descs[name] = contiguous(value, kind, name)
         ids = np.zeros(count, np.uint64)
-        self.world._change("lr_body_create", self.id, address(descs, native.lr_body_desc), count, address(ids, ctypes.c_uint64))
+        self._change("lr_body_create", address(descs, native.lr_body_desc), count, address(ids, ctypes.c_uint64))
         return ids
 
     def view(self) -> View:
         """The state of all bodies, as arrays without a copy."""
         struct = init(native.lr_batch_view)
-        self.world._ask("lr_batch_get_view", self.id, ctypes.byref(struct))
+        self._ask("lr_batch_get_view", ctypes.byref(struct))
         return View(self, struct)
 
     def __len__(self) -> int:
@@ -90,12 +92,12 @@ class Batch:
 
     @property
     def ids(self) -> np.ndarray:
-        """Of all bodies, in the order of the view; a copy."""
+        """Ids of all bodies, in the order of the view; a copy."""
         return self.view().ids.copy()
 
     def transforms(self, format: int = Transform.MATRIX_4X4_ROW_MAJOR, out: Optional[np.ndarray] = None,
                    first: Optional[int] = None) -> np.ndarray:
-        """The transforms of all bodies, in the order of the view; of `first` bodies where it is given.
+        """The transforms of all bodies, in the order of the view, or of the `first` ones if given.
 
         out: an array of float32 to write into, as many as fit; each without gaps, but with any distance from one
         to the next: a field of a structured array will do. Returns the part of it that was written.
@@ -108,7 +110,7 @@ class Batch:
         stride = self._stride(out, int(np.prod(shape)))
         written = ctypes.c_uint32()
         count = len(out) if first is None else min(first, len(out))
-        self.world._ask("lr_batch_write_transforms", self.id, int(format), out.ctypes.data, stride, count, ctypes.byref(written))
+        self._ask("lr_batch_write_transforms", int(format), out.ctypes.data, stride, count, ctypes.byref(written))
         return out[:written.value]
 
     @staticmethod
@@ -125,6 +127,12 @@ class Batch:
         if len(out) > 1 and out.strides[0] < inner:
             raise ValueError("out: elements overlap, or go backwards")
         return out.strides[0] if len(out) > 1 else 0
+
+    def bounds(self) -> Optional[Tuple[np.ndarray, np.ndarray]]:
+        """Corners of a box around all bodies, m; None without bodies."""
+        low, high = np.empty(3, np.float32), np.empty(3, np.float32)
+        self._ask("lr_batch_get_bounds", address(low, ctypes.c_float), address(high, ctypes.c_float))
+        return (low, high) if low[0] <= high[0] else None
 
     # What acts on the bodies.
 
@@ -150,44 +158,19 @@ class Batch:
             getattr(arrays, name)[:] = [address(part, ctypes.c_float) for part in parts]
         arrays.count = counts.pop() if counts else 0
         arrays.stride = strides.pop() if len(strides) == 1 else 0
-        self.world._change("lr_batch_add_forces", self.id, ctypes.byref(arrays))
-
-    def _set(self, name: str, struct: Any, fields: Mapping[str, Any]) -> None:
-        """Without fields, what the library has of itself."""
-        keep: List[Any] = []
-        value = ctypes.byref(make(struct, fields, keep)) if fields else None
-        self.world._change(name, self.id, value)
-
-    def _get(self, name: str, struct: Any, record: Any) -> Any:
-        value = init(struct)
-        self.world._ask(name, self.id, ctypes.byref(value))
-        return record.read(value)
-
-    @takes("lr_batch_force")
-    def set_force(self, **force: "Unpack[BatchForceOptions]") -> None:
-        """What acts on every body, until changed; without keywords nothing does."""
-        self._set("lr_batch_set_force", native.lr_batch_force, force)
+        self._change("lr_batch_add_forces", ctypes.byref(arrays))
 
     @takes("lr_aerodynamics")
     def set_aerodynamics(self, coefficients: Optional[Aerodynamics] = None, **changes: "Unpack[AerodynamicsOptions]") -> None:
-        """Coefficients in place of the asset's: a whole record, some numbers of the present ones, or none for the asset's own."""
+        """Replaces the asset's coefficients: by a whole record or single numbers; without arguments restores the asset's."""
         fields = dict(as_fields(coefficients)) if coefficients is not None else {}
         if changes and not fields:
             fields = self.aerodynamics.as_dict()
         self._set("lr_batch_set_aerodynamics", native.lr_aerodynamics, {**fields, **changes})
 
-    @property
-    def aerodynamics(self) -> Aerodynamics:
-        return self._get("lr_batch_get_aerodynamics", native.lr_aerodynamics, Aerodynamics)
-
-    @takes("lr_load_gains")
-    def set_load_gains(self, **gains: "Unpack[LoadGainsOptions]") -> None:
-        """Art control: factors on drag, lift, spin drag and turbulence; without keywords all are 1."""
-        self._set("lr_batch_set_load_gains", native.lr_load_gains, gains)
-
     @takes("lr_turbulence_table", "count")
     def set_turbulence_table(self, **table: "Unpack[TurbulenceTableOptions]") -> None:
-        """k-epsilon samples in place of the asset's; without keywords its own."""
+        """Replaces the asset's k-epsilon samples; without keywords restores them."""
         if table:
             for name in ("chi", "epsilon"):
                 if table.get(name) is None:
@@ -197,79 +180,40 @@ class Batch:
             table = {**table, "count": np.size(table["chi"])}  # type: ignore[typeddict-unknown-key,misc]
         self._set("lr_batch_set_turbulence_table", native.lr_turbulence_table, table)
 
-    # Level of detail.
-
-    def set_rate(self, divisor: int) -> None:
-        """How often the batch is stepped; 1: as often as the world."""
-        self.world._change("lr_batch_set_rate", self.id, int(divisor))
-
-    @property
-    def pace(self) -> BatchPace:
-        return self._get("lr_batch_get_pace", native.lr_batch_pace, BatchPace)
-
     # Contact.
 
-    @takes("lr_batch_contact")
-    def set_contact(self, **contact: "Unpack[ContactOptions]") -> None:
-        """How the bodies meet colliders; without keywords as initially."""
-        self._set("lr_batch_set_contact", native.lr_batch_contact, contact)
+    def set_body_contact(self, other: "Batch", enabled: bool = True) -> None:
+        """Body contact with another batch, or within this one."""
+        self._change("lr_batch_set_body_contact", other.id, int(enabled))
 
-    @property
-    def contact(self) -> BatchContact:
-        return self._get("lr_batch_get_contact", native.lr_batch_contact, BatchContact)
-
-    def set_pair_contact(self, other: "Batch", enabled: bool = True) -> None:
-        """Whether bodies of this batch meet those of another one; with itself, each other."""
-        self.world._change("lr_batch_set_pair_contact", self.id, other.id, int(enabled))
-
-    def pair_contact(self, other: "Batch") -> bool:
+    def body_contact(self, other: "Batch") -> bool:
         enabled = ctypes.c_int32()
-        self.world._ask("lr_batch_get_pair_contact", self.id, other.id, ctypes.byref(enabled))
+        self._ask("lr_batch_get_body_contact", other.id, ctypes.byref(enabled))
         return bool(enabled.value)
 
     # Births and ends.
 
+    def _get_if_present(self, name: str, struct: Any, record: Any) -> Any:
+        value, present = init(struct), ctypes.c_int32()
+        self._ask(name, ctypes.byref(value), ctypes.byref(present))
+        return record.read(value) if present.value else None
+
     @property
-    def fault_policy(self) -> FaultPolicy:
-        """What becomes of bodies that have left physics."""
-        policy = ctypes.c_int32()
-        self.world._ask("lr_batch_get_fault_policy", self.id, ctypes.byref(policy))
-        return FaultPolicy(policy.value)
+    def rules(self) -> Optional[BatchRules]:
+        """None without rules."""
+        return self._get_if_present("lr_batch_get_rules", native.lr_batch_rules, BatchRules)
 
-    @fault_policy.setter
-    def fault_policy(self, policy: int) -> None:
-        self.world._change("lr_batch_set_fault_policy", self.id, int(policy))
-
-    def set_rules(self, *, max_age: Optional[float] = None, volumes: "Sequence[KillVolumeOptions]" = (),
-                  action: Optional[int] = None) -> None:
-        """When bodies end, and what becomes of them (`EndAction`). volumes: dicts with shape, side, center and size. Without
-        anything the rules end."""
-        fields = {"max_age": max_age, "volumes": list(volumes), "action": action}
-        none = max_age is None and not volumes and action is None
-        self._set("lr_batch_set_rules", native.lr_batch_rules, {} if none else fields)
-
-    @takes("lr_emitter_desc")
-    def set_emitter(self, **emitter: "Unpack[EmitterOptions]") -> None:
-        """How bodies are born; without keywords none are any more."""
-        self._set("lr_batch_set_emitter", native.lr_emitter_desc, emitter)
+    @property
+    def emitter(self) -> Optional[Emitter]:
+        """None without an emitter."""
+        return self._get_if_present("lr_batch_get_emitter", native.lr_emitter_desc, Emitter)
 
     def emit(self, count: int) -> np.ndarray:
-        """Bears bodies now as the emitter says, all or none; their ids."""
+        """Spawns bodies now by the emitter, all or none; returns their ids."""
         ids = np.zeros(count, np.uint64)
-        self.world._change("lr_batch_emit", self.id, count, address(ids, ctypes.c_uint64))
+        self._change("lr_batch_spawn", count, address(ids, ctypes.c_uint64))
         return ids
 
-    @property
-    def events(self) -> BatchEvents:
-        """What rules and emitter did in the last step, and since the batch began; lists of ids are copies."""
-        value = init(native.lr_batch_events)
-        self.world._ask("lr_batch_get_events", self.id, ctypes.byref(value))
-
-        def ids(pointer: Any, count: int) -> np.ndarray:
-            return np.fromiter(pointer[:count], np.uint64, count) if count else np.empty(0, np.uint64)
-
-        return BatchEvents.read(value, ended_ids=ids(value.ended_ids, value.destroyed + value.respawned),
-                                born_ids=ids(value.born_ids, value.born))
 
 
 def components(values: Any, name: str) -> Optional[Tuple[List[np.ndarray], int]]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What calls Python from the library, and how its exceptions come through: the first of a call is raised after it."""
+"""Callbacks from the library into Python; the first exception of a call is raised after it."""
 from __future__ import annotations
 
 import ctypes
@@ -15,11 +15,11 @@ from .enums import LogLevel
 LOGGER = logging.getLogger("langevin_rigid")
 LEVELS = {LogLevel.ERROR: logging.ERROR, LogLevel.WARNING: logging.WARNING, LogLevel.INFO: logging.INFO}
 _FLOAT_POINTERS = {native.lr_wind_query: ("velocity", "rate", "gradient"),
-                   native.lr_surface_query: ("height", "normal", "velocity", "rate")}
+                   native.lr_water_query: ("height", "normal", "velocity", "rate")}
 
 
 class Guard:
-    """What callbacks of one world share: the first exception of a call, and the last message of an error."""
+    """State shared by the callbacks of a world: the first exception of a call, and the last error message."""
 
     def __init__(self) -> None:
         self.pending: Optional[BaseException] = None
@@ -51,7 +51,7 @@ def _copy_out(array: np.ndarray, pointers: Any, count: int) -> None:
 
 
 class Query:
-    """What a field is asked for some bodies: arrays of its own, so that it may keep them. Vectors are of shape (3, count)."""
+    """A query for some bodies, with arrays of its own, which may be kept. Vectors have shape (3, count)."""
 
     __slots__ = ("time", "count", "batch", "position", "_native", "_arrays")
 
@@ -72,7 +72,7 @@ class Query:
         return self._arrays[name]
 
     def _set(self, name: str, value: Any, shape: Tuple[int, ...] = (3,)) -> None:
-        """From values of each body, or from one for all of them."""
+        """Fills values per body, or one value for all."""
         given = np.asarray(value, np.float32)
         if given.shape == shape:
             given = given[..., np.newaxis]
@@ -103,8 +103,8 @@ class WindQuery(Query):
                         lambda self, value: self._set("gradient", value, (3, 3)))
 
 
-class SurfaceQuery(Query):
-    """time, count, batch, position (3, count); what plane and waves give is there at first, and the water sets
+class WaterQuery(Query):
+    """time, count, batch, position (3, count); preset to the values of plane and waves, and the water sets
 
     height: (count,), m above the plane along its normal
     normal: (3, count), unit
@@ -119,7 +119,7 @@ class SurfaceQuery(Query):
 
 
 def field_callback(kind: Any, query: Any, function: Callable[[Any], Any], guard: Guard) -> Any:
-    """A wind or surface callback of C. After an exception the rest of the call asks no more."""
+    """A wind or water callback for C. After an exception it is not called again in the same call."""
     def asked(_: Any, pointer: Any) -> None:
         if guard.pending is not None:
             return
@@ -134,7 +134,7 @@ def field_callback(kind: Any, query: Any, function: Callable[[Any], Any], guard:
 
 
 def record_callback(write: Callable[[bytes], Any], guard: Guard) -> Any:
-    """What a recording has to write goes to `write`; an exception ends the recording."""
+    """Passes a recording's bytes to `write`; an exception ends the recording."""
     def wrote(_: Any, memory: int, size: int) -> int:
         try:
             write(ctypes.string_at(memory, size))
@@ -147,7 +147,7 @@ def record_callback(write: Callable[[bytes], Any], guard: Guard) -> Any:
 
 
 def log_callback(function: Optional[Callable[[LogLevel, str], Any]], guard: Guard) -> Any:
-    """Messages go to `function`; without one, errors into the exception, the others to the logger "langevin_rigid"."""
+    """Passes messages to `function`; without one, errors go into the exception, others to the logger "langevin_rigid"."""
     def logged(_: Any, level: int, message: bytes) -> None:
         try:
             text = message.decode("utf-8", "replace")
@@ -164,7 +164,7 @@ def log_callback(function: Optional[Callable[[LogLevel, str], Any]], guard: Guar
 
 
 def job_callbacks(executor: Executor, guard: Guard) -> Any:
-    """An executor's threads as the library's job system; what its threads have not begun is done by the one that steps."""
+    """Uses an executor as the library's job system; the stepping thread runs calls that have not started."""
     enqueued: Dict[int, List[Tuple[Future, int]]] = {}
     tasks: Dict[int, Tuple[Any, Any]] = {}
     types: Dict[str, Any] = dict(native.lr_job_system._fields_)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Mapping, NamedTuple, Optional
 import numpy as np
 
 from . import _native as native
-from ._fields import ColliderState
+from ._plain import ColliderPlain
 from ._structs import address, contiguous, elements, init, make, rows, takes, vectors
 from .enums import ColliderKind, EventKinds, MoveMode
 
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from typing_extensions import Unpack
 
-    from ._fields import ColliderOptions, ColliderSurfaceOptions
+    from ._fields import ColliderOptions, MaterialOptions
     from .world import World
 
 
-class ContactEvents(NamedTuple):
-    """What touched, left, landed, woke, ended and left physics in the last step.
+class Events(NamedTuple):
+    """What happened to bodies in the last step.
 
-    events: structured, with kind (`EventKind`), batch, body, collider, position, normal, speed and impulse; a copy.
+    events: structured, with kind (`EventKind`), batch, body, user, collider, position, normal, speed and impulse; a copy.
     lost: those of the last step for which there was no room; total_lost: since `World.keep_events`.
     """
 
@@ -32,53 +32,47 @@ class ContactEvents(NamedTuple):
     total_lost: int
 
     def of(self, kind: int) -> np.ndarray:
-        """Those of one kind."""
+        """The events of one kind."""
         return self.events[self.events["kind"] == int(kind)]
 
 
-class Collider:
-    """A collider of a world, made by `World.add_collider` and the like."""
+class Collider(ColliderPlain):
+    """A collider of a world, created by `World.add_collider` and the like."""
 
     def __init__(self, world: "World", handle: int) -> None:
         self.world = world
         self.id = handle
-
-    @property
-    def state(self) -> ColliderState:
-        state = init(native.lr_collider_state)
-        self.world._ask("lr_collider_get_state", self.id, ctypes.byref(state))
-        return ColliderState.read(state)
 
     def _move(self, mode: int, **fields: Any) -> None:
         motion = make(native.lr_collider_motion, {**fields, "mode": int(mode), "collider": self.id}, [])
         self.world._change("lr_collider_move", ctypes.byref(motion), 1)
 
     def move_to(self, position: "Optional[ArrayLike]" = None, orientation: "Optional[ArrayLike]" = None) -> None:
-        """Over the next step it goes to this pose, and stands still afterwards; what is not given stays."""
+        """Moves to this pose during the next step, then stands still; omitted values stay."""
         state = self.state
         self._move(MoveMode.TO, position=state.position if position is None else position,
                    orientation=state.orientation if orientation is None else orientation)
 
     def place(self, position: "Optional[ArrayLike]" = None, orientation: "Optional[ArrayLike]" = None,
               linear_velocity: "ArrayLike" = (0, 0, 0), angular_velocity: "ArrayLike" = (0, 0, 0)) -> None:
-        """It is there at once, and has these velocities from now on."""
+        """Teleports to this pose, and moves with these velocities from now on."""
         state = self.state
         self._move(MoveMode.PLACE, position=state.position if position is None else position,
                    orientation=state.orientation if orientation is None else orientation,
                    linear_velocity=linear_velocity, angular_velocity=angular_velocity)
 
     def set_velocity(self, linear: "ArrayLike" = (0, 0, 0), angular: "ArrayLike" = (0, 0, 0)) -> None:
-        """It stays where it is, and has these velocities from now on."""
+        """Keeps its pose, and moves with these velocities from now on."""
         self._move(MoveMode.VELOCITY, linear_velocity=linear, angular_velocity=angular)
 
-    @takes("lr_collider_surface")
-    def set_surface(self, **surface: "Unpack[ColliderSurfaceOptions]") -> None:
-        """Layers, friction and restitution; what is not given stays."""
+    @takes("lr_material")
+    def set_material(self, **surface: "Unpack[MaterialOptions]") -> None:
+        """Its material: layers, friction and restitution; omitted values stay."""
         state = self.state
         fields: Dict[str, Any] = {"layers": state.layers, "friction": state.friction, "restitution": state.restitution, **surface}
-        value = make(native.lr_collider_surface, fields, [])
+        value = make(native.lr_material, fields, [])
         ids = np.array([self.id], np.uint64)
-        self.world._change("lr_collider_set_surface", address(ids, ctypes.c_uint64), 1, ctypes.byref(value))
+        self.world._change("lr_collider_set_material", address(ids, ctypes.c_uint64), 1, ctypes.byref(value))
 
     def destroy(self) -> None:
         ids = np.array([self.id], np.uint64)
@@ -95,7 +89,7 @@ class Collider:
 
 
 def _shaped(fields: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Counts that follow from arrays."""
+    """Derives counts from arrays."""
     fields = dict(fields)
     if fields.get("vertices") is not None:
         fields["vertices"] = rows(fields["vertices"], 3, "vertices")
@@ -117,7 +111,7 @@ def _shaped(fields: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 class ContactMixin:
-    """The part of `World` that is about colliders."""
+    """The colliders of a `World`."""
 
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
@@ -137,7 +131,7 @@ class ContactMixin:
         return self.add_colliders([{**options, "kind": int(kind)}])[0]
 
     def add_plane(self, point: "ArrayLike" = (0, 0, 0), normal: "ArrayLike" = (0, 1, 0), **options: Any) -> Collider:
-        """All below is solid."""
+        """Everything below is solid."""
         return self.add_collider(ColliderKind.PLANE, position=point, orientation=turn_from_y(normal), **options)
 
     def add_sphere(self, center: "ArrayLike", radius: float, **options: Any) -> Collider:
@@ -147,7 +141,7 @@ class ContactMixin:
         return self.add_collider(ColliderKind.BOX, position=center, size=half_extents, **options)
 
     def add_capsule(self, center: "ArrayLike", radius: float, half_length: float, **options: Any) -> Collider:
-        """Along its own y."""
+        """A capsule along its own y."""
         return self.add_collider(ColliderKind.CAPSULE, position=center, size=[radius, half_length], **options)
 
     def add_mesh(self, vertices: "ArrayLike", indices: "ArrayLike", **options: Any) -> Collider:
@@ -172,18 +166,18 @@ class ContactMixin:
         self._change("lr_collider_move", address(motions, native.lr_collider_motion), count)
 
     def keep_events(self, capacity: int = 4096, kinds: int = EventKinds.ALL) -> None:
-        """Has events kept from now on, at most `capacity` of a step; 0 ends it."""
-        self._change("lr_world_set_contact_events", capacity, int(kinds))
+        """Enables events; at most `capacity` are stored per step; 0 disables them."""
+        self._change("lr_world_set_events", capacity, int(kinds))
 
     @property
-    def events(self) -> ContactEvents:
-        """Those of the last step."""
-        listed = init(native.lr_contact_event_list)
-        self._ask("lr_world_get_contact_events", ctypes.byref(listed))
-        events = np.zeros(listed.count, np.dtype(native.lr_contact_event))
+    def events(self) -> Events:
+        """The events of the last step."""
+        listed = init(native.lr_event_list)
+        self._ask("lr_world_get_events", ctypes.byref(listed))
+        events = np.zeros(listed.count, np.dtype(native.lr_event))
         if listed.count:
             ctypes.memmove(events.ctypes.data, listed.events, events.nbytes)
-        return ContactEvents(events, listed.lost, listed.total_lost)
+        return Events(events, listed.lost, listed.total_lost)
 
 
 def turn_from_y(direction: Any) -> np.ndarray:

@@ -9,7 +9,7 @@ from .enums import Status
 
 
 class Fault(NamedTuple):
-    """One numbered fault of an asset or of a mesh that was to be baked; docs/reference/asset_format.md explains each number."""
+    """One numbered fault of an asset, or of a mesh to be baked; docs/reference/asset_format.md explains each number."""
 
     number: int
     where: str
@@ -22,7 +22,7 @@ class Fault(NamedTuple):
 
 
 class Error(Exception):
-    """A call that the library refused; nothing has changed by it.
+    """A call that the library refused; it changed nothing.
 
     status: which of `Status`; None where the refusal is of this package.
     function: of the C API, where one refused.
@@ -70,7 +70,7 @@ class OutOfMemoryError(Error, MemoryError):
 
 
 class StaleError(Error, LookupError):
-    """A handle or an id of something that is no more."""
+    """A handle or an id of something that no longer exists."""
 
 
 class StaleBodyError(StaleError):
@@ -90,7 +90,7 @@ class StaleColliderError(StaleError):
 
 
 class StaleViewError(StaleError):
-    """A view of a batch from before the last change of its world: take another one by `Batch.view`."""
+    """A view from before the last change of its world: call `Batch.view` again."""
 
 
 class CapacityError(Error):
@@ -110,7 +110,7 @@ class AssetReadError(Error, OSError):
 
 
 class AssetError(Error, ValueError):
-    """Bytes that are no asset; `faults` says why."""
+    """Bytes that are not a valid asset; `faults` lists the reasons."""
 
 
 class AssetFormatError(AssetError):
@@ -146,13 +146,13 @@ class ThreadsError(Error, RuntimeError):
 
 
 class ConcurrentUseError(Error, RuntimeError):
-    """Of a world with `checks`: another thread is inside a call on it. `World` finds that by itself: `BusyError`."""
+    """From worlds with `checks`: another thread is inside a call. `World` detects that itself: `BusyError`."""
 
     default_status = Status.CONCURRENT_USE
 
 
 class ReentrantError(Error, RuntimeError):
-    """Of a world with `checks`: the call comes from one of its callbacks. `World` finds that by itself: `BusyError`."""
+    """From worlds with `checks`: the call comes from one of its callbacks. `World` detects that itself: `BusyError`."""
 
     default_status = Status.REENTRANT
 
@@ -170,7 +170,7 @@ class ClosedError(Error, ValueError):
 
 
 class BusyError(Error, RuntimeError):
-    """The world is in a call already: from another thread, or a callback called it."""
+    """The world is inside a call: of another thread, or of the callback that called it."""
 
 
 class LibraryError(Error, ImportError):

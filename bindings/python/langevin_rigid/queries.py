@@ -29,7 +29,7 @@ class QueryMixin:
                  collider_layers: Any = None) -> np.ndarray:
         """What each ray hits first. origins, directions: (3,) or (count, 3).
 
-        Returns a structured array with body, collider, distance, position and normal; body and collider are 0 where nothing is hit.
+        Returns a structured array with body, user, collider, distance, position and normal; body and collider are 0 where nothing is hit.
         """
         starts, along = rows(origins, 3, "origins"), rows(directions, 3, "directions")
         count = max(len(starts), len(along)) if min(len(starts), len(along)) else 0

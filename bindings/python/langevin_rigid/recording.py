@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Motion over frames, kept in memory and in NumPy archives: what the exporters write from."""
+"""Motion over frames, in memory and in NumPy archives: the input of the exporters."""
 from __future__ import annotations
 
 import os
@@ -69,7 +69,7 @@ class Recording:
         return frame
 
     def _lives_of(self, bodies: np.ndarray, age: np.ndarray) -> np.ndarray:
-        """A number for each body's present life: the one of the frame before, unless it is younger now than it was then."""
+        """A number for each body's present life: the previous frame's, unless the body is now younger."""
         lives = np.full(len(bodies), -1, np.int64)
         if self.frames and len(self.frames[-1].bodies):
             last = self.frames[-1]
@@ -96,7 +96,7 @@ class Recording:
         return range(self.first_frame, self.first_frame + len(self.frames))
 
     def save(self, path: Union[str, "os.PathLike[str]"], compressed: bool = True) -> None:
-        """A NumPy archive: arrays of all frames one behind the other, frame f at offsets[f]:offsets[f + 1]."""
+        """Writes a NumPy archive: arrays of all frames concatenated, frame f at offsets[f]:offsets[f + 1]."""
         counts = [len(frame.ids) for frame in self.frames]
         arrays: Dict[str, Any] = {
             "format": np.int32(FORMAT), "fps": np.float64(self.fps), "first_frame": np.int32(self.first_frame),
@@ -135,11 +135,11 @@ class Recording:
             free += empty
             empty = just_left
             just_left = slot_of[np.setdiff1d(before, frame.ids, assume_unique=True)].tolist()
-            born = frame.ids[slot_of[frame.ids] < 0]
-            reused = min(len(free), len(born))
-            slot_of[born[:reused]] = [free.pop() for _ in range(reused)]
-            slot_of[born[reused:]] = np.arange(count, count + len(born) - reused)
-            count += len(born) - reused
+            spawned = frame.ids[slot_of[frame.ids] < 0]
+            reused = min(len(free), len(spawned))
+            slot_of[spawned[:reused]] = [free.pop() for _ in range(reused)]
+            slot_of[spawned[reused:]] = np.arange(count, count + len(spawned) - reused)
+            count += len(spawned) - reused
             result.append(slot_of[frame.ids])
             before = frame.ids
         return result, count

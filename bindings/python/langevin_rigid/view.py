@@ -12,7 +12,7 @@ from .errors import StaleViewError
 if TYPE_CHECKING:
     from .batch import Batch
 
-SCALARS = {"scale": np.float32, "age": np.float32, "key": np.uint32, "ids": np.uint64}
+SCALARS = {"scale": np.float32, "age": np.float32, "noise_seed": np.uint32, "ids": np.uint64, "user": np.uint64}
 
 
 class Memory:
@@ -121,13 +121,17 @@ class View:
         return self._scalars("age")
 
     @property
-    def key(self) -> np.ndarray:
+    def noise_seed(self) -> np.ndarray:
         """What tells the noise of bodies apart."""
-        return self._scalars("key")
+        return self._scalars("noise_seed")
 
     @property
     def ids(self) -> np.ndarray:
         return self._scalars("ids")
+
+    @property
+    def user(self) -> np.ndarray:
+        return self._scalars("user")
 
     def world_velocity(self) -> np.ndarray:
         """m/s, world frame, (count, 3), a copy."""

@@ -5,19 +5,19 @@ from __future__ import annotations
 import ctypes
 import threading
 from concurrent.futures import Executor
-from typing import TYPE_CHECKING, Any, Callable, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, List, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _native as native
-from ._fields import BodyState, StepReport, WorldInfo
 from ._library import error, library
-from ._structs import address, contiguous, elements, init, integer, make, takes, vectors
-from .air import AirMixin
+from ._plain import WorldPlain
+from ._structs import address, contiguous, elements, integer, make, takes, vectors
+from .air import AirMixin, WindSource
 from .batch import Batch
 from .callbacks import Guard, job_callbacks, log_callback, record_callback
-from .contact import ContactMixin
-from .enums import ForceFlags, ForceMode, Frame, LogLevel, Rest
+from .contact import Collider, ContactMixin
+from .enums import ForceFlags, ForceMode, Frame, LogLevel, Sleep
 from .errors import BusyError, ClosedError
 from .queries import QueryMixin
 
@@ -25,12 +25,12 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
     from typing_extensions import Unpack
 
-    from ._fields import BatchOptions, RecordingOptions, StateOptions, WorldOptions
+    from ._fields import BatchOptions, BodyStateOptions, RecordingOptions, WorldOptions
     from .asset import Asset
 
 
 class Handle:
-    """A world of the library, freed with the last object that looks at it, and what it may call until then."""
+    """A world of the library with its callbacks, freed with the last object that refers to it."""
 
     def __init__(self, pointer: Any, destroy: Any, guard: Guard, keep: Any) -> None:
         self.pointer = pointer
@@ -43,7 +43,7 @@ class Handle:
         self.destroy(self.pointer)
 
 
-class World(AirMixin, ContactMixin, QueryMixin):
+class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
     """A world with its batches and bodies.
 
         with World(seed=1) as world:
@@ -90,34 +90,39 @@ class World(AirMixin, ContactMixin, QueryMixin):
             raise BusyError("the world is in a call already: use one thread at a time, and do not call it from its callbacks")
         return handle
 
-    def _ask(self, name: str, *arguments: Any) -> None:
-        """A call that leaves the world as it is."""
+    def _call(self, name: str, *arguments: Any) -> Tuple[int, str]:
+        """What a function returns, and its message."""
         handle = self._use()
         try:
             handle.guard.message = ""
-            status = getattr(library(), name)(handle.pointer, *arguments)
+            result = getattr(library(), name)(handle.pointer, *arguments)
             pending = handle.guard.take()
         finally:
             handle.lock.release()
         if pending is not None:
             raise pending
+        return result, handle.guard.message
+
+    def _ask(self, name: str, *arguments: Any) -> None:
+        """A call that leaves the world as it is."""
+        status, message = self._call(name, *arguments)
         if status:
-            raise error(status, name, handle.guard.message)
+            raise error(status, name, message)
 
     def _change(self, name: str, *arguments: Any) -> None:
-        """A call after which views are stale."""
+        """A call that makes views stale."""
         self._changes += 1
         self._ask(name, *arguments)
 
     def _keep(self, name: str, function: Any) -> None:
-        """Holds a callback until the library has another one."""
+        """Keeps a callback alive until it is replaced."""
         assert self._handle is not None
         self._handle.keep[name] = function
 
     # The world's life.
 
     def close(self) -> None:
-        """Ends the world. Its memory is freed as soon as no array looks at it any more."""
+        """Destroys the world. Its memory is freed once no array refers to it."""
         handle = self._handle
         if handle is not None and handle.lock.locked():
             raise BusyError("the world is in a call")
@@ -150,12 +155,6 @@ class World(AirMixin, ContactMixin, QueryMixin):
         self._change("lr_world_step", float(dt), integer(substeps, ctypes.c_uint32, "substeps"))
 
     @property
-    def info(self) -> WorldInfo:
-        info = init(native.lr_world_info)
-        self._ask("lr_world_get_info", ctypes.byref(info))
-        return WorldInfo.read(info)
-
-    @property
     def time(self) -> float:
         """s since creation."""
         return self.info.time
@@ -164,22 +163,8 @@ class World(AirMixin, ContactMixin, QueryMixin):
         """m/s^2, three values."""
         self._change("lr_world_set_gravity", address(vectors(gravity, 3, 1, "gravity").copy(), ctypes.c_float))
 
-    def set_simd_target(self, target: int) -> None:
-        """Results do not change."""
-        self._change("lr_world_set_simd_target", int(target))
-
-    def set_budget(self, body_substeps: int) -> None:
-        """Bounds the work of each step; 0: nothing does."""
-        self._change("lr_world_set_budget", int(body_substeps))
-
-    @property
-    def step_report(self) -> StepReport:
-        report = init(native.lr_step_report)
-        self._ask("lr_world_get_step_report", ctypes.byref(report))
-        return StepReport.read(report)
-
     def hash(self) -> int:
-        """Of the state of all bodies: equal hashes mean equal motion from here on, on any machine."""
+        """A hash of the world's state: equal hashes mean equal motion from here on, on any machine."""
         value = ctypes.c_uint64()
         self._ask("lr_world_hash", ctypes.byref(value))
         return value.value
@@ -196,15 +181,15 @@ class World(AirMixin, ContactMixin, QueryMixin):
         return memory.raw[:written.value]
 
     def restore(self, snapshot: Any) -> None:
-        """Puts a snapshot back, also one of another world whose batches were created alike, or of another process."""
+        """Restores a snapshot, also of another process or of another world with the same batches."""
         data = np.frombuffer(snapshot, np.uint8)
         self._change("lr_world_snapshot_restore", data.ctypes.data, data.nbytes)
 
     @takes("lr_recording_desc", "write", "user")
     def record_start(self, write: Callable[[bytes], Any], **options: "Unpack[RecordingOptions]") -> None:
-        """From now on `write` gets every call that can change the world as bytes, say `open("bug.lrr", "wb").write`: for `lr_replay`.
+        """Starts a recording for `lr_replay`: `write`, say `open("bug.lrr", "wb").write`, receives every call that can change the world.
 
-        It is called within calls on this world. What it raises ends the recording, and is raised again by that call."""
+        It is called inside calls on this world. An exception ends the recording and is raised by that call."""
         handle = self._use()
         handle.lock.release()
         desc = make(native.lr_recording_desc, options, [])
@@ -218,7 +203,7 @@ class World(AirMixin, ContactMixin, QueryMixin):
             raise
 
     def record_stop(self) -> None:
-        """Ends a recording, after its last bytes have been written."""
+        """Ends a recording, after writing its last bytes."""
         self._ask("lr_world_record_stop")
         self._keep("record", None)
 
@@ -234,30 +219,31 @@ class World(AirMixin, ContactMixin, QueryMixin):
         return Batch(self, out.value, asset)
 
     def destroy_bodies(self, bodies: "ArrayLike") -> None:
-        """All or none: if one of them is stale, or given twice, nothing is destroyed."""
+        """All or none: if one is stale or repeated, nothing is destroyed."""
         ids, pointer, count = body_ids(bodies)
         self._change("lr_body_destroy", pointer, count)
 
-    def state(self, body: int) -> BodyState:
-        """Of one body, world frame. For many, take `Batch.view`."""
-        state = init(native.lr_body_state)
-        self._ask("lr_body_get_state", int(body), ctypes.byref(state))
-        return BodyState.read(state)
+    def is_valid(self, thing: "Union[int, Batch, Collider, WindSource]") -> bool:
+        """Whether a body (its id), batch, collider or wind source of this world still exists."""
+        if isinstance(thing, (Batch, Collider, WindSource)):
+            name = {Batch: "lr_batch_is_valid", Collider: "lr_collider_is_valid", WindSource: "lr_wind_source_is_valid"}[type(thing)]
+            return thing.world is self and self._call(name, thing.id)[0] == 1
+        return self._call("lr_body_is_valid", int(thing))[0] == 1
 
-    @takes("lr_body_state", "key", "resting")
-    def set_state(self, body: int, **fields: "Unpack[StateOptions]") -> None:
-        """Sets what is given of one body, leaves the rest as it is, and wakes it."""
+    @takes("lr_body_state", "noise_seed", "sleep_state")
+    def set_state(self, body: int, **fields: "Unpack[BodyStateOptions]") -> None:
+        """Sets the given fields of one body, keeps the rest, and wakes it."""
         keep: List[Any] = []
         state = make(native.lr_body_state, {**self.state(body).as_dict(), **fields}, keep)
         self._change("lr_body_set_state", int(body), ctypes.byref(state))
 
-    def set_rest(self, bodies: "ArrayLike", rest: int = Rest.RESTING) -> None:
-        """Puts bodies to rest, or wakes them with Rest.AWAKE."""
+    def set_sleep(self, bodies: "ArrayLike", sleep: int = Sleep.ASLEEP) -> None:
+        """Puts bodies to sleep, or wakes them with Sleep.AWAKE."""
         ids, pointer, count = body_ids(bodies)
-        self._change("lr_body_set_rest", pointer, count, int(rest))
+        self._change("lr_body_set_sleep", pointer, count, int(sleep))
 
     def wake_box(self, low: "ArrayLike", high: "ArrayLike") -> int:
-        """Wakes all bodies at rest that reach into a box; how many they were."""
+        """Wakes all sleeping bodies that overlap a box; returns how many."""
         corners = np.stack([vectors(low, 3, 1, "low")[0], vectors(high, 3, 1, "high")[0]])
         woken = ctypes.c_uint32()
         self._change("lr_world_wake_box", address(corners[0], ctypes.c_float), address(corners[1], ctypes.c_float),
@@ -267,7 +253,7 @@ class World(AirMixin, ContactMixin, QueryMixin):
     def add_forces(self, bodies: "ArrayLike", force: Any = 0.0, torque: Any = 0.0, point: Any = None,
                    mode: int = ForceMode.FORCE, frame: int = Frame.WORLD) -> None:
         """Forces on bodies of any batches, vectors of shape (3,) or (count, 3). point: where `force` acts, else at the centre of
-        mass. `Batch.add_forces` is faster where they are those of one batch."""
+        mass. `Batch.add_forces` is faster for bodies of one batch."""
         ids, _, count = body_ids(bodies)
         forces = elements(native.lr_body_force, count)
         forces["body"], forces["mode"], forces["frame"] = ids, int(mode), int(frame)
@@ -280,7 +266,7 @@ class World(AirMixin, ContactMixin, QueryMixin):
 
 
 def body_ids(bodies: Any) -> Tuple[np.ndarray, Any, int]:
-    """Ids as an array, its address, and their number."""
+    """Ids as an array, with its address and length."""
     if isinstance(bodies, np.ndarray) and bodies.size and bodies.dtype.kind not in "iu":
         raise TypeError(f"bodies: ids are integers, not {bodies.dtype}")
     ids = contiguous(np.atleast_1d(np.asarray(bodies, np.uint64)), ctypes.c_uint64, "bodies").ravel()

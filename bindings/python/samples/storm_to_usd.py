@@ -32,9 +32,9 @@ recording = lr.Recording(fps=options.fps)
 
 with lr.World(seed=7) as world:
     world.add_plane(friction=0.7)
-    world.set_wind((2, 0, 0))
-    world.add_wind(lr.WindSourceKind.GUSTS, direction=(1, 0, 0), speed=1.5, period=2)
-    world.add_wind(lr.WindSourceKind.TURBULENCE, speed=0.5, size=1)
+    world.set_uniform_wind((2, 0, 0))
+    world.add_gusts(direction=(1, 0, 0), rms=1.5, integral_time=2)
+    world.add_turbulence(rms=0.5, integral_length=1)
     batch = world.create_batch(leaf, capacity=options.count)
     batch.set_emitter(shape=lr.EmitShape.BOX, position=(0, 3, 0), size=(2, 0.5, 2), scale_min=0.7, scale_max=1.3)
     batch.emit(options.count)

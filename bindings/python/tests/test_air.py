@@ -13,23 +13,29 @@ from support import WorldCase, lr, thin_leaf
 
 class Wind(WorldCase):
     def test_sources_blow_as_they_say(self):
-        self.world.set_wind((3, 0, 1))
+        self.world.set_uniform_wind((3, 0, 1))
         np.testing.assert_allclose(self.world.sample_wind((5, 5, 5)), [3, 0, 1])
-        self.world.set_wind()
-        swirl = self.world.add_wind(lr.WindSourceKind.RANKINE, direction=(0, 1, 0), circulation=2 * np.pi, size=0.5)
+        np.testing.assert_allclose(self.world.uniform_wind, [3, 0, 1])
+        self.world.set_uniform_wind((0, 0, 0))
+        swirl = self.world.add_vortex(core=lr.VortexCore.RANKINE, circulation=2 * np.pi, core_radius=0.5)
         np.testing.assert_allclose(self.world.sample_wind([[1, 0, 0], [0, 3, 2]]), [[0, 0, -1], [0.5, 0, 0]], atol=1e-5)
         swirl.update(circulation=4 * np.pi)
         np.testing.assert_allclose(self.world.sample_wind([1, 0, 0]), [0, 0, -2], atol=1e-5)
+        self.assertEqual((swirl.get()["core"], swirl.get()["axis"]), (lr.VortexCore.RANKINE, (0, 1, 0)))
         swirl.remove()
+        for kind in ("gusts", "blower", "turbulence", "ground_wind"):
+            source = getattr(self.world, f"add_{kind}")()
+            self.assertNotIn("struct_size", source.get())
+            source.remove()
         grid = np.zeros((2, 3, 4, 3), np.float32)  # z, y, x
         grid[..., 0] = np.arange(4)
         grid[..., 2] = np.arange(2)[:, None, None]
-        source = self.world.add_wind(lr.WindSourceKind.GRID, samples=grid, spacing=(1, 1, 1))
+        source = self.world.add_wind_grid(samples=grid, spacing=(1, 1, 1))
         np.testing.assert_allclose(self.world.sample_wind([[1.5, 1, 0.25], [3, 2, 1]]), [[1.5, 0, 0.25], [3, 0, 1]], atol=1e-6)
         source.update(position=(10, 0, 0))
         np.testing.assert_allclose(self.world.sample_wind([11.5, 1, 0.25]), [1.5, 0, 0.25], atol=1e-6)
         with self.assertRaises(ValueError):
-            self.world.add_wind(lr.WindSourceKind.GRID, samples=np.zeros((3, 3)))
+            self.world.add_wind_grid(samples=np.zeros((3, 3)))
 
     def test_a_callback_in_numpy_is_a_field(self):
         asked = []
@@ -59,7 +65,7 @@ class Wind(WorldCase):
                 if callback:
                     world.set_wind_callback(lambda query: setattr(query, "velocity", (4, 0, 0)))
                 else:
-                    world.set_wind((4, 0, 0))
+                    world.set_uniform_wind((4, 0, 0))
                 for _ in range(30):
                     world.step(1 / 60, 2)
                 paths.append(batch.view().position.stack())
@@ -166,7 +172,11 @@ class Water(WorldCase):
     def test_light_bodies_float_on_waves(self):
         cork = self.world.create_batch(lr.Asset.ellipsoid(semi_axes=(0.05, 0.05, 0.05), density=300), 4)
         cork.create(position=(0, -0.5, 0))
-        self.world.set_surface(position=(0, 1, 0), waves=[{"direction": (1, 0, 0), "length": 20, "amplitude": 0.01}])
+        self.assertIsNone(self.world.water)
+        self.assertIsNone(self.world.water)
+        self.world.set_water(position=(0, 1, 0), waves=[{"direction": (1, 0, 0), "length": 20, "amplitude": 0.01}])
+        self.assertEqual((self.world.water.wave_count, self.world.water.waves[0]["length"]), (1, 20))
+        self.assertEqual((self.world.water.wave_count, self.world.water.waves[0]["length"]), (1, 20))
         for _ in range(400):
             self.world.step(1 / 60, 4)
         self.assertAlmostEqual(float(cork.view().position.y[0]), 1, delta=0.1)
@@ -176,17 +186,17 @@ class Water(WorldCase):
             asked.append(query.count)
             query.height = query.height + 0.5
 
-        self.world.set_surface(position=(0, 1, 0), reach=1)
-        self.world.set_surface_callback(lifted)
+        self.world.set_water(position=(0, 1, 0), reach=1)
+        self.world.set_water_callback(lifted)
         for _ in range(400):
             self.world.step(1 / 60, 4)
         self.assertTrue(asked)
         self.assertAlmostEqual(float(cork.view().position.y[0]), 1.5, delta=0.1)
-        self.world.set_surface_callback(None)
+        self.world.set_water_callback(None)
         self.world.remove_surface()
         self.world.step(1 / 60)
         with self.assertRaises(ValueError):
-            self.world.set_surface(waves=[{}] * 9)
+            self.world.set_water(waves=[{}] * 9)
 
 
 class Contact(WorldCase):
@@ -199,7 +209,7 @@ class Contact(WorldCase):
             self.fall()
             events = self.world.events
             landed |= set(events.of(lr.EventKind.LANDED)["body"].tolist())
-            begun.extend(events.of(lr.EventKind.CONTACT_BEGIN))
+            begun.extend(events.of(lr.EventKind.HIT))
         self.assertEqual(landed, set(ids.tolist()))
         self.assertGreaterEqual(len(begun), 10)
         self.assertEqual({int(e["collider"]) for e in begun}, {ground.id})
@@ -246,7 +256,7 @@ class Contact(WorldCase):
         self.world.step(0.5)
         np.testing.assert_allclose(ball.state.position, [3.5, 0, 0], atol=1e-6)
         ball.set_velocity()
-        ball.set_surface(friction=0.9)
+        ball.set_material(friction=0.9)
         self.assertAlmostEqual(ball.state.friction, 0.9, places=6)
         self.assertAlmostEqual(ball.state.restitution, 0.2, places=6)
         self.world.move_colliders([ball], (7, 7, 7), mode=lr.MoveMode.PLACE)
@@ -259,10 +269,10 @@ class Contact(WorldCase):
         self.assertEqual(self.world.overlap_box((9, 0, 0), (0.1, 0.1, 0.1), batch=self.batch).tolist(), [int(ids[2])])
         hits = self.world.ray_cast((9, 1, 0), (0, -1, 0), flags=lr.RayFlags.BODIES)
         self.assertEqual(int(hits["body"][0]), int(ids[2]))
-        self.assertFalse(self.batch.pair_contact(self.batch))
-        self.batch.set_pair_contact(self.batch)
-        self.assertTrue(self.batch.pair_contact(self.batch))
-        self.batch.set_contact(friction=0.8, flags=lr.ContactFlags.NEVER_REST)
+        self.assertFalse(self.batch.body_contact(self.batch))
+        self.batch.set_body_contact(self.batch)
+        self.assertTrue(self.batch.body_contact(self.batch))
+        self.batch.set_contact(friction=0.8, flags=lr.ContactFlags.NEVER_SLEEP)
         self.assertAlmostEqual(self.batch.contact.friction, 0.8, places=6)
         self.batch.set_contact()
         self.assertAlmostEqual(self.batch.contact.friction, 0.5, places=6)
@@ -276,16 +286,21 @@ class Contact(WorldCase):
 class Storms(WorldCase):
     def test_births_and_ends(self):
         self.batch.set_rules(max_age=0.2, volumes=[{"shape": lr.VolumeShape.PLANE, "center": (0, -9, 0), "size": (0, 1, 0)}])
+        self.assertIsNone(self.batch.emitter)
         self.batch.set_emitter(rate=120, spread=0.3, speed_max=1.0)
-        born = 0
+        self.assertEqual((self.batch.emitter.rate, self.batch.rules.volume_count), (120, 1))
+        self.world.keep_events()
+        spawned = 0
         for _ in range(30):
             self.fall()
-            events = self.batch.events
-            self.assertEqual(len(events.born_ids), events.born)
-            self.assertTrue(set(events.born_ids.tolist()) <= set(self.batch.ids.tolist()))
-            born += events.born
-        self.assertEqual((born, events.total_born), (60, 60))
-        self.assertGreater(events.total_destroyed, 20)
+            counts, events = self.batch.counts, self.world.events
+            born = events.of(lr.EventKind.SPAWNED)["body"].tolist()
+            self.assertEqual(len(born), counts.spawned)
+            self.assertEqual(len(events.of(lr.EventKind.KILLED)), counts.destroyed)
+            self.assertTrue(set(born) <= set(self.batch.ids.tolist()))
+            spawned += counts.spawned
+        self.assertEqual((spawned, counts.total_spawned), (60, 60))
+        self.assertGreater(counts.total_destroyed, 20)
         self.assertEqual(len(self.batch.emit(5)), 5)
         self.batch.set_emitter()
         self.batch.set_rules()
@@ -295,20 +310,20 @@ class Storms(WorldCase):
     def test_bodies_that_leave_physics(self):
         calm = self.world.create_batch(thin_leaf(), 10, load_model=lr.Loads.NONE)
         self.world.keep_events(100)
-        self.assertEqual(calm.fault_policy, lr.FaultPolicy.AUTO)
+        self.assertEqual(calm.divergence_policy, lr.DivergencePolicy.AUTO)
         ids = calm.create(position=[(0, 0, 0), (1, 0, 0), (2, 0, 0)])
-        for policy, left in ((lr.FaultPolicy.FREEZE, 3), (lr.FaultPolicy.REMOVE, 2)):
-            calm.fault_policy = policy
-            body = ids[0 if policy == lr.FaultPolicy.FREEZE else 1]
+        for policy, left in ((lr.DivergencePolicy.FREEZE, 3), (lr.DivergencePolicy.REMOVE, 2)):
+            calm.divergence_policy = policy
+            body = ids[0 if policy == lr.DivergencePolicy.FREEZE else 1]
             self.world.add_forces([int(body)] * 50, (1e9, 0, 0), mode=lr.ForceMode.ACCELERATION)
             self.world.step(1 / 60)
-            told = self.world.events.of(lr.EventKind.FAULTED)
+            told = self.world.events.of(lr.EventKind.DIVERGED)
             self.assertEqual(told["body"].tolist(), [int(body)])
-            self.assertEqual((calm.events.faulted, len(calm.ids)), (1, left))
-        self.assertEqual(self.world.state(ids[0]).resting, lr.Rest.HELD)
-        self.assertEqual(calm.events.total_faulted, 2)
+            self.assertEqual((calm.counts.diverged, len(calm.ids)), (1, left))
+        self.assertEqual(self.world.state(ids[0]).sleep_state, lr.Sleep.HELD)
+        self.assertEqual(calm.counts.total_diverged, 2)
         with self.assertRaises(lr.InvalidArgumentError):
-            calm.fault_policy = 9
+            calm.divergence_policy = 9
 
     def test_rates_and_budgets(self):
         self.batch.create(10)

@@ -30,7 +30,7 @@ class Statuses(WorldCase):
         world, batch, S = self.world, self.batch, lr.Status
         stale = int(batch.create(1)[0])
         world.destroy_bodies(stale)
-        source = world.add_wind(lr.WindSourceKind.RANKINE)
+        source = world.add_vortex()
         source.remove()
         collider = world.add_sphere((0, 0, 0), 1)
         collider.destroy()

@@ -12,7 +12,7 @@ from langevin_rigid.view import turned
 
 
 def storm(frames=12, fps=30.0):
-    """Bodies that are born and end between frames."""
+    """Bodies that are spawned and end between frames."""
     recording = lr.Recording(fps=fps, first_frame=5)
     with lr.World(seed=9) as world:
         batch = world.create_batch(thin_leaf(), 40)
@@ -41,11 +41,11 @@ class Usd(unittest.TestCase):
         types = {"protoIndices": "int[]", "ids": "int64[]", "positions": "point3f[]", "orientations": "quath[]",
                  "scales": "float3[]", "velocities": "vector3f[]", "angularVelocities": "vector3f[]", "extent": "float3[]"}
         self.assertEqual({name: a["type"] for name, a in instancer.attributes.items()}, types)
-        born = 0
+        spawned = 0
         for number, frame in zip(self.recording.frame_numbers, self.recording):
             got = {name: np.array(a["value"][number]) for name, a in instancer.attributes.items()}
             n = len(frame.ids)
-            born += n
+            spawned += n
             for name in set(types) - {"extent"}:
                 self.assertEqual(len(got[name]), n, name)
             self.assertEqual(got["extent"].shape, (2, 3))
@@ -62,7 +62,7 @@ class Usd(unittest.TestCase):
                     np.repeat(frame.orientation[:, None], len(self.mesh.points), 1),
                     np.repeat(self.mesh.points[None].astype(np.float32), n, 0))
                 self.assertTrue((corners >= got["extent"][0] - 1e-4).all() and (corners <= got["extent"][1] + 1e-4).all())
-        self.assertGreater(born, 50)
+        self.assertGreater(spawned, 50)
         drawn = stage.at("/Storm/Bodies/Prototype").attributes
         np.testing.assert_allclose(drawn["points"]["value"], self.mesh.points, rtol=1e-8, atol=1e-12)
         self.assertEqual(drawn["faceVertexIndices"]["value"], self.mesh.indices.tolist())

@@ -25,7 +25,8 @@ class Layout(unittest.TestCase):
     @unittest.skipIf(shutil.which("cc") is None, "no C compiler")
     def test_every_struct_and_field_lies_where_the_compiler_has_it(self):
         whole = {name: kind for name, kind in structs().items() if name in native.FIELD_DOCS}
-        self.assertEqual(set(re.findall(r"^\} (lr_\w+);", HEADER, re.M)), set(whole))
+        handles = {"lr_batch", "lr_body", "lr_collider", "lr_wind_source"}  # numbers here
+        self.assertEqual(set(re.findall(r"^\} (lr_\w+);", HEADER, re.M)) - handles, set(whole))
         lines = ["#include <langevin_rigid.h>", "#include <stddef.h>", "#include <stdio.h>", "int main(void) {"]
         expected = []
         for name, kind in whole.items():
@@ -57,6 +58,8 @@ class Layout(unittest.TestCase):
             self.assertIn(f" {name}(", text.replace("*", "* "), name)
         package = ROOT / "bindings" / "python" / "langevin_rigid"
         words = " ".join(path.read_text() for path in package.rglob("*.py") if path.name != "_native.py")
+        # Wind sources: functions are named by their kind.
+        words += " ".join(f" lr_world_{verb}_{kind}" for verb in ("add", "update", "get") for kind in re.findall(r'_add_source\("(\w+)"', words))
         # What Python does by itself: references are counted by objects, and structs are filled by INITS.
         by_itself = {"lr_asset_retain"} | set(native.INITS.values())
         self.assertEqual({name for name in exported - by_itself if not re.search(rf"\b{name}\b", words)}, set())
@@ -98,6 +101,15 @@ class Layout(unittest.TestCase):
             value = kind()
             self.assertEqual(getattr(library(), init)(ctypes.byref(value), ctypes.sizeof(kind)), 0, name)
             self.assertEqual(value.struct_size, ctypes.sizeof(kind), name)
+
+    def test_every_function_is_called_by_the_package(self):
+        package = ROOT / "bindings" / "python" / "langevin_rigid"
+        text = "".join(path.read_text(encoding="utf-8") for path in package.glob("*.py") if path.name != "_native.py")
+        # Wind sources: the name of a call is put together from what is done and the kind.
+        stems = re.findall(r'f"(lr_world_\w+_)\{(?:self\.)?kind\}"', text)
+        text += " ".join(stem + kind for stem in stems for kind in re.findall(r'_add_source\("(\w+)"', text))
+        without = {"lr_asset_retain"}  # Python counts references itself
+        self.assertEqual([name for name in native.PROTOTYPES if name not in text and not name.endswith("_init") and name not in without], [])
 
 
 class Loading(unittest.TestCase):

@@ -44,7 +44,7 @@ class Views(WorldCase):
                 self.assertEqual(part.ctypes.data, ctypes.cast(pointer, ctypes.c_void_p).value)
                 self.assertEqual((part.dtype, part.shape, part.flags.writeable), (np.float32, (20,), False))
             self.assertEqual(getattr(view, name).stack().shape, (20, width))
-        for name, kind in (("scale", np.float32), ("age", np.float32), ("key", np.uint32), ("ids", np.uint64)):
+        for name, kind in (("scale", np.float32), ("age", np.float32), ("noise_seed", np.uint32), ("ids", np.uint64), ("user", np.uint64)):
             part = getattr(view, name)
             self.assertEqual(part.ctypes.data, ctypes.cast(getattr(struct, name), ctypes.c_void_p).value)
             self.assertEqual((part.dtype, part.shape), (kind, (20,)))
@@ -70,12 +70,12 @@ class Views(WorldCase):
         view = self.batch.view()
         self.world.info, self.world.hash(), self.batch.transforms(), self.world.ray_cast((0, 1, 0), (0, -1, 0))
         self.assertEqual(len(view.position.x), 3)  # queries change nothing
-        for change in (lambda: self.world.step(0.01), lambda: self.batch.create(1), lambda: self.world.set_wind((1, 0, 0)),
+        for change in (lambda: self.world.step(0.01), lambda: self.batch.create(1), lambda: self.world.set_uniform_wind((1, 0, 0)),
                        lambda: self.world.destroy_bodies(self.batch.ids[:1])):
             view = self.batch.view()
             change()
             self.assertTrue(view.is_stale)
-            for name in ("position", "orientation", "velocity", "spin", "scale", "age", "key", "ids"):
+            for name in ("position", "orientation", "velocity", "spin", "scale", "age", "noise_seed", "ids"):
                 with self.assertRaises(lr.StaleViewError):
                     getattr(view, name)
 
@@ -159,20 +159,34 @@ class Transforms(WorldCase):
 
 class Bodies(WorldCase):
     def test_values_for_all_or_for_each(self):
-        ids = self.batch.create(scale=[1, 2, 3], position=(0, 5, 0), age=4.0, key=[11, 12, 13])
+        ids = self.batch.create(scale=[1, 2, 3], position=(0, 5, 0), age=4.0, noise_seed=[11, 12, 13])
         self.assertEqual(ids.dtype, np.uint64)
         states = [self.world.state(body) for body in ids]
         self.assertEqual([s.scale for s in states], [1, 2, 3])
-        self.assertEqual([s.key for s in states], [11, 12, 13])
+        self.assertEqual([s.noise_seed for s in states], [11, 12, 13])
         self.assertEqual([s.age for s in states], [4, 4, 4])
         self.assertEqual(len(self.batch.create()), 1)
         for wrong in ({"position": np.zeros((3, 2))}, {"position": np.zeros((3, 3)), "scale": np.ones(4)}):
             with self.assertRaises(ValueError):
                 self.batch.create(**wrong)
         with self.assertRaises(TypeError):
-            self.batch.create(key=1.5)
+            self.batch.create(noise_seed=1.5)
         with self.assertRaises(OverflowError):
-            self.batch.create(key=-1)
+            self.batch.create(noise_seed=-1)
+
+    def test_users_bounds_and_timings(self):
+        self.assertIsNone(self.batch.bounds())
+        self.assertEqual(self.world.timings.total, 0)
+        ids = self.batch.create(position=[(0, 1, 0), (3, 0, 0)], user=np.array([2**63, 7], np.uint64))
+        self.world.set_state(ids[1], scale=2)
+        self.assertEqual([self.world.state(body).user for body in ids], [2**63, 7])
+        self.fall()
+        self.assertEqual(sorted(self.batch.view().user.tolist()), [7, 2**63])
+        low, high = self.batch.bounds()
+        self.assertTrue((low <= (0, 0.5, 0)).all() and (high >= (3, 0.5, 0)).all() and high[0] < 4)
+        timings = self.world.timings
+        self.assertGreater(timings.total, 0)
+        self.assertLessEqual(timings.motion + timings.emit_and_rules, timings.total)
 
     def test_state_is_set_in_part(self):
         body = int(self.batch.create(position=(1, 2, 3), scale=2)[0])
@@ -186,14 +200,29 @@ class Bodies(WorldCase):
         self.assertEqual(pickle.loads(pickle.dumps(state)).scale, 2)
         self.assertEqual(copy.copy(state).as_dict().keys(), state.as_dict().keys())
 
+    def test_what_has_ended_is_not_valid(self):
+        body = self.batch.create()[0]
+        other = self.world.create_batch(self.batch.asset, 1)
+        collider, source = self.world.add_plane(), self.world.add_gusts()
+        for thing in (body, int(body), other, collider, source):
+            self.assertIs(self.world.is_valid(thing), True)
+        self.world.destroy_bodies(body)
+        other.destroy()
+        collider.destroy()
+        source.remove()
+        for thing in (body, 0, other, collider, source):
+            self.assertIs(self.world.is_valid(thing), False)
+        with lr.World() as another:
+            self.assertFalse(another.is_valid(self.batch))
+
     def test_rest_and_waking(self):
         ids = self.batch.create(position=[(0, 0, 0), (5, 0, 0)])
-        self.world.set_rest(ids)
+        self.world.set_sleep(ids)
         self.assertEqual(self.batch.view().awake_count, 0)
-        self.assertIs(self.world.state(ids[0]).resting, lr.Rest.RESTING)
+        self.assertIs(self.world.state(ids[0]).sleep_state, lr.Sleep.ASLEEP)
         self.assertEqual(self.world.wake_box((-1, -1, -1), (1, 1, 1)), 1)
         self.assertEqual(self.world.info.awake_count, 1)
-        self.world.set_rest(ids[1], lr.Rest.AWAKE)
+        self.world.set_sleep(ids[1], lr.Sleep.AWAKE)
         self.assertEqual(self.world.info.awake_count, 2)
 
     def test_a_hundred_thousand(self):

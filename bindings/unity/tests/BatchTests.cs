@@ -68,7 +68,7 @@ public sealed class BatchTests : Stage
         for (int i = 0; i < bodies.Length; ++i) bodies[i] = batch.Spawn(new Vector3(i, 100.0f, 0.0f), Quaternion.identity);
         Frames(2);
         Assert.AreEqual(2500, batch.Instances.Written);
-        for (int i = 5; i < bodies.Length; ++i) batch.SetRest(bodies[i], true);
+        for (int i = 5; i < bodies.Length; ++i) batch.SetSleep(bodies[i], true);
         Frames(1);
         Assert.AreEqual(2500, batch.Instances.Written, "who comes to rest changes places");
         Frames(1);
@@ -85,7 +85,7 @@ public sealed class BatchTests : Stage
         Assert.AreEqual(12345.0f, floats[16 * 2000 + 13]);
         Assert.AreNotEqual(moving, floats[16 * 2 + 13]);
         Assert.AreEqual(5L, World.AwakeCount);
-        batch.SetRest(bodies[100], false);
+        batch.SetSleep(bodies[100], false);
         Frames(1);
         Assert.AreEqual(2500, batch.Instances.Written);
         // Awake now, 100 took another's place: its y is what all had, or a little less.
@@ -138,7 +138,7 @@ public sealed class BatchTests : Stage
         }
         Frames(60);
         Assert.AreEqual(260.0, batch.Count, 2.0);
-        Assert.Greater(batch.LifeEvents().TotalRespawned, 100ul);
+        Assert.Greater(batch.Counts().TotalRespawned, 100ul);
         batch.transform.position = new Vector3(100.0f, 10.0f, -7.0f);
         Frames(40);
         int there = Enumerable.Range(0, batch.Instances.Count).Count(i => batch.Instances.Matrices[i].m03 > 90.0f && batch.Instances.Matrices[i].m23 < 0.0f);

@@ -74,7 +74,7 @@ public sealed unsafe class GroupDrawingTests : Stage
         BatchView view = batch.View();
         var ids = new List<BodyId>();
         for (int i = 10; i < 2000; ++i) ids.Add(view.Ids[i]);
-        foreach (BodyId id in ids) batch.SetRest(id, true);
+        foreach (BodyId id in ids) batch.SetSleep(id, true);
         Frames(2);
         GraphicsBuffer.Last.Sent = 0;
         Frames(1);

@@ -207,7 +207,7 @@ public sealed class WorldTests : Stage
     {
         BoxCollider floor = Put<BoxCollider>(new Vector3(0.0f, -0.5f, 0.0f), b => b.size = new Vector3(50.0f, 1.0f, 50.0f));
         LangevinBatch batch = NewBatch(20);
-        World.SetEvents(1000, (ContactEvents)uint.MaxValue);
+        World.SetEvents(1000, (EventKinds)uint.MaxValue);
         var seen = new List<LangevinEvent>();
         int byBatch = 0, byCollider = 0, byInspector = 0;
         World.Happened += seen.Add;
@@ -216,12 +216,12 @@ public sealed class WorldTests : Stage
         floor.GetComponent<LangevinCollider>().Happened += e => ++byCollider;
         for (int i = 0; i < 10; ++i) batch.Spawn(new Vector3(i - 5, 0.3f, 3.0f), Quaternion.Euler(90.0f, 0.0f, 0.0f));
         Frames(240);
-        LangevinEvent begin = seen.First(e => e.kind == ContactEventKind.ContactBegin);
+        LangevinEvent begin = seen.First(e => e.kind == EventKind.Hit);
         Assert.IsTrue(begin.batch == batch && begin.collider == floor.GetComponent<LangevinCollider>());
         Assert.AreEqual(0.0, begin.position.y, 0.02);
         Assert.AreEqual(3.0, begin.position.z, 1.0);
         Near(Vector3.up, begin.normal, 0.01);
-        Assert.Greater(seen.Count(e => e.kind == ContactEventKind.BodyLanded), 7.0);
+        Assert.Greater(seen.Count(e => e.kind == EventKind.Landed), 7.0);
         Assert.AreEqual(seen.Count, byBatch);
         Assert.AreEqual(seen.Count, byInspector);
         Assert.AreEqual(seen.Count(e => e.collider != null), byCollider);
@@ -241,7 +241,7 @@ public sealed class WorldTests : Stage
     {
         Put<BoxCollider>(new Vector3(0.0f, -0.5f, 0.0f), b => b.size = new Vector3(50.0f, 1.0f, 50.0f));
         LangevinBatch batch = NewBatch(20);
-        World.SetEvents(100, ContactEvents.Begin);
+        World.SetEvents(100, EventKinds.Hit);
         World.Happened += e =>
         {
             batch.Despawn(e.body);
@@ -304,7 +304,7 @@ public sealed class WorldTests : Stage
         Assert.AreEqual(5.0, hit.distance, 0.05);
         Assert.AreEqual(3.0, hit.position.z, 1e-4);
         Assert.IsFalse(World.Raycast(new Vector3(2.0f, 10.0f, -3.0f), Vector3.down, 100.0f, out hit));
-        batch.SetRest(body, true);
+        batch.SetSleep(body, true);
         Assert.AreEqual(0, World.WakeBox(new Bounds(new Vector3(2.0f, 5.0f, -3.0f), Vector3.one)));
         Assert.AreEqual(1, World.WakeBox(new Bounds(new Vector3(2.0f, 5.0f, 3.0f), Vector3.one)));
     }

@@ -22,9 +22,9 @@ void ALeafStormActor::BeginPlay() {
     Leaves->BeginBatch(); // the asset was not there yet when the component began
     ULangevinWorldSubsystem* Langevin = GetWorld()->GetSubsystem<ULangevinWorldSubsystem>();
     Langevin->SetWind(FVector(150.0, 0.0, 0.0)); // cm/s
-    Langevin->OnContactEvents.AddDynamic(this, &ALeafStormActor::CountLandings);
+    Langevin->OnEvents.AddDynamic(this, &ALeafStormActor::CountLandings);
 }
 
-void ALeafStormActor::CountLandings(const TArray<FLangevinContactEvent>& Events) {
-    for (const FLangevinContactEvent& Event : Events) Landed += Event.Kind == ELangevinContact::Landed;
+void ALeafStormActor::CountLandings(const TArray<FLangevinEvent>& Events) {
+    for (const FLangevinEvent& Event : Events) Landed += Event.Kind == ELangevinEvent::Landed;
 }

@@ -34,5 +34,5 @@ public:
 
 private:
     UFUNCTION()
-    void CountLandings(const TArray<FLangevinContactEvent>& Events);
+    void CountLandings(const TArray<FLangevinEvent>& Events);
 };

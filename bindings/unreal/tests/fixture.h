@@ -104,7 +104,7 @@ struct Game {
         ray.direction[2] = -1;
         lr_ray_hit hit;
         REQUIRE(lr_world_ray_cast(langevin->GetLibraryWorld(), &ray, 1, &hit) == LR_OK);
-        return hit.collider == 0 ? -1e9 : origin.Z + 100.0 * static_cast<double>(hit.position[2]);
+        return hit.collider.id == 0 ? -1e9 : origin.Z + 100.0 * static_cast<double>(hit.position[2]);
     }
 
     UWorld* world = nullptr;

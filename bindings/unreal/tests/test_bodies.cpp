@@ -60,8 +60,8 @@ int64 run_storm(bool tasks, int32 count, uint64* launched) {
 }
 
 struct Listener : UObject {
-    void hear(const TArray<FLangevinContactEvent>& events) { all.Append(events); }
-    TArray<FLangevinContactEvent> all;
+    void hear(const TArray<FLangevinEvent>& events) { all.Append(events); }
+    TArray<FLangevinEvent> all;
 };
 } // namespace
 
@@ -107,7 +107,7 @@ TEST_CASE("the component gives the same bits as the library used directly") {
     lr_batch_desc_init(&bd, sizeof bd);
     bd.asset = batch->Asset->GetHandle();
     bd.capacity = 3;
-    lr_batch raw = 0;
+    lr_batch raw{};
     REQUIRE(lr_batch_create(world, &bd, &raw) == LR_OK);
     lr_emitter_desc emitter; // as the component's: part of the hash
     lr_emitter_desc_init(&emitter, sizeof emitter);
@@ -117,16 +117,18 @@ TEST_CASE("the component gives the same bits as the library used directly") {
     for (const FLangevinBody& body : bodies) {
         lr_body_state state = {};
         state.struct_size = sizeof state;
-        REQUIRE(lr_body_get_state(game.langevin->GetLibraryWorld(), static_cast<lr_body>(body.Id), &state) == LR_OK);
+        REQUIRE(lr_body_get_state(game.langevin->GetLibraryWorld(), lr_body{static_cast<uint64_t>(body.Id)}, &state) ==
+                LR_OK);
         lr_body_desc desc;
         lr_body_desc_init(&desc, sizeof desc);
         for (int i = 0; i < 3; ++i)
             desc.position[i] = state.position[i], desc.linear_velocity[i] = state.linear_velocity[i];
         for (int i = 0; i < 4; ++i) desc.orientation[i] = state.orientation[i];
-        lr_body copy = 0;
+        lr_body copy{};
         REQUIRE(lr_body_create(world, raw, &desc, 1, &copy) == LR_OK);
         // Both from the very same numbers: a state read and set again is rounded once more.
-        REQUIRE(lr_body_set_state(game.langevin->GetLibraryWorld(), static_cast<lr_body>(body.Id), &state) == LR_OK);
+        REQUIRE(lr_body_set_state(game.langevin->GetLibraryWorld(), lr_body{static_cast<uint64_t>(body.Id)}, &state) ==
+                LR_OK);
         REQUIRE(lr_body_set_state(world, copy, &state) == LR_OK);
     }
     game.run(30);
@@ -266,7 +268,7 @@ TEST_CASE("between fixed steps bodies are drawn moved on, if asked for") {
         view.struct_size = sizeof view;
         lr_batch_get_view(game.langevin->GetLibraryWorld(), batch->GetLibraryBatch(), &view);
         FLangevinBody body;
-        body.Id = static_cast<int64>(view.ids[0]);
+        body.Id = static_cast<int64>(view.ids[0].id);
         REQUIRE(batch->GetBodyState(body, t, v, w, r));
         const FVector moved = between.GetLocation() - at_step.GetLocation();
         if (smooth) {
@@ -381,26 +383,26 @@ TEST_CASE("an emitter follows its component") {
 
 TEST_CASE("landings are told, with who, where and on what") {
     Game game;
-    Game::settings().MaxContactEvents = 1000;
+    Game::settings().MaxEvents = 1000;
     game.create();
     UStaticMeshComponent* floor = game.add_block(box_of(1000, 1000, 100), FTransform(FVector(0, 0, -50)));
     game.world->ShimBeginPlay();
     auto* listener = new Listener();
-    game.langevin->OnContactEvents.AddDynamic(listener, &Listener::hear);
+    game.langevin->OnEvents.AddDynamic(listener, &Listener::hear);
     ULangevinBatchComponent* batch = game.add_batch(20, 20, FTransform(FVector(0, 0, 110)));
     game.run(60 * 6);
     int begun = 0, landed = 0;
-    for (const FLangevinContactEvent& event : listener->all) {
+    for (const FLangevinEvent& event : listener->all) {
         CHECK(event.Batch == batch);
         CHECK(event.Body.Id != 0);
-        if (event.Kind == ELangevinContact::Begin) {
+        if (event.Kind == ELangevinEvent::Hit) {
             ++begun;
             CHECK(event.Other.Get() == floor);
             CHECK(std::abs(event.Location.Z) < 2.0);
             CHECK(event.Normal.Z > 0.9);
             CHECK(event.Speed >= 0.0f);
         }
-        landed += event.Kind == ELangevinContact::Landed;
+        landed += event.Kind == ELangevinEvent::Landed;
     }
     CHECK(begun >= 20);
     CHECK(landed > 10);
@@ -467,7 +469,7 @@ TEST_CASE("components without an asset say what is missing") {
     game.world->ShimBeginPlay();
     auto* batch = NewObject<ULangevinBatchComponent>(game.world->SpawnActor<AActor>());
     batch->RegisterComponent(); // BeginPlay waits for one
-    CHECK(batch->GetLibraryBatch() == 0);
+    CHECK(batch->GetLibraryBatch().id == 0);
     CHECK_FALSE(batch->BeginBatch());
     CHECK(logged(ShimTakeLog(), "has no asset: import a .lrb file"));
     CHECK(batch->SpawnBodies({FTransform()}, FVector()).Num() == 0);
@@ -495,7 +497,7 @@ TEST_CASE("editor worlds have no simulation") {
 
 TEST_CASE("the sample: a storm that never ends") {
     Game game;
-    Game::settings().MaxContactEvents = 4000;
+    Game::settings().MaxEvents = 4000;
     game.create();
     game.add_block(box_of(4000, 4000, 100), FTransform(FVector(0, 0, -250)));
     auto* storm = game.world->SpawnActor<ALeafStormActor>();

@@ -85,7 +85,7 @@ export class Renderer {
     const view = batch.view();
     if (view.revision !== this.revision) {
       gl.bindBuffer(gl.ARRAY_BUFFER, this.keys);
-      gl.bufferSubData(gl.ARRAY_BUFFER, 0, view.key);
+      gl.bufferSubData(gl.ARRAY_BUFFER, 0, view.noiseSeed);
       this.revision = view.revision;
     }
   }

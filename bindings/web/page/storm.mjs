@@ -14,9 +14,9 @@ export class Storm {
     this.model = model;
     this.world = lr.createWorld({ seed: 2 });
     this.world.createCollider({ kind: LR.COLLIDER_PLANE, friction: 0.8 });
-    this.world.addWind({ kind: LR.WIND_SOURCE_GROUND, direction: [0, 1, 0], size: 0.003 * model.room[1], referenceHeight: model.room[1] });
-    this.#gusts = this.world.addWind({ kind: LR.WIND_SOURCE_GUSTS, speed: 0 });
-    this.eddies = this.world.addWind({ kind: LR.WIND_SOURCE_TURBULENCE, speed: 0, size: 0.4 * model.room[0] });
+    this.world.addGroundWind({ roughnessLength: 0.003 * model.room[1], referenceHeight: model.room[1] });
+    this.#gusts = this.world.addGusts({ rms: 0 });
+    this.eddies = this.world.addTurbulence({ rms: 0, integralLength: 0.4 * model.room[0] });
     this.batch = this.world.createBatch({ asset, capacity: count });
     this.transforms = this.batch.createTransforms(LR.TRANSFORM_4X4_COLUMN_MAJOR);
     this.#fill(count);
@@ -36,9 +36,9 @@ export class Storm {
     const { room: [half, height], fall } = this.model;
     const angle = (direction * Math.PI) / 180;
     const velocity = [wind * Math.cos(angle), 0, wind * Math.sin(angle)];
-    this.world.setWind(velocity);
-    this.world.updateWind(this.#gusts, { kind: LR.WIND_SOURCE_GUSTS, speed: gusts, direction: [Math.cos(angle), 0, Math.sin(angle)], spread: 0.4, period: 3 });
-    this.world.updateWind(this.eddies, { kind: LR.WIND_SOURCE_TURBULENCE, speed: 0.4 * gusts, size: 0.4 * half });
+    this.world.setUniformWind(velocity);
+    this.world.updateGusts(this.#gusts, { rms: gusts, direction: [Math.cos(angle), 0, Math.sin(angle)], angleRms: 0.4, integralTime: 3 });
+    this.world.updateTurbulence(this.eddies, { rms: 0.4 * gusts, integralLength: 0.4 * half });
     // They are carried so far while they fall, and must begin as far upwind.
     const carried = velocity.map((v) => (0.6 * v * height) / fall);
     const reach = carried.map((c) => half + Math.abs(c) / 2);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // All bodies of one asset in a world.
 import { LR, structs } from './generated/api.mjs';
+import { BatchPlain } from './generated/plain.mjs';
 import { Asset } from './asset.mjs';
 
+const arrayTypes = { f32: Float32Array, u32: Uint32Array, big: BigUint64Array };
 const floats = [7, 8, 12, 12, 16, 16]; // of one body, by LR.TRANSFORM_*
-const bodyArrays = { position: 3, orientation: 4, linearVelocity: 3, angularVelocity: 3, scale: 1, age: 1, key: 1 };
+const bodyArrays = { position: 3, orientation: 4, linearVelocity: 3, angularVelocity: 3, scale: 1, age: 1, noiseSeed: 1, user: 1 };
 
-export class Batch {
+export class Batch extends BatchPlain {
   #world;
   #host;
 
@@ -34,10 +36,6 @@ export class Batch {
 
   #get(struct, name) {
     return this.#world.get(struct, name, this.handle);
-  }
-
-  #set(struct, desc, name) {
-    this.#world.set(struct, desc, name, this.handle);
   }
 
   destroy() {
@@ -74,9 +72,9 @@ export class Batch {
       if (!width) throw new TypeError(`bodies have no ${name}; they have ${Object.keys(bodyArrays).join(', ')}`);
       if (values.length !== width * count) throw new RangeError(`${name} of ${count} bodies has ${width * count} elements, not ${values.length}`);
       const [, offset, type] = fields.find(([field]) => field === name);
-      const Type = type === 'u32' ? Uint32Array : Float32Array;
-      const to = this.#host.heap.array(Type, at, (size / 4) * count);
-      for (let i = 0, from = 0, place = offset / 4; i < count; ++i, place += size / 4)
+      const Type = arrayTypes[type], step = size / Type.BYTES_PER_ELEMENT;
+      const to = this.#host.heap.array(Type, at, step * count);
+      for (let i = 0, from = 0, place = offset / Type.BYTES_PER_ELEMENT; i < count; ++i, place += step)
         for (let k = 0; k < width; ++k) to[place + k] = values[from++];
     }
     return at;
@@ -86,7 +84,7 @@ export class Batch {
   emit(count) {
     return this.#host.scratch((scratch) => {
       const out = scratch.bytes(8 * count);
-      this.#call('lr_batch_emit', count, out);
+      this.#call('lr_batch_spawn', count, out);
       return this.#host.heap.array(BigUint64Array, out, count).slice();
     });
   }
@@ -94,14 +92,25 @@ export class Batch {
   /** The bodies where they lie, without a copy: until the world changes. */
   view() {
     const { heap } = this.#host;
-    const { position, orientation, velocity, spin, scale, age, key, ids, ...numbers } = this.#get('lr_batch_view', 'lr_batch_get_view');
+    const { position, orientation, velocity, spin, scale, age, noiseSeed, ids, user, ...numbers } = this.#get('lr_batch_view', 'lr_batch_get_view');
     const { count } = numbers;
     const one = (Type, address) => heap.array(Type, address, count);
     const all = (addresses) => addresses.map((address) => one(Float32Array, address));
     return {
       ...numbers, position: all(position), orientation: all(orientation), velocity: all(velocity), spin: all(spin),
-      scale: one(Float32Array, scale), age: one(Float32Array, age), key: one(Uint32Array, key), ids: one(BigUint64Array, ids),
+      scale: one(Float32Array, scale), age: one(Float32Array, age), noiseSeed: one(Uint32Array, noiseSeed), ids: one(BigUint64Array, ids),
+      user: one(BigUint64Array, user),
     };
+  }
+
+  /** A box around all bodies; null without bodies. */
+  bounds() {
+    return this.#host.scratch((scratch) => {
+      const at = scratch.bytes(24);
+      this.#call('lr_batch_get_bounds', at, at + 12);
+      const [low, high] = [at, at + 12].map((corner) => Array.from(this.#host.heap.array(Float32Array, corner, 3)));
+      return low[0] <= high[0] ? { low, high } : null;
+    });
   }
 
   /** A buffer of transforms in the module's memory, for a GPU's instance buffer. */
@@ -120,30 +129,6 @@ export class Batch {
     })));
   }
 
-  setAerodynamics(aerodynamics) {
-    this.#set('lr_aerodynamics', aerodynamics, 'lr_batch_set_aerodynamics');
-  }
-
-  get aerodynamics() {
-    return this.#get('lr_aerodynamics', 'lr_batch_get_aerodynamics');
-  }
-
-  setLoadGains(gains) {
-    this.#set('lr_load_gains', gains, 'lr_batch_set_load_gains');
-  }
-
-  setRate(divisor) {
-    this.#call('lr_batch_set_rate', divisor);
-  }
-
-  get pace() {
-    return this.#get('lr_batch_pace', 'lr_batch_get_pace');
-  }
-
-  setForce(force) {
-    this.#set('lr_batch_force', force, 'lr_batch_set_force');
-  }
-
   /** Forces on many bodies in the order of the view: x, y, z of each are arrays. */
   addForces({ force = null, torque = null, ...rest }) {
     const lengths = [...(force ?? []), ...(torque ?? [])].map((values) => values.length);
@@ -155,40 +140,16 @@ export class Batch {
     });
   }
 
-  setContact(contact) {
-    this.#set('lr_batch_contact', contact, 'lr_batch_set_contact');
-  }
-
-  get contact() {
-    return this.#get('lr_batch_contact', 'lr_batch_get_contact');
-  }
-
   // Births and ends.
 
-  setRules(rules) {
-    this.#set('lr_batch_rules', rules, 'lr_batch_set_rules');
+  /** null without rules. */
+  get rules() {
+    return this.#world.getIfPresent('lr_batch_rules', 'lr_batch_get_rules', this.handle);
   }
 
-  setEmitter(emitter) {
-    this.#set('lr_emitter_desc', emitter, 'lr_batch_set_emitter');
-  }
-
-  set faultPolicy(policy) {
-    this.#call('lr_batch_set_fault_policy', policy);
-  }
-
-  get faultPolicy() {
-    return this.#host.scratch((scratch) => {
-      const out = scratch.bytes(4);
-      this.#call('lr_batch_get_fault_policy', out);
-      return this.#host.heap.view.getInt32(out, true);
-    });
-  }
-
-  get events() {
-    const { endedIds, bornIds, ...events } = this.#get('lr_batch_events', 'lr_batch_get_events');
-    const list = (address, length) => this.#host.heap.array(BigUint64Array, address, length).slice();
-    return { ...events, endedIds: list(endedIds, events.destroyed + events.respawned), bornIds: list(bornIds, events.born) };
+  /** null without an emitter. */
+  get emitter() {
+    return this.#world.getIfPresent('lr_emitter_desc', 'lr_batch_get_emitter', this.handle);
   }
 }
 

@@ -54,13 +54,13 @@ export class Heap {
     return utf8.decode(bytes.subarray(0, bytes.indexOf(0)));
   }
 
-  #readScalar(type, address) {
+  number(type, address) {
     const value = this.view[scalars[type].get](address, true);
     return type === 'u64' ? Number(value) : value;
   }
 
   #read(type, address) {
-    return scalars[type] ? this.#readScalar(type, address) : this.read(type, address);
+    return scalars[type] ? this.number(type, address) : this.read(type, address);
   }
 
   /** A struct as an object. Pointers are addresses. */

@@ -53,7 +53,7 @@ export class Host {
           number: number >>> 0, where: host.heap.string(where), what: host.heap.string(what), remedy: host.heap.string(remedy),
         }]),
         wind: (id, query) => host.#answer(id, () => [queryArrays(host.heap, 'lr_wind_query', query)]),
-        surface: (id, query) => host.#answer(id, () => [queryArrays(host.heap, 'lr_surface_query', query)]),
+        surface: (id, query) => host.#answer(id, () => [queryArrays(host.heap, 'lr_water_query', query)]),
         record: (id, bytes, size) => host.#answer(id, () => [host.heap.array(Uint8Array, bytes, Number(size)).slice()]),
         out_of_memory() {
           throw outOfMemory;
@@ -143,7 +143,7 @@ export class Host {
   /** Calls a C function that returns a status, and throws what is not LR_OK. `said`: what the library logged of it. */
   call(said, name, ...values) {
     const status = this.invoke(name, ...values);
-    if (status !== LR.OK) throw this.error(name, status, said());
+    if (status !== LR.OK) throw this.error(name, status, said() || this.heap.string(this.#exports.lr_last_error()));
   }
 
   /** Runs use(scratch), whose memory then ends. */

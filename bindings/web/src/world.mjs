@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A world: fluid, colliders, and batches of bodies.
 import { Batch } from './batch.mjs';
-import { LR } from './generated/api.mjs';
+import { LR, structs } from './generated/api.mjs';
+import { WorldPlain } from './generated/plain.mjs';
 
 const leaked = new FinalizationRegistry(end);
 
@@ -13,7 +14,7 @@ function end({ host, address, callbacks }) {
 /** Ids of bodies or colliders: one bigint, or several. */
 export const idsOf = (ids) => (typeof ids === 'bigint' ? [ids] : ids);
 
-export class World {
+export class World extends WorldPlain {
   #host;
   #address = 0;
   #said = '';
@@ -78,6 +79,24 @@ export class World {
     });
   }
 
+  /** @internal A number that a C function gives out. */
+  number(type, name, ...values) {
+    return this.#host.scratch((scratch) => {
+      const at = scratch.bytes(8);
+      this.call(name, ...values, at);
+      return this.#host.heap.number(type, at);
+    });
+  }
+
+  /** @internal A struct that may not be there: null then. */
+  getIfPresent(struct, name, ...values) {
+    return this.#host.scratch((scratch) => {
+      const [at, present] = [scratch.struct(struct), scratch.bytes(4)];
+      this.call(name, ...values, at, present);
+      return this.#host.heap.view.getInt32(present, true) ? this.#host.heap.read(struct, at) : null;
+    });
+  }
+
   /** @internal Calls a C function whose last argument is a struct, or null. */
   set(struct, desc, name, ...values) {
     this.#host.scratch((scratch) => this.call(name, ...values, desc === null ? 0 : scratch.struct(struct, desc)));
@@ -96,14 +115,6 @@ export class World {
 
   // What it is, and time.
 
-  get info() {
-    return this.get('lr_world_info', 'lr_world_get_info');
-  }
-
-  get stepReport() {
-    return this.get('lr_step_report', 'lr_world_get_step_report');
-  }
-
   step(dt, substeps = 2) {
     this.call('lr_world_step', dt, substeps);
   }
@@ -112,20 +123,8 @@ export class World {
     this.#host.scratch((scratch) => this.call('lr_world_set_gravity', scratch.copy(Float32Array, three(gravity, 'gravity'))));
   }
 
-  setSimdTarget(target) {
-    this.call('lr_world_set_simd_target', target);
-  }
-
-  setBudget(bodySubsteps) {
-    this.call('lr_world_set_budget', BigInt(bodySubsteps));
-  }
-
   hash() {
-    return this.#host.scratch((scratch) => {
-      const out = scratch.bytes(8);
-      this.call('lr_world_hash', out);
-      return this.#host.heap.view.getBigUint64(out, true);
-    });
+    return this.number('big', 'lr_world_hash');
   }
 
   saveSnapshot() {
@@ -153,31 +152,61 @@ export class World {
 
   // The fluid.
 
-  setWind(desc) {
-    this.set('lr_wind_desc', Array.isArray(desc) || ArrayBuffer.isView(desc) ? { velocity: desc } : desc, 'lr_world_set_wind');
+  setUniformWind(velocity) {
+    this.call('lr_world_set_uniform_wind', ...three(velocity, 'velocity'));
   }
 
-  #windSource(scratch, { samples = null, ...desc }) {
+  get uniformWind() {
+    return this.#host.scratch((scratch) => {
+      const out = scratch.bytes(12);
+      this.call('lr_world_get_uniform_wind', out);
+      return [...this.#host.heap.array(Float32Array, out, 3)];
+    });
+  }
+
+  #windSource(scratch, kind, { samples = null, ...desc }) {
+    if (kind !== 'wind_grid') return scratch.struct(`lr_${kind}_desc`, desc);
     const components = (desc.counts ?? [0, 0, 0]).reduce((product, n) => product * n, 3 * (desc.frames ?? 1));
-    if (samples && desc.kind === LR.WIND_SOURCE_GRID && samples.length !== components)
+    if (samples && samples.length !== components)
       throw new RangeError(`samples of ${desc.counts} in ${desc.frames ?? 1} frames are ${components} numbers, not ${samples.length}`);
-    return scratch.struct('lr_wind_source_desc', { ...desc, samples: scratch.copy(Float32Array, samples) });
+    return scratch.struct('lr_wind_grid_desc', { ...desc, samples: scratch.copy(Float32Array, samples) });
   }
 
-  addWind(desc) {
+  #addSource(kind, desc) {
     return this.#host.scratch((scratch) => {
       const out = scratch.bytes(4);
-      this.call('lr_world_add_wind', this.#windSource(scratch, desc), out);
+      this.call(`lr_world_add_${kind}`, this.#windSource(scratch, kind, desc), out);
       return this.#host.heap.view.getUint32(out, true);
     });
   }
 
-  updateWind(source, desc) {
-    this.#host.scratch((scratch) => this.call('lr_world_update_wind', source, this.#windSource(scratch, desc)));
+  #updateSource(kind, source, desc) {
+    this.#host.scratch((scratch) => this.call(`lr_world_update_${kind}`, source, this.#windSource(scratch, kind, desc)));
+  }
+
+  // addGusts(desc), updateGusts(source, desc), gusts(source), and their like.
+  static {
+    for (const kind of ['gusts', 'vortex', 'blower', 'turbulence', 'wind_grid', 'ground_wind']) {
+      const name = kind.replace(/_./g, (part) => part[1].toUpperCase());
+      const method = name[0].toUpperCase() + name.slice(1);
+      Object.assign(World.prototype, {
+        [`add${method}`](desc = {}) { return this.#addSource(kind, desc); },
+        [`update${method}`](source, desc) { this.#updateSource(kind, source, desc); },
+        [name](source) { return this.get(`lr_${kind}_desc`, `lr_world_get_${kind}`, source); },
+      });
+    }
   }
 
   removeWind(source) {
     this.call('lr_world_remove_wind', source);
+  }
+
+  #isValid(name, handle) {
+    return this.#host.invoke(name, this.address, handle) === 1;
+  }
+
+  windSourceIsValid(source) {
+    return this.#isValid('lr_wind_source_is_valid', source);
   }
 
   /** A callback in place of another, unless `install` is refused. */
@@ -213,12 +242,13 @@ export class World {
     });
   }
 
-  setSurface(desc) {
-    this.set('lr_surface_desc', desc, 'lr_world_set_surface');
+  /** null without water. */
+  get water() {
+    return this.getIfPresent('lr_water_desc', 'lr_world_get_water');
   }
 
-  setSurfaceCallback(callback) {
-    this.#surface = this.#setCallback(this.#surface, callback, 'lr_world_set_surface_callback', 'lr_web_surface');
+  setWaterCallback(callback) {
+    this.#surface = this.#setCallback(this.#surface, callback, 'lr_world_set_water_callback', 'lr_web_surface');
   }
 
   // Bodies of any batch.
@@ -236,8 +266,12 @@ export class World {
     this.#withIds(ids, (at, count) => this.call('lr_body_destroy', at, count));
   }
 
-  bodyState(id) {
-    return this.get('lr_body_state', 'lr_body_get_state', id);
+  bodyIsValid(id) {
+    return this.#isValid('lr_body_is_valid', id);
+  }
+
+  batchIsValid(batch) {
+    return this.#isValid('lr_batch_is_valid', batch.handle);
   }
 
   /** What `state` does not say stays as it is. */
@@ -250,8 +284,8 @@ export class World {
     });
   }
 
-  setRest(ids, rest) {
-    this.#withIds(ids, (at, count) => this.call('lr_body_set_rest', at, count, rest ? LR.REST_RESTING : LR.REST_AWAKE));
+  setSleep(ids, rest) {
+    this.#withIds(ids, (at, count) => this.call('lr_body_set_sleep', at, count, rest ? LR.SLEEP_ASLEEP : LR.SLEEP_AWAKE));
   }
 
   wakeBox(low, high) {
@@ -266,16 +300,12 @@ export class World {
     this.#host.scratch((scratch) => this.call('lr_body_add_force', scratch.structs('lr_body_force', forces), forces.length));
   }
 
-  setPairContact(a, b, enabled) {
-    this.call('lr_batch_set_pair_contact', a.handle, b.handle, enabled ? 1 : 0);
+  setBodyContact(a, b, enabled) {
+    this.call('lr_batch_set_body_contact', a.handle, b.handle, enabled ? 1 : 0);
   }
 
-  pairContact(a, b) {
-    return this.#host.scratch((scratch) => {
-      const out = scratch.bytes(4);
-      this.call('lr_batch_get_pair_contact', a.handle, b.handle, out);
-      return this.#host.heap.view.getInt32(out, true) === 1;
-    });
+  bodyContact(a, b) {
+    return this.number('i32', 'lr_batch_get_body_contact', a.handle, b.handle) !== 0;
   }
 
   // Colliders.
@@ -306,33 +336,31 @@ export class World {
     this.#host.scratch((scratch) => this.call('lr_collider_move', scratch.structs('lr_collider_motion', motions), motions.length));
   }
 
-  colliderState(id) {
-    return this.get('lr_collider_state', 'lr_collider_get_state', id);
+  colliderIsValid(id) {
+    return this.#isValid('lr_collider_is_valid', id);
   }
 
-  setColliderSurface(ids, surface) {
+  setColliderMaterial(ids, surface) {
     this.#withIds(ids, (at, count, scratch) =>
-      this.call('lr_collider_set_surface', at, count, scratch.struct('lr_collider_surface', surface)));
+      this.call('lr_collider_set_material', at, count, scratch.struct('lr_material', surface)));
   }
 
   // What happened, and what is where.
 
-  setContactEvents(capacity, kinds = LR.EVENTS_ALL) {
-    this.call('lr_world_set_contact_events', capacity, capacity === 0 ? 0 : kinds);
+  setEvents(capacity, kinds = LR.EVENTS_ALL) {
+    this.call('lr_world_set_events', capacity, capacity === 0 ? 0 : kinds);
   }
 
   /** Those of the last step. */
-  contactEvents() {
-    const { count, events, lost, totalLost } = this.get('lr_contact_event_list', 'lr_world_get_contact_events');
-    const size = 64;
-    return {
-      events: Array.from({ length: count }, (_, i) => this.#host.heap.read('lr_contact_event', events + size * i)), lost, totalLost,
-    };
+  events() {
+    const { count, events, ...numbers } = this.get('lr_event_list', 'lr_world_get_events');
+    const { size } = structs.lr_event;
+    return { events: Array.from({ length: count }, (_, i) => this.#host.heap.read('lr_event', events + size * i)), ...numbers };
   }
 
   /** One hit a ray, null where nothing is hit. */
   rayCast(rays) {
-    const size = 48;
+    const { size } = structs.lr_ray_hit;
     return this.#host.scratch((scratch) => {
       const hits = scratch.bytes(size * rays.length);
       this.call('lr_world_ray_cast', scratch.structs('lr_ray', rays.map(withBatch)), rays.length, hits);

@@ -35,16 +35,13 @@ int main(int count, char** arguments) {
     for (uint32_t t = 0; t < target_count; ++t) {
         lr_world_desc wd;
         lr_batch_desc bd;
-        lr_wind_desc wind;
-        lr_wind_source_desc gusts;
+        lr_gusts_desc gusts;
         lr_collider_desc ground;
         lr_world* world = NULL;
-        lr_batch batch = 0;
-        lr_wind_source source = 0;
+        lr_batch batch = {0};
         check(lr_world_desc_init(&wd, sizeof wd), "world desc");
         check(lr_batch_desc_init(&bd, sizeof bd), "batch desc");
-        check(lr_wind_desc_init(&wind, sizeof wind), "wind desc");
-        check(lr_wind_source_desc_init(&gusts, sizeof gusts), "source desc");
+        check(lr_gusts_desc_init(&gusts, sizeof gusts), "gusts desc");
         check(lr_collider_desc_init(&ground, sizeof ground), "collider desc");
         wd.seed = 7;
         wd.simd_target = targets[t];
@@ -52,10 +49,8 @@ int main(int count, char** arguments) {
         bd.asset = leaf;
         bd.capacity = bodies;
         check(lr_batch_create(world, &bd, &batch), "batch");
-        wind.velocity[0] = 2.0f;
-        check(lr_world_set_wind(world, &wind), "wind");
-        gusts.kind = LR_WIND_SOURCE_GUSTS;
-        check(lr_world_add_wind(world, &gusts, &source), "gusts");
+        check(lr_world_set_uniform_wind(world, 2.0f, 0.0f, 0.0f), "wind");
+        check(lr_world_add_gusts(world, &gusts, NULL), "gusts");
         ground.kind = LR_COLLIDER_PLANE;
         check(lr_collider_create(world, &ground, 1, NULL), "ground");
         for (uint32_t i = 0; i < bodies; ++i) {

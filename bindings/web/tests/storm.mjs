@@ -5,8 +5,8 @@ import { pathToFileURL } from 'node:url';
 export function storm(lr, LR, leaf, bodies) {
   const world = lr.createWorld({ seed: 7 });
   const batch = world.createBatch({ asset: leaf, capacity: bodies });
-  world.setWind([2, 0, 0]);
-  world.addWind({ kind: LR.WIND_SOURCE_GUSTS });
+  world.setUniformWind([2, 0, 0]);
+  world.addGusts();
   world.createCollider({ kind: LR.COLLIDER_PLANE });
   const position = new Float32Array(3 * bodies);
   const orientation = new Float32Array(4 * bodies);

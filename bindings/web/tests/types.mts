@@ -13,14 +13,16 @@ export async function right(): Promise<void> {
   world.setWindCallback((query) => {
     query.velocity[0][0] = query.position[0][0] * mass;
   });
-  world.setSurface({ waves: [{ direction: [1, 0, 0], length: 1, amplitude: 0.1, phase: 0 }] });
+  world.addGusts({ rms: 1, direction: [1, 0, 0] });
+  const circulation: number = world.vortex(world.addVortex({ core: LR.VORTEX_RANKINE })).circulation;
+  world.setWater({ waves: [{ direction: [1, 0, 0], length: 1, amplitude: 0.1, phase: 0 }] });
   batch.setRules({ volumes: [{ shape: LR.VOLUME_BOX, side: LR.KILL_OUTSIDE, center: [0, 0, 0], size: [1, 1, 1] }] });
   world.createCollider({ kind: LR.COLLIDER_MESH, vertices: new Float32Array(9), indices: [0, 1, 2] });
   const hit = world.rayCast([{ origin: [0, 0, 0], batch }])[0];
   const at: number[] | undefined = hit?.position;
   const matrices: Float32Array = batch.createTransforms().write();
   const status: number = lr.raw.lr_world_step(0, 1, 1);
-  console.log(content, ids, at, matrices, status, new Date() instanceof LangevinRigidError);
+  console.log(content, circulation, ids, at, matrices, status, new Date() instanceof LangevinRigidError);
 }
 
 export async function wrong(lr: LangevinRigid, world: World, leaf: Asset): Promise<void> {

@@ -34,10 +34,14 @@ test('the module is of this header, with SIMD, and has every function', () => {
 });
 
 test('every C function is called by the wrapper', async () => {
-  const files = ['langevin_rigid.mjs', ...['asset', 'batch', 'host', 'world'].map((name) => `src/${name}.mjs`)];
+  const files = ['langevin_rigid.mjs', ...['asset', 'batch', 'generated/plain', 'host', 'world'].map((name) => `src/${name}.mjs`)];
   const source = (await Promise.all(files.map((file) => readFile(`${process.env.LR_PACKAGE}/${file}`, 'utf8')))).join('\n');
+  // Wind sources: the name of a call is put together from what is done and the kind.
+  const kinds = /for \(const kind of (\[.*?\])\)/s.exec(source)[1].match(/\w+/g);
+  const stems = [...source.matchAll(/`(lr_world_\w+_)\$\{kind\}`/g)].map(([, stem]) => stem);
+  const built = new Set(stems.flatMap((stem) => kinds.map((kind) => stem + kind)));
   const without = new Set(['lr_asset_load_file']); // there are no files; fetchAsset
-  const missing = functions.filter((name) => !without.has(name) && !name.endsWith('_init') && !source.includes(name));
+  const missing = functions.filter((name) => !without.has(name) && !name.endsWith('_init') && !source.includes(name) && !built.has(name));
   assert.deepEqual(missing, []);
 });
 
@@ -72,7 +76,7 @@ test('struct layouts are those of the module', () => {
     lr.raw.free(at);
   }
   assert.deepEqual(lr.initial('lr_world_desc').gravity.map((g) => Math.round(100 * g)), [0, -981, 0]);
-  assert.equal(lr.initial('lr_surface_desc').density, 998);
+  assert.equal(lr.initial('lr_water_desc').density, 998);
   assert.equal(lr.initial('lr_emitter_desc').scaleMax, 1);
   assert.deepEqual(lr.initial('lr_collider_desc').orientation, [0, 0, 0, 1]);
 });
@@ -120,13 +124,21 @@ test('errors name function, status and reason, and mistakes are not written', ()
   assert.throws(() => world.createBatch({ asset: leaf, capacity: '10' }), TypeError);
   assert.throws(() => world.createBatch({ asset: leaf, capacity: 0 }), refused('INVALID_ARGUMENT'));
   const body = batch.createBody();
+  assert.ok(world.bodyIsValid(body) && !world.bodyIsValid(0n));
   world.destroyBodies(body);
+  assert.ok(!world.bodyIsValid(body));
+  const collider = world.createCollider({ kind: LR.COLLIDER_PLANE });
+  assert.ok(world.colliderIsValid(collider));
+  world.destroyColliders(collider);
+  assert.ok(!world.colliderIsValid(collider));
   assert.throws(() => world.bodyState(body), refused('STALE_BODY'));
   assert.throws(() => world.destroyBodies([body]), refused('STALE_BODY'));
   assert.throws(() => batch.createBodies({ count: 101 }), refused('CAPACITY'));
   assert.throws(() => batch.createBodies({ count: 2, position: [0] }), /6 elements, not 1/);
   assert.throws(() => batch.createBodies({ count: 1, speed: [0] }), /no speed/);
+  assert.ok(world.batchIsValid(batch));
   batch.destroy();
+  assert.ok(!world.batchIsValid(batch));
   assert.throws(() => batch.view(), refused('STALE_BATCH'));
   world.dispose();
   world.dispose();
@@ -136,16 +148,16 @@ test('errors name function, status and reason, and mistakes are not written', ()
 
 test('bodies: made singly and many at once, read, set, forced, at rest', () => {
   const { world, batch } = scene({ gravity: [0, 0, 0] });
-  const single = batch.createBody({ position: [1, 2, 3], key: 9, scale: 2 });
-  const many = batch.createBodies({ count: 3, position: [0, 0, 0, 1, 0, 0, 2, 0, 0], scale: [1, 2, 3], key: [5, 6, 7] });
+  const single = batch.createBody({ position: [1, 2, 3], noiseSeed: 9, scale: 2 });
+  const many = batch.createBodies({ count: 3, position: [0, 0, 0, 1, 0, 0, 2, 0, 0], scale: [1, 2, 3], noiseSeed: [5, 6, 7] });
   const objects = batch.createBodies([{ position: [5, 5, 5] }, { orientation: [1, 0, 0, 0] }]);
   assert.equal(world.info.bodyCount, 6);
   assert.equal(typeof single, 'bigint');
   const state = world.bodyState(single);
   assert.deepEqual(state.position, [1, 2, 3]);
-  assert.deepEqual([state.key, state.scale], [9, 2]);
+  assert.deepEqual([state.noiseSeed, state.scale], [9, 2]);
   assert.deepEqual(world.bodyState(many[2]).position, [2, 0, 0]);
-  assert.deepEqual([...many].map((id) => world.bodyState(id).key), [5, 6, 7]);
+  assert.deepEqual([...many].map((id) => world.bodyState(id).noiseSeed), [5, 6, 7]);
   assert.deepEqual(world.bodyState(many[1]).orientation, [0, 0, 0, 1]);
   assert.deepEqual(world.bodyState(objects[1]).orientation, [1, 0, 0, 0]);
   world.setBodyState(single, { linearVelocity: [0, 1, 0] });
@@ -158,7 +170,7 @@ test('bodies: made singly and many at once, read, set, forced, at rest', () => {
   assert.ok(Math.abs(velocity[0][2] - 1) < 1e-5 && Math.abs(velocity[0][3]) < 1e-5);
   assert.throws(() => batch.addForces({ force: [[1], [1, 2], [1]] }), RangeError);
   batch.setForce({ acceleration: [0, 1, 0] });
-  world.setRest(many, true);
+  world.setSleep(many, true);
   assert.equal(batch.view().awakeCount, 3);
   assert.equal(world.wakeBox([-10, -10, -10], [10, 10, 10]), 3);
   world.step(1 / 60);
@@ -171,13 +183,18 @@ test('bodies: made singly and many at once, read, set, forced, at rest', () => {
 test('wind, water and their callbacks', () => {
   const { world, batch } = scene({ gravity: [0, 0, 0] });
   batch.createBodies({ count: 4, position: [0, 5, 0, 1, 5, 0, 2, 5, 0, 3, -5, 0] });
-  world.setWind({ velocity: [2, 0, 0] });
+  world.setUniformWind([2, 0, 0]);
+  assert.deepEqual(world.uniformWind, [2, 0, 0]);
   assert.deepEqual([...world.sampleWind([0, 0, 0, 1, 1, 1])], [2, 0, 0, 2, 0, 0]);
-  const source = world.addWind({ kind: LR.WIND_SOURCE_GRID, counts: [2, 1, 1], samples: [0, 1, 0, 0, 3, 0], outside: LR.WIND_OUTSIDE_CLAMP });
+  const source = world.addWindGrid({ counts: [2, 1, 1], samples: [0, 1, 0, 0, 3, 0], outside: LR.WIND_OUTSIDE_CLAMP });
   assert.deepEqual([...world.sampleWind([0.5, 0, 0])], [2, 2, 0]);
-  assert.throws(() => world.addWind({ kind: LR.WIND_SOURCE_GRID, counts: [2, 1, 1], samples: [1] }), /6 numbers, not 1/);
-  world.updateWind(source, { kind: LR.WIND_SOURCE_LAMB_OSEEN });
+  assert.throws(() => world.addWindGrid({ counts: [2, 1, 1], samples: [1] }), /6 numbers, not 1/);
+  world.updateWindGrid(source, { counts: [2, 1, 1], position: [1, 0, 0] });
+  assert.deepEqual([...world.windGrid(source).position], [1, 0, 0]);
+  assert.throws(() => world.vortex(source), refused('INVALID_ARGUMENT'));
+  for (const kind of ['Gusts', 'Vortex', 'Blower', 'Turbulence', 'GroundWind']) world.removeWind(world[`add${kind}`]());
   world.removeWind(source);
+  assert.ok(!world.windSourceIsValid(source));
   assert.throws(() => world.removeWind(source), refused('STALE_WIND_SOURCE'));
   let asked = 0;
   world.setWindCallback((query) => {
@@ -198,16 +215,16 @@ test('wind, water and their callbacks', () => {
   assert.throws(() => world.step(1 / 60), /of the callback/);
   assert.notEqual(world.hash(), before);
   world.setWindCallback(null);
-  world.setSurface({ density: 1000, reach: 1, waves: [{ direction: [1, 0, 0], length: 5, amplitude: 0.1 }] });
+  world.setWater({ density: 1000, reach: 1, waves: [{ direction: [1, 0, 0], length: 5, amplitude: 0.1 }] });
   let wet = 0;
-  world.setSurfaceCallback((query) => {
+  world.setWaterCallback((query) => {
     wet += query.height.length + query.normal[0].length - query.count;
   });
   world.step(1 / 60);
   assert.ok(wet > 0);
-  world.setSurfaceCallback(null);
-  world.setSurface(null);
-  world.setWind(null);
+  world.setWaterCallback(null);
+  world.setWater(null);
+  world.setUniformWind([0, 0, 0]);
   world.dispose();
 });
 
@@ -224,19 +241,19 @@ test('colliders, events, rays and overlaps', () => {
   assert.equal(world.colliderState(field).kind, LR.COLLIDER_HEIGHTFIELD);
   world.moveColliders([{ collider: hull, mode: LR.MOVE_PLACE, position: [60, 0, 0] }]);
   assert.deepEqual(world.colliderState(hull).position, [60, 0, 0]);
-  world.setColliderSurface([ground, mesh], { friction: 2 });
+  world.setColliderMaterial([ground, mesh], { friction: 2 });
   assert.equal(world.colliderState(mesh).friction, 2);
   batch.setContact({ friction: 1 });
   assert.equal(batch.contact.friction, 1);
-  world.setPairContact(batch, batch, true);
-  assert.equal(world.pairContact(batch, batch), true);
-  world.setPairContact(batch, batch, false);
-  world.setContactEvents(100);
+  world.setBodyContact(batch, batch, true);
+  assert.equal(world.bodyContact(batch, batch), true);
+  world.setBodyContact(batch, batch, false);
+  world.setEvents(100);
   const body = batch.createBody({ position: [0, 0.3, 0] });
   const begun = [];
   for (let i = 0; i < 200; ++i) {
     world.step(1 / 60);
-    begun.push(...world.contactEvents().events.filter((event) => event.kind === LR.CONTACT_BEGIN));
+    begun.push(...world.events().events.filter((event) => event.kind === LR.EVENT_HIT));
   }
   assert.ok(begun.length > 0 && begun[0].body === body && begun[0].collider === ground && begun[0].normal[1] > 0.99, String(begun.length));
   const [down, up] = world.rayCast([{ origin: [3, 10, 0], direction: [0, -1, 0] }, { origin: [3, 10, 0], direction: [0, 1, 0], batch }]);
@@ -244,7 +261,10 @@ test('colliders, events, rays and overlaps', () => {
   assert.ok(Math.abs(down.distance - 10) < 1e-3);
   assert.equal(up, null);
   assert.deepEqual([...world.overlap({ size: [1, 0, 0], position: world.bodyState(body).position, batch })], [body]);
-  const more = batch.createBodies({ count: 99, position: new Float32Array(3 * 99).fill(30) });
+  const more = batch.createBodies({ count: 99, position: new Float32Array(3 * 99).fill(30), user: new BigUint64Array(99).fill(7n) });
+  assert.equal(world.bodyState(more[98]).user, 7n);
+  assert.equal(batch.view().user.filter((user) => user === 7n).length, 99);
+  assert.ok(batch.bounds().high[0] > 30 && batch.bounds().high[0] < 31);
   assert.equal(world.overlap({ size: [1, 0, 0], position: [30, 30, 30] }).length, more.length);
   world.destroyColliders(mesh);
   assert.throws(() => world.colliderState(mesh), refused('STALE_COLLIDER'));
@@ -255,26 +275,34 @@ test('rules, emitters, rates, budgets, gains, tables', () => {
   const { world, batch } = scene();
   batch.setEmitter({ shape: LR.EMIT_BOX, position: [0, 10, 0], size: [5, 0, 5], rate: 60 });
   batch.setRules({ action: LR.END_RESPAWN, maxAge: 0.5, volumes: [{ shape: LR.VOLUME_PLANE, side: LR.KILL_INSIDE, center: [0, -50, 0], size: [0, 1, 0] }] });
+  world.setEvents(1000);
   assert.equal(batch.emit(3).length, 3);
-  let born = 3;
+  let spawned = 3;
   let ended = 0;
   for (let i = 0; i < 60; ++i) {
     world.step(1 / 60);
-    const { events } = batch;
-    assert.equal(events.bornIds.length, events.born);
-    assert.equal(events.endedIds.length, events.respawned);
-    born += events.born;
-    ended += events.respawned;
+    const { counts } = batch;
+    const { events } = world.events();
+    assert.equal(events.filter((event) => event.kind === LR.EVENT_SPAWNED).length, counts.spawned + (i === 0 ? 3 : 0));
+    assert.equal(events.filter((event) => event.kind === LR.EVENT_RESPAWNED).length, counts.respawned);
+    spawned += counts.spawned;
+    ended += counts.respawned;
   }
-  assert.equal(batch.events.totalBorn, born);
-  assert.ok(born > 55 && ended > 20, `${born} ${ended}`);
+  assert.equal(batch.counts.totalSpawned, spawned);
+  assert.ok(spawned > 55 && ended > 20, `${spawned} ${ended}`);
+  assert.deepEqual([batch.emitter.rate, batch.rules.maxAge, batch.rules.volumeCount], [60, 0.5, 1]);
   batch.setRules(null);
   batch.setEmitter(null);
-  assert.equal(batch.faultPolicy, LR.FAULT_AUTO);
-  batch.faultPolicy = LR.FAULT_FREEZE;
-  assert.equal(batch.faultPolicy, LR.FAULT_FREEZE);
-  assert.throws(() => (batch.faultPolicy = 7), refused('INVALID_ARGUMENT'));
-  assert.equal(batch.events.totalFaulted, 0);
+  assert.deepEqual([batch.emitter, batch.rules, world.water], [null, null, null]);
+  world.setWater({ density: 1025 });
+  assert.equal(world.water.density, 1025);
+  world.setWater(null);
+  assert.ok(world.timings.total > 0);
+  assert.equal(batch.divergencePolicy, LR.DIVERGENCE_AUTO);
+  batch.divergencePolicy = LR.DIVERGENCE_FREEZE;
+  assert.equal(batch.divergencePolicy, LR.DIVERGENCE_FREEZE);
+  assert.throws(() => (batch.divergencePolicy = 7), refused('INVALID_ARGUMENT'));
+  assert.equal(batch.counts.totalDiverged, 0);
   batch.setRate(4);
   assert.equal(batch.pace.divisor, 4);
   batch.setRate(1);
@@ -282,7 +310,12 @@ test('rules, emitters, rates, budgets, gains, tables', () => {
   world.step(1 / 60);
   assert.ok(world.stepReport.bodySubstepsWanted > 10);
   world.setBudget(0);
+  assert.equal(world.info.budget, 0);
   batch.setLoadGains({ drag: 2 });
+  assert.equal(batch.loadGains.drag, 2);
+  batch.setForce({ force: [0, 0.5, 0] });
+  assert.deepEqual(batch.force.force, [0, 0.5, 0]);
+  batch.setForce(null);
   const stronger = { ...batch.aerodynamics, intensity: 0 };
   batch.setAerodynamics(stronger);
   assert.equal(batch.aerodynamics.intensity, 0);
@@ -333,7 +366,7 @@ test('100,000 bodies, views and transforms without copies', () => {
   const x = view.position[0][5];
   world.step(1 / 60);
   assert.notEqual(view.position[0][5], x, 'the view shows the present state');
-  world.setRest(view.ids.subarray(0, count - 10).slice(), true);
+  world.setSleep(view.ids.subarray(0, count - 10).slice(), true);
   assert.equal(transforms.writeMoved().length, 16 * count, 'places have changed');
   world.step(1 / 60);
   assert.equal(transforms.writeMoved().length, 16 * 10);

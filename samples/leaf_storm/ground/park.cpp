@@ -113,25 +113,20 @@ void Park::add_furniture() {
 
 // Air is slow near the ground: under the lowest hollow the wind is nought, at 10 m all of it is there.
 void Park::add_boundary_layer() {
-    lr_wind_source_desc ground;
-    check(lr_wind_source_desc_init(&ground, sizeof ground), "lr_wind_source_desc_init");
-    ground.kind = LR_WIND_SOURCE_GROUND;
+    lr_ground_wind_desc ground;
+    check(lr_ground_wind_desc_init(&ground, sizeof ground), "lr_ground_wind_desc_init");
     ground.position[1] = static_cast<float>(terrain_.lowest()) - 0.05f;
-    ground.direction[0] = 0.0f;
-    ground.direction[1] = 1.0f;
-    ground.size = 0.01f; // short grass
-    lr_wind_source source = 0;
-    check(lr_world_add_wind(world_, &ground, &source), "the wind over the ground");
+    ground.roughness_length = 0.01f; // short grass
+    check(lr_world_add_ground_wind(world_, &ground, nullptr), "the wind over the ground");
     if (options_.gusts < 0.0) return;
-    lr_wind_source_desc gusts;
-    check(lr_wind_source_desc_init(&gusts, sizeof gusts), "lr_wind_source_desc_init");
-    gusts.kind = LR_WIND_SOURCE_GUSTS;
-    gusts.speed = 0.15f;
-    gusts.spread = 0.3f;
-    gusts.period = 5.0f;
+    lr_gusts_desc gusts;
+    check(lr_gusts_desc_init(&gusts, sizeof gusts), "lr_gusts_desc_init");
+    gusts.rms = 0.15f;
+    gusts.angle_rms = 0.3f;
+    gusts.integral_time = 5.0f;
     std::copy(options_.wind, options_.wind + 3, gusts.direction);
     if (options_.wind[0] == 0.0f && options_.wind[1] == 0.0f && options_.wind[2] == 0.0f) gusts.direction[0] = 1.0f;
-    check(lr_world_add_wind(world_, &gusts, &source), "the gusts");
+    check(lr_world_add_gusts(world_, &gusts, nullptr), "the gusts");
 }
 
 void Park::set_wind(double time) {
@@ -140,8 +135,6 @@ void Park::set_wind(double time) {
         const double since = time - options_.gusts;
         gust = smooth(since / gust_rise) * smooth((gust_rise + gust_hold + gust_fall - since) / gust_fall);
     }
-    lr_wind_desc air;
-    check(lr_wind_desc_init(&air, sizeof air), "lr_wind_desc_init");
     double length = 0.0;
     for (const float x : options_.wind) length += static_cast<double>(x) * static_cast<double>(x);
     length = std::sqrt(length);
@@ -151,10 +144,11 @@ void Park::set_wind(double time) {
                                    static_cast<double>(options_.wind[2])})
             : Vector{1.0, 0.0, 0.0};
     const double speed = length + gust * options_.gust_speed;
-    for (std::size_t k = 0; k < 3; ++k) air.velocity[k] = static_cast<float>(speed * along[k]);
-    if (std::equal(wind_, wind_ + 3, air.velocity)) return;
-    std::copy(air.velocity, air.velocity + 3, wind_);
-    check(lr_world_set_wind(world_, &air), "wind");
+    float air[3];
+    for (std::size_t k = 0; k < 3; ++k) air[k] = static_cast<float>(speed * along[k]);
+    if (std::equal(wind_, wind_ + 3, air)) return;
+    std::copy(air, air + 3, wind_);
+    check(lr_world_set_uniform_wind(world_, air[0], air[1], air[2]), "wind");
 }
 
 void Park::move(double to) {

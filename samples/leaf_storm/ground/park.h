@@ -57,7 +57,7 @@ private:
     Terrain terrain_;
     std::vector<Piece> pieces_;
     std::vector<Footprint> footprints_;
-    lr_collider last_ = 0;
+    lr_collider last_{};
     bool walks_ = false;
     float wind_[3] = {0.0f, 0.0f, 0.0f};
 };

@@ -18,7 +18,7 @@ using Matrix = std::array<float, 16>; // by columns, as OpenGL wants it
 constexpr float tan_half_view = 0.404f; // vertical: 44 degrees
 
 struct Picked {
-    std::uint32_t index, key;
+    std::uint32_t index, noise_seed;
 };
 
 } // namespace
@@ -194,7 +194,7 @@ void Renderer::draw_kind(const lr_world* world, const Bodies& bodies, const Came
         const float depth = camera.ahead(view.position[0][i], view.position[1][i], view.position[2][i], radius);
         if (depth < 0.0f) continue;
         const float seen = radius * camera.pixels / (tan_half_view * depth); // px, its diameter
-        picked[seen > 32.0f ? 0 : seen > 9.0f ? 1 : 2].push_back({i, view.key[i]});
+        picked[seen > 32.0f ? 0 : seen > 9.0f ? 1 : 2].push_back({i, view.noise_seed[i]});
     }
     glUniform1i(glGetUniformLocation(body_program_, "look"), static_cast<int>(kind.look));
     glActiveTexture(GL_TEXTURE0);

@@ -4,7 +4,7 @@
 #include "baker/added_mass/near_panels.h"
 #include "baker/added_mass/panel_kernels.h"
 #include "baker/mesh/half_edges.h"
-#include "baker/parallel.h"
+#include "baker/parallel_for.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #include "baker/added_mass/fast_double_layer.h"
 
 #include "baker/added_mass/multipole.h"
-#include "baker/parallel.h"
+#include "baker/parallel_for.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "baker/added_mass/fast_system.h"
 
 #include "baker/added_mass/conjugate_gradients.h"
-#include "baker/parallel.h"
+#include "baker/parallel_for.h"
 
 #include <algorithm>
 

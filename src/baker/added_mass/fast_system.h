@@ -3,7 +3,7 @@
 
 #include "baker/added_mass/boundary_operators.h"
 #include "baker/added_mass/coarse_space.h"
-#include "baker/added_mass/schwarz.h"
+#include "baker/added_mass/schwarz_preconditioner.h"
 
 #include <memory>
 

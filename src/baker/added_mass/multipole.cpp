@@ -1,6 +1,6 @@
 #include "baker/added_mass/multipole.h"
 
-#include "baker/parallel.h"
+#include "baker/parallel_for.h"
 
 #include <algorithm>
 

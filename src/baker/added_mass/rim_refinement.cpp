@@ -1,7 +1,7 @@
 #include "baker/added_mass/rim_refinement.h"
 
-#include "baker/added_mass/diagonal.h"
-#include "baker/added_mass/edge.h"
+#include "baker/added_mass/mesh_edge.h"
+#include "baker/added_mass/quad_diagonal.h"
 #include "baker/added_mass/surface_correction.h"
 
 #include <Eigen/Geometry>

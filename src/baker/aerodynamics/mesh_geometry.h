@@ -1,8 +1,8 @@
 // What the quasi-steady loads need to know of a mesh; docs/maintainers/physics.md, "Aerodynamic measures of a shape".
 #pragma once
 
+#include "asset/closed_forms/aerodynamic_coefficients.h"
 #include "baker/mesh/mesh.h"
-#include "shape/aerodynamics.h"
 
 #include <Eigen/Core>
 

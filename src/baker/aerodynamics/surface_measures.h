@@ -1,7 +1,7 @@
 // Measures of a triangulated surface for the quasi-steady loads; docs/maintainers/physics.md, "Aerodynamic measures of a shape".
 #pragma once
 
-#include "shape/aerodynamics.h"
+#include "asset/closed_forms/aerodynamic_coefficients.h"
 
 #include <array>
 

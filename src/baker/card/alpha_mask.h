@@ -1,7 +1,7 @@
 // The opacity of an image: what a leaf texture cuts out of its card.
 #pragma once
 
-#include "format/fault.h"
+#include "asset/input_faults.h"
 
 #include <cstddef>
 #include <cstdint>

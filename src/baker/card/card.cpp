@@ -5,7 +5,7 @@
 #include "baker/card/planar_mesh.h"
 #include "baker/file_faults.h"
 #include "baker/file_io.h"
-#include "baker/text.h"
+#include "baker/printable_text.h"
 
 #include <algorithm>
 #include <cmath>

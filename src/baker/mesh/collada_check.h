@@ -2,7 +2,7 @@
 // refers to them, and never ends on a face list with a character that is not a number's.
 #pragma once
 
-#include "format/fault.h"
+#include "asset/input_faults.h"
 
 #include <string_view>
 

@@ -1,6 +1,6 @@
 #include "baker/mesh/convex_hull.h"
 
-#include "shape/convex_hull.h"
+#include "base/convex_hull.h"
 
 namespace lr::baker {
 

@@ -1,8 +1,8 @@
 // The files that an asset is made from, each read once, so that what is hashed is what was parsed.
 #pragma once
 
-#include "format/checksum.h"
-#include "format/fault.h"
+#include "asset/input_faults.h"
+#include "base/fnv1a.h"
 
 #include <cstddef>
 #include <cstdint>

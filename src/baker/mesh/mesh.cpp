@@ -5,7 +5,7 @@
 #include "baker/mesh/input_files.h"
 #include "baker/mesh/obj_reader.h"
 #include "baker/mesh/ply_reader.h"
-#include "baker/text.h"
+#include "baker/printable_text.h"
 
 #include <algorithm>
 #include <cctype>

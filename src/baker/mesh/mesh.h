@@ -1,7 +1,7 @@
 // Triangle meshes and how they are read from a file.
 #pragma once
 
-#include "format/fault.h"
+#include "asset/input_faults.h"
 
 #include <Eigen/Core>
 

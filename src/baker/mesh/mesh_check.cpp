@@ -278,9 +278,9 @@ private:
         std::sort(flipped.begin(), flipped.end());
         if (!flipped.empty())
             warn(FaultId::mesh_inconsistent_winding, name_faces(flipped),
-                 "Faces wound against their neighbours were turned.", "Make normals consistent before export.");
+                 "Faces wound against their neighbours were flipped.", "Make normals consistent before export.");
         if (!inside_out.empty())
-            warn(FaultId::mesh_inside_out, name_faces(inside_out), "The surface was inside out and was turned.",
+            warn(FaultId::mesh_inside_out, name_faces(inside_out), "The surface was inside out and was flipped.",
                  "Recalculate normals outside before export.");
         return true;
     }

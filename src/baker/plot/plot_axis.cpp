@@ -1,6 +1,6 @@
 #include "baker/plot/plot_axis.h"
 
-#include "baker/text.h"
+#include "baker/printable_text.h"
 
 #include <algorithm>
 #include <charconv>

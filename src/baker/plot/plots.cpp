@@ -1,7 +1,7 @@
 #include "baker/plot/plots.h"
 
+#include "baker/asset_report.h"
 #include "baker/plot/svg.h"
-#include "baker/report.h"
 
 namespace lr::baker {
 namespace {

@@ -1,8 +1,8 @@
 // Pictures of an asset, as SVG for papers and pages. The same asset and mesh give the same text.
 #pragma once
 
+#include "asset/asset_data.h"
 #include "baker/mesh/mesh.h"
-#include "format/asset_data.h"
 
 #include <array>
 #include <string>

@@ -1,6 +1,6 @@
 #include "baker/plot/svg.h"
 
-#include "baker/text.h"
+#include "baker/printable_text.h"
 
 #include <charconv>
 #include <cmath>

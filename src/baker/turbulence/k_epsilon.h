@@ -3,7 +3,7 @@
 
 #include "baker/turbulence/eddy_diffusion.h"
 #include "baker/turbulence/mac_grid.h"
-#include "shape/turbulence_closure.h"
+#include "baker/turbulence/turbulence_production.h"
 
 #include <array>
 #include <cstdint>

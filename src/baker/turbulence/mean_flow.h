@@ -3,7 +3,7 @@
 
 #include "baker/turbulence/eddy_diffusion.h"
 #include "baker/turbulence/mac_grid.h"
-#include "baker/turbulence/projection.h"
+#include "baker/turbulence/pressure_projection.h"
 
 #include <array>
 #include <cstddef>

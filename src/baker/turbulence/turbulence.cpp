@@ -1,10 +1,11 @@
 #include "baker/turbulence/turbulence.h"
 
+#include "baker/fault_text.h"
 #include "baker/turbulence/k_epsilon.h"
 #include "baker/turbulence/mean_flow.h"
+#include "baker/turbulence/turbulence_production.h"
 #include "baker/turbulence/wake_history.h"
 #include "baker/turbulence/wake_probe.h"
-#include "shape/turbulence_closure.h"
 
 #include <algorithm>
 #include <cmath>

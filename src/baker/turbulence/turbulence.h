@@ -8,8 +8,8 @@
 // epsilon over the fluid around the body and one d behind it, which develops in time and becomes steady.
 #pragma once
 
+#include "asset/input_faults.h"
 #include "baker/turbulence/mac_grid.h"
-#include "format/fault.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // What the history of a wake comes to: a stationary point or a loop.
 #pragma once
 
-#include "shape/turbulence_closure.h"
+#include "asset/closed_forms/turbulence_closure.h"
 
 #include <cstddef>
 #include <vector>

@@ -4,10 +4,10 @@
 //     lr_bench --one ROW [--steps N]                               N steps of one row, for profilers
 //     lr_bench --trace ROW --out FILE | --ports FILE | --list
 // ROW: subject/model/integrator/path/target/workers/bodies/substeps
+#include "lr_bench/instruction_trace.h"
 #include "lr_bench/measure.h"
-#include "lr_bench/ports.h"
 #include "lr_bench/rows.h"
-#include "lr_bench/trace.h"
+#include "lr_bench/vector_pipes.h"
 #include "peers/peers.h"
 
 #include <benchmark/benchmark.h>

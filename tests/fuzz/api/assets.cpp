@@ -1,7 +1,7 @@
 // Assets: from numbers, from bytes, from files.
 #include "fuzz/api/model.h"
 
-#include "format/asset_file.h"
+#include "asset/asset_file.h"
 #include "support/asset_bytes.h"
 
 #include <string>

@@ -33,15 +33,15 @@ void create(Fuzzer& f) {
     Given<lr_batch_desc> given(in, d, 1, e);
     e.add_if(in.null(2), LR_ERROR_NULL_ARGUMENT);
     Call call(f, w, "lr_batch_create", e);
-    lr_batch id = 77;
+    lr_batch id{77};
     const bool ok = call.ended(LR_CALL(lr_batch_create)(call.world(), given.get(), in.null(2) ? nullptr : &id));
-    if (!in.null(2) && ok != (id != 0)) defect("lr_batch_create", "handle and status do not agree", id);
+    if (!in.null(2) && ok != (id.id != 0)) defect("lr_batch_create", "handle and status do not agree", id.id);
     if (!ok) return;
-    if (w.find(id)) defect("lr_batch_create", "the handle of another", id);
+    if (w.find(id)) defect("lr_batch_create", "the handle of another", id.id);
     Batch b;
     b.id = id, b.desc = d;
     w.state.batches.push_back(b);
-    w.past.push_back({d, 0});
+    w.past.push_back({d, {}});
     if (d.asset && std::find(common_assets().begin(), common_assets().end(), d.asset) == common_assets().end())
         w.state.wild = true;
 }
@@ -84,7 +84,7 @@ void queries(Fuzzer& f) {
     case 3:
         return get(f, "lr_batch_get_contact", LR_CALL(lr_batch_contact_init), LR_CALL(lr_batch_get_contact));
     default:
-        return get(f, "lr_batch_get_events", LR_CALL(lr_batch_events_init), LR_CALL(lr_batch_get_events));
+        return get(f, "lr_batch_get_counts", LR_CALL(lr_batch_counts_init), LR_CALL(lr_batch_get_counts));
     }
 }
 
@@ -143,17 +143,17 @@ void pairs(Fuzzer& f) {
         Expected e;
         e.add_if(!w.find(a) || !w.find(b), LR_ERROR_STALE_BATCH);
         e.add_if(enabled != 0 && enabled != 1, LR_ERROR_INVALID_ARGUMENT);
-        Call call(f, w, "lr_batch_set_pair_contact", e);
+        Call call(f, w, "lr_batch_set_body_contact", e);
         const bool wild = w.state.wild;
-        if (!call.ended(LR_CALL(lr_batch_set_pair_contact)(call.world(), a, b, enabled))) return;
+        if (!call.ended(LR_CALL(lr_batch_set_body_contact)(call.world(), a, b, enabled))) return;
         w.state.wild = wild;
     }
     Expected e;
     e.add_if(f.in.null(2), LR_ERROR_NULL_ARGUMENT);
-    Call call(f, w, "lr_batch_get_pair_contact", e);
+    Call call(f, w, "lr_batch_get_body_contact", e);
     int32_t got = -1;
-    const bool ok = call.ended(LR_CALL(lr_batch_get_pair_contact)(call.world(), b, a, f.in.null(2) ? nullptr : &got));
-    if (ok && got != enabled) defect("lr_batch_get_pair_contact", "not what was set", got);
+    const bool ok = call.ended(LR_CALL(lr_batch_get_body_contact)(call.world(), b, a, f.in.null(2) ? nullptr : &got));
+    if (ok && got != enabled) defect("lr_batch_get_body_contact", "not what was set", got);
 }
 
 void contact(Fuzzer& f) {

@@ -14,7 +14,7 @@ template <class T> void expect_pose(const T& d, Expected& e) {
     e.range(d.age, 0.0, 3e38);
     e.may_if(d.age > 1e8f, LR_ERROR_INVALID_ARGUMENT);
     e.length(d.orientation, 1e-5, 1e5);
-    e.add_if(d.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
+    if constexpr (requires { d.reserved; }) e.add_if(d.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
 }
 
 void create(Fuzzer& f) {
@@ -31,7 +31,9 @@ void create(Fuzzer& f) {
     Expected e;
     if (count != 0) {
         lr_body_desc& d = descs[in.variant() % count];
-        in.change(d.position, d.orientation, d.linear_velocity, d.angular_velocity, d.scale, d.age, d.key, d.reserved);
+        in.change(d.position, d.orientation, d.linear_velocity, d.angular_velocity, d.scale, d.age, d.noise_seed,
+                  d.reserved);
+        d.user = d.noise_seed;
         expect_pose(d, e);
     }
     e.add_if(!b, LR_ERROR_STALE_BATCH);
@@ -51,7 +53,7 @@ void create(Fuzzer& f) {
         if (ids.size() != count && !w.state.loose) defect("lr_body_create", "count", static_cast<int64_t>(ids.size()));
     }
     for (lr_body body : ids) {
-        if (!w.state.loose && (body == 0 || w.owner(body))) defect("lr_body_create", "the handle of another");
+        if (!w.state.loose && (body.id == 0 || w.owner(body))) defect("lr_body_create", "the handle of another");
         b->bodies.push_back(body);
     }
 }
@@ -91,16 +93,17 @@ void state(Fuzzer& f) {
         return;
     }
     lr_body_state s = initialised(LR_CALL(lr_body_state_init));
-    in.change(s.position, s.orientation, s.linear_velocity, s.angular_velocity, s.scale, s.age, s.key, s.resting,
-              s.reserved);
+    in.change(s.position, s.orientation, s.linear_velocity, s.angular_velocity, s.scale, s.age, s.noise_seed,
+              s.sleep_state);
+    s.user = ~uint64_t{s.noise_seed};
     if (!in.null(1)) expect_pose(s, e);
     Given<lr_body_state> given(in, s, 1, e);
     Call call(f, w, "lr_body_set_state", e);
     if (!call.ended(LR_CALL(lr_body_set_state)(call.world(), id, given.get())) || w.state.loose) return;
     lr_body_state got = initialised(LR_CALL(lr_body_state_init));
     if (LR_CALL(lr_body_get_state)(w.at, id, &got) != LR_OK ||
-        std::memcmp(got.position, s.position, sizeof s.position) != 0 || got.scale != s.scale ||
-        got.resting != LR_REST_AWAKE)
+        std::memcmp(got.position, s.position, sizeof s.position) != 0 || got.scale != s.scale || got.user != s.user ||
+        got.sleep_state != LR_SLEEP_AWAKE)
         defect("lr_body_set_state", "not what was set");
 }
 
@@ -113,15 +116,15 @@ void rest(Fuzzer& f) {
     Expected e;
     for (lr_body id : ids) e.add_if(!w.owner(id), LR_ERROR_STALE_BODY);
     e.add_if(f.in.null(1) && count != 0, LR_ERROR_NULL_ARGUMENT);
-    e.add_if(to != LR_REST_AWAKE && to != LR_REST_RESTING, LR_ERROR_INVALID_ARGUMENT);
-    Call call(f, w, "lr_body_set_rest", e);
-    if (!call.ended(LR_CALL(lr_body_set_rest)(call.world(), f.in.null(1) ? nullptr : ids.data(), count, to)) ||
+    e.add_if(to != LR_SLEEP_AWAKE && to != LR_SLEEP_ASLEEP, LR_ERROR_INVALID_ARGUMENT);
+    Call call(f, w, "lr_body_set_sleep", e);
+    if (!call.ended(LR_CALL(lr_body_set_sleep)(call.world(), f.in.null(1) ? nullptr : ids.data(), count, to)) ||
         w.state.loose)
         return;
     lr_body_state got = initialised(LR_CALL(lr_body_state_init));
     for (lr_body id : ids)
-        if (LR_CALL(lr_body_get_state)(w.at, id, &got) != LR_OK || got.resting != to)
-            defect("lr_body_set_rest", "not what was set", got.resting);
+        if (LR_CALL(lr_body_get_state)(w.at, id, &got) != LR_OK || got.sleep_state != to)
+            defect("lr_body_set_sleep", "not what was set", got.sleep_state);
 }
 
 void wake_box(Fuzzer& f) {

@@ -29,13 +29,13 @@ void blow(void* user, const lr_wind_query* q) {
     }
 }
 
-void wave(void* user, const lr_surface_query* q) {
-    if (q->count == 0 || q->count > 256) defect("lr_surface_fn", "count", q->count);
+void wave(void* user, const lr_water_query* q) {
+    if (q->count == 0 || q->count > 256) defect("lr_water_fn", "count", q->count);
     for (uint32_t i = 0; i < q->count; ++i) {
         q->height[i] = some(user, q->position[0][i], 4);
         for (size_t k = 0; k < 3; ++k) {
-            if (!std::isfinite(q->position[k][i])) defect("lr_surface_fn", "a position is not finite");
-            if (q->batch % 2 == 0) q->normal[k][i] = some(user, q->position[k][i], 5);
+            if (!std::isfinite(q->position[k][i])) defect("lr_water_fn", "a position is not finite");
+            if (q->batch.id % 2 == 0) q->normal[k][i] = some(user, q->position[k][i], 5);
             q->velocity[k][i] = some(user, q->position[k][i], 6);
             q->rate[k][i] = some(user, q->position[k][i], 7);
         }
@@ -87,9 +87,9 @@ void set_callbacks(World& w, lr_world* at) {
     const auto user = [](uint32_t kind) { return reinterpret_cast<void*>(static_cast<uintptr_t>(kind)); };
     if (LR_CALL(lr_world_set_wind_callback)(at, w.wind_callback ? blow : nullptr, user(w.wind_callback)) != LR_OK)
         defect("lr_world_set_wind_callback", "failed");
-    if (LR_CALL(lr_world_set_surface_callback)(at, w.surface_callback ? wave : nullptr, user(w.surface_callback)) !=
+    if (LR_CALL(lr_world_set_water_callback)(at, w.surface_callback ? wave : nullptr, user(w.surface_callback)) !=
         LR_OK)
-        defect("lr_world_set_surface_callback", "failed");
+        defect("lr_world_set_water_callback", "failed");
 }
 
 } // namespace fuzz

@@ -149,7 +149,7 @@ void create(Fuzzer& f) {
         return;
     }
     for (uint32_t i = 0; i < count; ++i) {
-        if (!w.state.loose && (ids[i] == 0 || w.collider(ids[i])))
+        if (!w.state.loose && (ids[i].id == 0 || w.collider(ids[i])))
             defect("lr_collider_create", "the handle of another");
         w.state.colliders.push_back({ids[i], descs[i]});
     }
@@ -181,16 +181,17 @@ void destroy(Fuzzer& f) {
 
 void surface(Fuzzer& f) {
     World& w = f.world();
-    lr_collider_surface s = initialised(LR_CALL(lr_collider_surface_init));
+    lr_material s = initialised(LR_CALL(lr_material_init));
     const uint32_t count = f.in.handle(0) % 3;
     Expected e;
     const std::vector<lr_collider> ids = some(f, w, count, e);
     s.friction = f.in.real(f.in.value(4)), s.restitution = f.in.real(f.in.value(5)), s.layers = f.in.value(4);
     e.range(s.friction, 0.0, 10.0);
     e.range(s.restitution, 0.0, 1.0);
-    Given<lr_collider_surface> given(f.in, s, 2, e);
-    Call call(f, w, "lr_collider_set_surface", e);
-    call.ended(LR_CALL(lr_collider_set_surface)(call.world(), f.in.null(1) ? nullptr : ids.data(), count, given.get()));
+    Given<lr_material> given(f.in, s, 2, e);
+    Call call(f, w, "lr_collider_set_material", e);
+    call.ended(
+        LR_CALL(lr_collider_set_material)(call.world(), f.in.null(1) ? nullptr : ids.data(), count, given.get()));
 }
 
 void move(Fuzzer& f) {

@@ -39,6 +39,11 @@ void rules(Fuzzer& f) {
     Call call(f, w, "lr_batch_set_rules", e);
     if (!call.ended(LR_CALL(lr_batch_set_rules)(call.world(), id, given.get())) || !b) return;
     b->rules = given.get() != nullptr;
+    lr_batch_rules got = initialised(LR_CALL(lr_batch_rules_init));
+    int32_t present = -7;
+    if (LR_CALL(lr_batch_get_rules)(w.at, id, &got, &present) != LR_OK || present != (b->rules ? 1 : 0) ||
+        (b->rules && (got.action != r.action || got.volume_count != r.volume_count)))
+        defect("lr_batch_get_rules", "not what was set", present);
     b->respawns = b->rules && r.action == LR_END_RESPAWN;
 }
 
@@ -80,8 +85,13 @@ void emitter(Fuzzer& f) {
     e.add_if(!b, LR_ERROR_STALE_BATCH);
     Given<lr_emitter_desc> given(in, d, 1, e, true);
     Call call(f, w, "lr_batch_set_emitter", e);
-    if (call.ended(LR_CALL(lr_batch_set_emitter)(call.world(), id, given.get())) && b)
-        b->emitter = given.get() != nullptr;
+    if (!call.ended(LR_CALL(lr_batch_set_emitter)(call.world(), id, given.get())) || !b) return;
+    b->emitter = given.get() != nullptr;
+    lr_emitter_desc got = initialised(LR_CALL(lr_emitter_desc_init));
+    int32_t present = -7;
+    if (LR_CALL(lr_batch_get_emitter)(w.at, id, &got, &present) != LR_OK || present != (b->emitter ? 1 : 0) ||
+        (b->emitter && std::memcmp(&got, &d, sizeof d) != 0))
+        defect("lr_batch_get_emitter", "not what was set", present);
 }
 
 void emit(Fuzzer& f) {
@@ -93,45 +103,45 @@ void emit(Fuzzer& f) {
     e.add_if(!b, LR_ERROR_STALE_BATCH);
     e.add_if(b && count != 0 && !b->emitter, LR_ERROR_INVALID_ARGUMENT);
     e.add_if(b && count > b->desc.capacity - b->bodies.size(), LR_ERROR_CAPACITY);
-    Call call(f, w, "lr_batch_emit", e);
+    Call call(f, w, "lr_batch_spawn", e);
     std::vector<lr_body> ids(std::min(count, 64u));
     const bool wild = w.state.wild;
-    const bool ok = call.ended(LR_CALL(lr_batch_emit)(call.world(), id, count, f.in.null(2) ? nullptr : ids.data()));
+    const bool ok = call.ended(LR_CALL(lr_batch_spawn)(call.world(), id, count, f.in.null(2) ? nullptr : ids.data()));
     w.state.wild = wild;
     if (!ok || !b || count == 0) return;
     const lr_batch_view view = view_of(w, id);
-    if (!w.state.loose && view.count != b->bodies.size() + count) defect("lr_batch_emit", "count", view.count);
+    if (!w.state.loose && view.count != b->bodies.size() + count) defect("lr_batch_spawn", "count", view.count);
     if (!f.in.null(2))
         for (lr_body body : ids)
             if (std::find(view.ids, view.ids + view.count, body) == view.ids + view.count)
-                defect("lr_batch_emit", "a stale id");
+                defect("lr_batch_spawn", "a stale id");
     b->bodies.assign(view.ids, view.ids + view.count);
 }
 
-void fault_policy(Fuzzer& f) {
+void divergence_policy(Fuzzer& f) {
     World& w = f.world();
     const lr_batch id = f.pick_batch(w, f.in.handle(0));
     const auto policy = static_cast<int32_t>(f.in.handle(1) < 224 ? f.in.handle(1) % 3u : f.in.integer(f.in.handle(1)));
     Expected e;
     e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
-    e.add_if(policy < LR_FAULT_AUTO || policy > LR_FAULT_REMOVE, LR_ERROR_INVALID_ARGUMENT);
+    e.add_if(policy < LR_DIVERGENCE_AUTO || policy > LR_DIVERGENCE_REMOVE, LR_ERROR_INVALID_ARGUMENT);
     {
-        Call call(f, w, "lr_batch_set_fault_policy", e);
-        if (!call.ended(LR_CALL(lr_batch_set_fault_policy)(call.world(), id, policy))) return;
+        Call call(f, w, "lr_batch_set_divergence_policy", e);
+        if (!call.ended(LR_CALL(lr_batch_set_divergence_policy)(call.world(), id, policy))) return;
     }
     Expected none;
     none.add_if(f.in.null(2), LR_ERROR_NULL_ARGUMENT);
-    Call call(f, w, "lr_batch_get_fault_policy", none);
+    Call call(f, w, "lr_batch_get_divergence_policy", none);
     int32_t got = -7;
-    if (call.ended(LR_CALL(lr_batch_get_fault_policy)(call.world(), id, f.in.null(2) ? nullptr : &got)) &&
+    if (call.ended(LR_CALL(lr_batch_get_divergence_policy)(call.world(), id, f.in.null(2) ? nullptr : &got)) &&
         got != policy)
-        defect("lr_batch_get_fault_policy", "not what was set", got);
+        defect("lr_batch_get_divergence_policy", "not what was set", got);
 }
 
 } // namespace
 
 std::vector<Named> lifecycle_operations() {
-    return {{"rules", rules}, {"emitter", emitter}, {"emit", emit}, {"fault_policy", fault_policy}};
+    return {{"rules", rules}, {"emitter", emitter}, {"emit", emit}, {"divergence_policy", divergence_policy}};
 }
 
 } // namespace fuzz

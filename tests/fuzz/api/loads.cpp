@@ -54,7 +54,11 @@ void gains(Fuzzer& f) {
     e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
     Given<lr_load_gains> given(in, g, 1, e, true);
     Call call(f, w, "lr_batch_set_load_gains", e);
-    call.ended(LR_CALL(lr_batch_set_load_gains)(call.world(), id, given.get()));
+    if (!call.ended(LR_CALL(lr_batch_set_load_gains)(call.world(), id, given.get()))) return;
+    lr_load_gains got = initialised(LR_CALL(lr_load_gains_init));
+    if (LR_CALL(lr_batch_get_load_gains)(w.at, id, &got) != LR_OK ||
+        (given.get() && std::memcmp(&got, &g, sizeof g) != 0))
+        defect("lr_batch_get_load_gains", "not what was set");
 }
 
 void table(Fuzzer& f) {
@@ -115,7 +119,13 @@ void field(Fuzzer& f) {
     Given<lr_batch_force> given(in, d, 1, e, true);
     Call call(f, w, "lr_batch_set_force", e);
     // Newtons on a leaf of a gram, for as long as the world lasts.
-    if (call.ended(LR_CALL(lr_batch_set_force)(call.world(), id, given.get())) && strong) w.state.wild = true;
+    if (!call.ended(LR_CALL(lr_batch_set_force)(call.world(), id, given.get()))) return;
+    if (strong) w.state.wild = true;
+    lr_batch_force got = initialised(LR_CALL(lr_batch_force_init));
+    const bool read = LR_CALL(lr_batch_get_force)(w.at, id, &got) == LR_OK;
+    for (size_t k = 0; k < 3; ++k)
+        if (!read || (given.get() && (got.force[k] != d.force[k] || got.body_torque[k] != d.body_torque[k])))
+            defect("lr_batch_get_force", "not what was set");
 }
 
 } // namespace

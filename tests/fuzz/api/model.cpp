@@ -80,8 +80,8 @@ void check_body(const World& w, const Batch& b, const lr_batch_view& view, uint3
     lr_body_state s = initialised(LR_CALL(lr_body_state_init));
     if (LR_CALL(lr_body_get_state)(w.at, view.ids[i], &s) != LR_OK)
         defect("lr_body_get_state", "a body of the view is stale");
-    if (s.key != view.key[i]) defect("lr_body_get_state", "key");
-    if ((s.resting == LR_REST_RESTING) != (i >= view.awake_count)) defect("lr_body_get_state", "resting");
+    if (s.noise_seed != view.noise_seed[i]) defect("lr_body_get_state", "noise_seed");
+    if ((s.sleep_state == LR_SLEEP_ASLEEP) != (i >= view.awake_count)) defect("lr_body_get_state", "resting");
     if (std::memcmp(&s.scale, &view.scale[i], 4) != 0) defect("lr_body_get_state", "scale is not that of the view");
     for (size_t k = 0; k < 3; ++k)
         if (std::memcmp(&s.position[k], &view.position[k][i], 4) != 0)
@@ -117,7 +117,14 @@ void check_batch(World& w, Batch& b) {
     if (!w.state.loose &&
         std::set<lr_body>(view.ids, view.ids + view.count) != std::set<lr_body>(b.bodies.begin(), b.bodies.end()))
         defect("lr_batch_get_view", "ids are not those of the bodies");
-    for (uint32_t i = 0; i < view.count; ++i) check_body(w, b, view, i);
+    float low[3], high[3];
+    if (LR_CALL(lr_batch_get_bounds)(w.at, b.id, low, high) != LR_OK) defect("lr_batch_get_bounds", "failed");
+    for (uint32_t i = 0; i < view.count; ++i) {
+        check_body(w, b, view, i);
+        for (size_t k = 0; k < 3; ++k)
+            if (!(low[k] < view.position[k][i] && view.position[k][i] < high[k]))
+                defect("lr_batch_get_bounds", "a body outside", i);
+    }
 }
 
 } // namespace
@@ -146,9 +153,22 @@ void check_world(World& w) {
             defect("lr_collider_get_state", "a live one is stale");
         if (s.kind != c.desc.kind) defect("lr_collider_get_state", "kind", s.kind);
     }
+    for (const Batch& b : w.state.batches) {
+        if (LR_CALL(lr_batch_is_valid)(w.at, b.id) != 1) defect("lr_batch_is_valid", "0 for a live one");
+        for (lr_body id : b.bodies)
+            if (LR_CALL(lr_body_is_valid)(w.at, id) != 1) defect("lr_body_is_valid", "0 for a live one");
+    }
+    for (const Collider& c : w.state.colliders)
+        if (LR_CALL(lr_collider_is_valid)(w.at, c.id) != 1) defect("lr_collider_is_valid", "0 for a live one");
+    for (const Wind& wind : w.state.winds)
+        if (LR_CALL(lr_wind_source_is_valid)(w.at, wind.id) != 1) defect("lr_wind_source_is_valid", "0 for a live one");
+    for (lr_batch id : w.stale_batches)
+        if (!w.find(id) && LR_CALL(lr_batch_is_valid)(w.at, id) != 0)
+            defect("lr_batch_is_valid", "1 for a destroyed one");
     lr_body_state s = initialised(LR_CALL(lr_body_state_init));
     for (lr_body id : w.stale_bodies)
-        if (!w.owner(id) && LR_CALL(lr_body_get_state)(w.at, id, &s) != LR_ERROR_STALE_BODY)
+        if (!w.owner(id) && (LR_CALL(lr_body_get_state)(w.at, id, &s) != LR_ERROR_STALE_BODY ||
+                             LR_CALL(lr_body_is_valid)(w.at, id) != 0))
             defect("lr_body_get_state", "a destroyed body is alive");
 }
 

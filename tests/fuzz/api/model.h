@@ -2,31 +2,35 @@
 #pragma once
 
 #include "fuzz/api/memory.h"
+#include "support/handles.h"
 
 #include <algorithm>
 #include <functional>
+#include <variant>
 
 namespace fuzz {
 
 struct Batch {
-    lr_batch id = 0;
+    lr_batch id{};
     lr_batch_desc desc{};
     std::vector<lr_body> bodies;
     bool emitter = false, rules = false, respawns = false;
 };
 struct Collider {
-    lr_collider id = 0;
+    lr_collider id{};
     lr_collider_desc desc{};
 };
+using AnyWind = std::variant<lr_gusts_desc, lr_vortex_desc, lr_blower_desc, lr_turbulence_desc, lr_wind_grid_desc,
+                             lr_ground_wind_desc>;
 struct Wind {
-    lr_wind_source id = 0;
-    lr_wind_source_desc desc{};
+    lr_wind_source id{};
+    AnyWind desc{};
 };
 
 // How a world's batches came to be: where that is the same, each can take the snapshots of the other.
 struct Past {
     lr_batch_desc created{}; // of no asset: a batch was destroyed
-    lr_batch destroyed = 0;
+    lr_batch destroyed{};
     bool operator==(const Past& o) const {
         return created.asset == o.created.asset && created.capacity == o.created.capacity && destroyed == o.destroyed &&
                created.load_model == o.created.load_model && created.integrator == o.created.integrator &&
@@ -105,16 +109,11 @@ public:
     template <class Id, class List> Id pick(const List& live, const std::vector<Id>& stale, uint8_t byte) const {
         if (byte < 208 && !live.empty()) return id_of(live[byte % live.size()]);
         if (byte < 232 && !stale.empty()) return stale[byte % stale.size()];
-        const Id some = live.empty() ? Id{1} : id_of(live[0]);
-        const Id made_up[] = {Id{0},
-                              Id{1},
-                              static_cast<Id>(~Id{0}),
-                              static_cast<Id>(some ^ (Id{1} << 14)),
-                              static_cast<Id>(some + 1),
-                              Id{0x7fff},
-                              static_cast<Id>(some ^ (Id{1} << (sizeof(Id) * 8 - 1))),
-                              Id{1} << 26};
-        return made_up[byte % 8];
+        using Number = decltype(Id::id);
+        const Number one = 1, some = live.empty() ? one : id_of(live[0]).id;
+        const Number made_up[] = {
+            0, 1, ~Number{0}, some ^ one << 14, some + 1, 0x7fff, some ^ one << (sizeof(Id) * 8 - 1), one << 26};
+        return {made_up[byte % 8]};
     }
     lr_batch pick_batch(World& w, uint8_t byte) const { return pick(w.state.batches, w.stale_batches, byte); }
     lr_body pick_body(World& w, uint8_t byte) const;
@@ -182,6 +181,8 @@ std::vector<Named> step_operations();
 std::vector<Named> snapshot_operations();
 std::vector<Named> recording_operations();
 
+// One of the plain getters and setters of the header.
+void call_plain(Fuzzer& f);
 // Whether it was taken with all the memory that it asked for.
 bool step_world(Fuzzer& f, World& w, float dt, uint32_t substeps);
 // A first world with a batch and bodies, so that few bytes are enough to get somewhere.
@@ -189,6 +190,26 @@ void begin_scene(Fuzzer& f);
 const std::vector<lr_asset*>& common_assets();
 const std::vector<unsigned char>& asset_bytes();
 void set_callbacks(World& w, lr_world* at);
+
+// The calls of each kind of wind source, by the type of its desc.
+#define LR_SOURCE(name)                                                                                                \
+    inline lr_status add_wind(lr_world* w, const lr_##name##_desc* d, lr_wind_source* out) {                           \
+        return LR_CALL(lr_world_add_##name)(w, d, out);                                                                \
+    }                                                                                                                  \
+    inline lr_status update_wind(lr_world* w, lr_wind_source source, const lr_##name##_desc* d) {                      \
+        return LR_CALL(lr_world_update_##name)(w, source, d);                                                          \
+    }                                                                                                                  \
+    inline lr_status get_wind(const lr_world* w, lr_wind_source source, lr_##name##_desc* d) {                         \
+        return LR_CALL(lr_world_get_##name)(w, source, d);                                                             \
+    }
+LR_SOURCE(gusts)
+LR_SOURCE(vortex)
+LR_SOURCE(blower)
+LR_SOURCE(turbulence)
+LR_SOURCE(wind_grid)
+LR_SOURCE(ground_wind)
+#undef LR_SOURCE
+
 lr_job_system hostile_jobs(uint32_t kind);
 
 } // namespace fuzz

@@ -1,7 +1,7 @@
 // Snapshots: into the same world, into others, into a second one made the same way; and bytes that are none.
 #include "fuzz/api/model.h"
 
-#include "support/seal.h"
+#include "support/reseal_snapshot.h"
 
 namespace fuzz {
 namespace {
@@ -50,12 +50,13 @@ void save(Fuzzer& f) {
 
 // Data that snapshots only name must be in the world already.
 bool has_data(const World& w, const State& needed) {
-    const auto has_wind = [&](const lr_wind_source_desc& d) {
-        return d.kind != LR_WIND_SOURCE_GRID ||
-               std::any_of(w.state.winds.begin(), w.state.winds.end(), [&](const Wind& s) {
-                   return s.desc.kind == d.kind && s.desc.samples == d.samples && s.desc.frames == d.frames &&
-                          std::equal(d.counts, d.counts + 3, s.desc.counts);
-               });
+    const auto has_wind = [&](const AnyWind& any) {
+        const auto* const d = std::get_if<lr_wind_grid_desc>(&any);
+        return !d || std::any_of(w.state.winds.begin(), w.state.winds.end(), [&](const Wind& s) {
+            const auto* const has = std::get_if<lr_wind_grid_desc>(&s.desc);
+            return has && has->samples == d->samples && has->frames == d->frames &&
+                   std::equal(d->counts, d->counts + 3, has->counts);
+        });
     };
     const auto has_shape = [&](const lr_collider_desc& d) {
         return d.kind < LR_COLLIDER_HULL ||
@@ -86,7 +87,7 @@ void restore(Fuzzer& f) {
     if (!call.ended(LR_CALL(lr_world_snapshot_restore)(call.world(), in.null(1) ? nullptr : from.bytes.data(),
                                                        from.bytes.size())))
         return;
-    if (!same_past) w.past.push_back({{}, 0}); // like no other from now on
+    if (!same_past) w.past.push_back({{}, {}}); // like no other from now on
     w.state = from.state;
     if (hash_of(w) != from.hash)
         defect("lr_world_snapshot_restore", "the hash is not that of the world that was saved");
@@ -131,7 +132,7 @@ void restore_damaged(Fuzzer& f) {
     Call call(f, w, "lr_world_snapshot_restore", e);
     if (!call.ended(LR_CALL(lr_world_snapshot_restore)(call.world(), exact.get() + 1, bytes.size()))) return;
     w.state.loose = w.state.wild = true;
-    w.past.push_back({{}, 0});
+    w.past.push_back({{}, {}});
     check_world(w);
 }
 
@@ -140,7 +141,7 @@ void twin(Fuzzer& f) {
     World& w = f.world();
     if (!w.at || w.state.loose) return;
     for (const Past& p : w.past)
-        if (p.created.asset == nullptr && p.destroyed == 0) return; // restored from a world of another past
+        if (p.created.asset == nullptr && p.destroyed.id == 0) return; // restored from a world of another past
     World other;
     lr_world_desc d = w.desc;
     d.allocator = other.memory->hooks();
@@ -149,18 +150,18 @@ void twin(Fuzzer& f) {
     d.simd_target = f.in.handle(1) % 2 ? last_target() : LR_SIMD_AUTO;
     if (LR_CALL(lr_world_create)(&d, &other.at) != LR_OK) defect("lr_world_create", "a twin is refused");
     for (const Past& p : w.past) {
-        lr_batch id = 0;
+        lr_batch id{};
         const lr_status status = p.created.asset ? LR_CALL(lr_batch_create)(other.at, &p.created, &id)
                                                  : LR_CALL(lr_batch_destroy)(other.at, p.destroyed);
         if (status != LR_OK) defect("lr_batch_create", "not what a world did before", status);
     }
     for (const Wind& s : w.state.winds) {
-        lr_wind_source id = 0;
-        if (s.desc.kind == LR_WIND_SOURCE_GRID && LR_CALL(lr_world_add_wind)(other.at, &s.desc, &id) != LR_OK)
-            defect("lr_world_add_wind", "not what a world did before");
+        const auto* const grid = std::get_if<lr_wind_grid_desc>(&s.desc);
+        if (grid && add_wind(other.at, grid, nullptr) != LR_OK)
+            defect("lr_world_add_wind_grid", "not what a world did before");
     }
     for (const Collider& c : w.state.colliders) {
-        lr_collider id = 0;
+        lr_collider id{};
         if (c.desc.kind >= LR_COLLIDER_HULL && LR_CALL(lr_collider_create)(other.at, &c.desc, 1, &id) != LR_OK)
             defect("lr_collider_create", "not what a world did before");
     }

@@ -1,38 +1,35 @@
 // Steps, and what rules and emitters have done in them.
 #include "fuzz/api/model.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace fuzz {
 namespace {
 
-// Who is there after a step: those before, without the ended, with the born.
+// Who is there after a step: those before, without the ended, with the spawned.
 void account(World& w, Batch& b) {
     const lr_batch_view view = view_of(w, b.id);
-    lr_batch_events events = initialised(LR_CALL(lr_batch_events_init));
-    if (LR_CALL(lr_batch_get_events)(w.at, b.id, &events) != LR_OK) defect("lr_batch_get_events", "failed");
-    std::set<lr_body> expected(b.bodies.begin(), b.bodies.end());
-    uint64_t causes = uint64_t{events.by_not_finite} + events.by_age;
-    for (uint32_t n : events.by_volume) causes += n;
-    if (causes != uint64_t{events.destroyed} + events.respawned) defect("lr_batch_get_events", "causes");
-    if (events.total_born < events.born || events.total_destroyed < events.destroyed)
-        defect("lr_batch_get_events", "totals");
-    if ((events.destroyed != 0 && !b.rules) || (events.born != 0 && !b.emitter) ||
-        (events.respawned != 0 && !b.respawns))
-        defect("lr_batch_get_events", "without rules or emitter");
-    for (uint32_t i = 0; i < events.destroyed + events.respawned; ++i) {
-        const lr_body id = events.ended_ids[i];
-        if (expected.count(id) == 0) defect("lr_batch_get_events", "one ended that was not there");
-        if (!b.respawns) {
-            expected.erase(id);
-            remember(w.stale_bodies, id);
-        }
-    }
-    for (uint32_t i = 0; i < events.born; ++i)
-        if (!expected.insert(events.born_ids[i]).second)
-            defect("lr_batch_get_events", "born with the handle of another");
-    if (expected != std::set<lr_body>(view.ids, view.ids + view.count))
+    lr_batch_counts counts = initialised(LR_CALL(lr_batch_counts_init));
+    if (LR_CALL(lr_batch_get_counts)(w.at, b.id, &counts) != LR_OK) defect("lr_batch_get_counts", "failed");
+    const std::set<lr_body> before(b.bodies.begin(), b.bodies.end());
+    uint64_t causes = uint64_t{counts.by_divergence} + counts.by_age;
+    for (uint32_t n : counts.by_volume) causes += n;
+    if (causes != uint64_t{counts.destroyed} + counts.respawned) defect("lr_batch_get_counts", "causes");
+    if (counts.total_spawned < counts.spawned || counts.total_destroyed < counts.destroyed)
+        defect("lr_batch_get_counts", "totals");
+    if ((counts.destroyed != 0 && !b.rules) || (counts.spawned != 0 && !b.emitter) ||
+        (counts.respawned != 0 && !b.respawns))
+        defect("lr_batch_get_counts", "without rules or emitter");
+    // Who is not there any more has been destroyed, who was not there has been spawned.
+    const std::set<lr_body> now(view.ids, view.ids + view.count);
+    std::vector<lr_body> gone, came;
+    std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(gone));
+    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(came));
+    if (now.size() != view.count || gone.size() != counts.destroyed || came.size() != counts.spawned)
         defect("lr_world_step", "bodies came or went unseen");
+    for (const lr_body id : gone) remember(w.stale_bodies, id);
     b.bodies.assign(view.ids, view.ids + view.count);
     lr_batch_pace pace = initialised(LR_CALL(lr_batch_pace_init));
     if (LR_CALL(lr_batch_get_pace)(w.at, b.id, &pace) != LR_OK) defect("lr_batch_get_pace", "failed");

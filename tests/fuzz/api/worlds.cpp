@@ -82,7 +82,9 @@ void gravity(Fuzzer& f) {
     e.range(g, -1e4, 1e4);
     e.add_if(f.in.null(1), LR_ERROR_NULL_ARGUMENT);
     Call call(f, w, "lr_world_set_gravity", e);
-    call.ended(LR_CALL(lr_world_set_gravity)(call.world(), f.in.null(1) ? nullptr : g));
+    if (call.ended(LR_CALL(lr_world_set_gravity)(call.world(), f.in.null(1) ? nullptr : g)) &&
+        std::memcmp(info_of(w).gravity, g, sizeof g) != 0)
+        defect("lr_world_get_info", "another gravity");
 }
 
 void simd(Fuzzer& f) {
@@ -103,7 +105,8 @@ void budget(Fuzzer& f) {
     Expected e;
     e.add_if(body_substeps > uint64_t{1} << 48, LR_ERROR_INVALID_ARGUMENT);
     Call call(f, w, "lr_world_set_budget", e);
-    call.ended(LR_CALL(lr_world_set_budget)(call.world(), body_substeps));
+    if (call.ended(LR_CALL(lr_world_set_budget)(call.world(), body_substeps)) && info_of(w).budget != body_substeps)
+        defect("lr_world_get_info", "another budget");
 }
 
 void report(Fuzzer& f) {
@@ -118,36 +121,41 @@ void report(Fuzzer& f) {
     if (!w.state.loose && r.batches_stepped + r.batches_waiting + r.batches_passed_over > 64 + busy)
         defect("lr_world_get_step_report", "batches", r.batches_stepped);
     if (!(r.behind >= 0.0) || !(r.lost >= 0.0)) defect("lr_world_get_step_report", "a number is negative");
+    lr_timings t = initialised(LR_CALL(lr_timings_init));
+    if (LR_CALL(lr_world_get_timings)(w.at, &t) != LR_OK) defect("lr_world_get_timings", "failed");
+    const double parts = t.colliders + t.wind + t.motion + t.body_contact + t.wake + t.emit_and_rules + t.events;
+    if (!(parts >= 0.0) || !(parts <= t.total)) defect("lr_world_get_timings", "the parts are more than the whole");
 }
 
-void contact_events(Fuzzer& f) {
+void events(Fuzzer& f) {
     World& w = f.world();
     uint32_t capacity = f.in.handle(0) % 32,
-             kinds = f.in.handle(1) < 192 ? f.in.handle(1) % 32 : 1u << f.in.handle(1) % 32;
+             kinds = f.in.handle(1) < 192 ? f.in.handle(1) * 2 % 256 : 1u << f.in.handle(1) % 32;
     f.in.change(capacity);
     Expected e;
     e.add_if((kinds & ~LR_EVENTS_ALL) != 0 || (capacity != 0 && kinds == 0), LR_ERROR_INVALID_ARGUMENT);
-    Call call(f, w, "lr_world_set_contact_events", e);
+    Call call(f, w, "lr_world_set_events", e);
     const bool wild = w.state.wild;
-    if (call.ended(LR_CALL(lr_world_set_contact_events)(call.world(), capacity, kinds))) w.event_capacity = capacity;
+    if (call.ended(LR_CALL(lr_world_set_events)(call.world(), capacity, kinds))) w.event_capacity = capacity;
     w.state.wild = wild;
 }
 
 void event_list(Fuzzer& f) {
     World& w = f.world();
     Expected e;
-    Given<lr_contact_event_list> given(f.in, initialised(LR_CALL(lr_contact_event_list_init)), 1, e);
-    Call call(f, w, "lr_world_get_contact_events", e);
-    if (!call.ended(LR_CALL(lr_world_get_contact_events)(call.world(), given.get()))) return;
-    const lr_contact_event_list list = given.read();
-    if (list.count > w.event_capacity) defect("lr_world_get_contact_events", "more events than room", list.count);
+    Given<lr_event_list> given(f.in, initialised(LR_CALL(lr_event_list_init)), 1, e);
+    Call call(f, w, "lr_world_get_events", e);
+    if (!call.ended(LR_CALL(lr_world_get_events)(call.world(), given.get()))) return;
+    const lr_event_list list = given.read();
+    if (list.capacity != w.event_capacity) defect("lr_world_get_events", "another capacity", list.capacity);
+    if (list.count > w.event_capacity) defect("lr_world_get_events", "more events than room", list.count);
     for (uint32_t i = 0; i < list.count; ++i) {
-        const lr_contact_event& event = list.events[i];
-        const bool contact = event.kind == LR_CONTACT_BEGIN || event.kind == LR_CONTACT_END;
-        if (event.kind < LR_CONTACT_BEGIN || event.kind > LR_BODY_FAULTED || (event.collider != 0) != contact)
-            defect("lr_world_get_contact_events", "kind", event.kind);
-        if (event.kind == LR_CONTACT_BEGIN && (!(event.speed >= 0.0f) || !std::isfinite(event.normal[0])))
-            defect("lr_world_get_contact_events", "speed or normal");
+        const lr_event& event = list.events[i];
+        const bool contact = event.kind == LR_EVENT_HIT || event.kind == LR_EVENT_LIFTED;
+        if (event.kind < LR_EVENT_SPAWNED || event.kind > LR_EVENT_DIVERGED || (event.collider.id != 0) != contact)
+            defect("lr_world_get_events", "kind", event.kind);
+        if (event.kind == LR_EVENT_HIT && (!(event.speed >= 0.0f) || !std::isfinite(event.normal[0])))
+            defect("lr_world_get_events", "speed or normal");
     }
 }
 
@@ -171,14 +179,16 @@ template <class T> void init(const char* name, lr_status (*function)(T*, uint32_
 
 void inits(Fuzzer& f) {
     INIT(lr_aerodynamics_init), INIT(lr_asset_info_init), INIT(lr_batch_contact_init), INIT(lr_batch_desc_init);
-    INIT(lr_batch_events_init), INIT(lr_batch_force_init), INIT(lr_batch_pace_init);
+    INIT(lr_batch_counts_init), INIT(lr_batch_force_init), INIT(lr_batch_pace_init);
     INIT(lr_batch_rules_init), INIT(lr_batch_view_init), INIT(lr_body_desc_init), INIT(lr_body_force_init);
     INIT(lr_body_state_init), INIT(lr_collider_desc_init), INIT(lr_collider_motion_init);
-    INIT(lr_collider_state_init), INIT(lr_collider_surface_init), INIT(lr_contact_event_list_init);
+    INIT(lr_collider_state_init), INIT(lr_material_init), INIT(lr_event_list_init);
     INIT(lr_ellipsoid_desc_init), INIT(lr_emitter_desc_init), INIT(lr_force_arrays_init), INIT(lr_load_gains_init);
     INIT(lr_overlap_desc_init), INIT(lr_recording_desc_init), INIT(lr_ray_init), INIT(lr_rigid_desc_init),
-        INIT(lr_step_report_init);
-    INIT(lr_surface_desc_init), INIT(lr_turbulence_table_init), INIT(lr_wind_desc_init), INIT(lr_wind_source_desc_init);
+        INIT(lr_step_report_init), INIT(lr_timings_init);
+    INIT(lr_water_desc_init), INIT(lr_turbulence_table_init), INIT(lr_gusts_desc_init), INIT(lr_vortex_desc_init);
+    INIT(lr_blower_desc_init), INIT(lr_turbulence_desc_init), INIT(lr_wind_grid_desc_init);
+    INIT(lr_ground_wind_desc_init);
     INIT(lr_world_desc_init), INIT(lr_world_info_init);
 }
 
@@ -197,6 +207,9 @@ void names(Fuzzer& f) {
     // Without an array it is a question for their number.
     e.add_if(!f.in.null(1) && count > capacity, LR_ERROR_BUFFER_TOO_SMALL);
     if (!e.allows(status)) defect("lr_simd_targets", "status", status);
+    const std::string text = LR_CALL(lr_last_error)();
+    if (text.size() > 255 || (status != LR_OK && text.find("lr_simd_targets: ") != 0))
+        defect("lr_last_error", "not of the last failed call");
 }
 
 void fail_memory(Fuzzer& f) {
@@ -222,7 +235,7 @@ void begin_scene(Fuzzer& f) {
     if (LR_CALL(lr_body_create)(w.at, b.id, &d, 1, b.bodies.data()) != LR_OK)
         defect("lr_body_create", "a plain body is refused");
     w.state.batches.push_back(b);
-    w.past.push_back({b.desc, 0});
+    w.past.push_back({b.desc, {}});
 }
 
 std::vector<Named> world_operations() {
@@ -233,7 +246,7 @@ std::vector<Named> world_operations() {
             {"simd", simd},
             {"budget", budget},
             {"report", report},
-            {"contact_events", contact_events},
+            {"events", events},
             {"event_list", event_list},
             {"inits", inits},
             {"names", names},

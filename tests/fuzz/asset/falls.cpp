@@ -15,23 +15,18 @@ void must(lr_status status, const char* what) {
 }
 
 void blow(lr_world* world, uint32_t variant) {
-    lr_wind_desc wind;
-    must(lr_wind_desc_init(&wind, sizeof wind), "init");
-    wind.velocity[0] = variant % 2 ? 8.0f : 0.5f;
-    must(lr_world_set_wind(world, &wind), "lr_world_set_wind");
-    lr_wind_source_desc source;
-    must(lr_wind_source_desc_init(&source, sizeof source), "init");
-    source.kind = LR_WIND_SOURCE_TURBULENCE;
-    lr_wind_source id = 0;
-    must(lr_world_add_wind(world, &source, &id), "lr_world_add_wind");
+    must(lr_world_set_uniform_wind(world, variant % 2 ? 8.0f : 0.5f, 0.0f, 0.0f), "lr_world_set_uniform_wind");
+    lr_turbulence_desc source;
+    must(lr_turbulence_desc_init(&source, sizeof source), "init");
+    must(lr_world_add_turbulence(world, &source, nullptr), "lr_world_add_turbulence");
 }
 
 void flood(lr_world* world) {
-    lr_surface_desc surface;
-    must(lr_surface_desc_init(&surface, sizeof surface), "init");
+    lr_water_desc surface;
+    must(lr_water_desc_init(&surface, sizeof surface), "init");
     surface.wave_count = 1;
     surface.waves[0].direction[0] = 1.0f, surface.waves[0].length = 3.0f, surface.waves[0].amplitude = 0.1f;
-    must(lr_world_set_surface(world, &surface), "lr_world_set_surface");
+    must(lr_world_set_water(world, &surface), "lr_world_set_water");
 }
 
 void lay_ground(lr_world* world, float height) {
@@ -70,9 +65,9 @@ void fall(const lr_asset* asset, uint32_t variant) {
     if (around & 2u) flood(world);
     const float size = static_cast<float>(info.length_d) * scale;
     if (around & 4u) lay_ground(world, -std::min(0.7f * size, 1e8f));
-    lr_batch batch = 0;
+    lr_batch batch{};
     must(lr_batch_create(world, &bd, &batch), "lr_batch_create of an asset that loads");
-    if (around & 8u) must(lr_batch_set_pair_contact(world, batch, batch, 1), "lr_batch_set_pair_contact");
+    if (around & 8u) must(lr_batch_set_body_contact(world, batch, batch, 1), "lr_batch_set_body_contact");
     lr_body_desc body;
     must(lr_body_desc_init(&body, sizeof body), "init");
     body.scale = scale;
@@ -84,12 +79,12 @@ void fall(const lr_asset* asset, uint32_t variant) {
     }
     const bool slow = take(4) == 0;
     for (int i = 0; i < 100; ++i) must(lr_world_step(world, slow ? 0.5f : 1.0f / 60.0f, 1), "lr_world_step");
-    lr_batch_events events;
-    must(lr_batch_events_init(&events, sizeof events), "init");
-    must(lr_batch_get_events(world, batch, &events), "lr_batch_get_events");
+    lr_batch_counts events;
+    must(lr_batch_counts_init(&events, sizeof events), "init");
+    must(lr_batch_get_counts(world, batch, &events), "lr_batch_get_counts");
     // What is smaller, or in steps of half a second, may spin faster than is taken for physics (docs/reference/bodies.md), by the fluid's
     // inertia alone.
-    if (events.total_faulted != 0 && size >= 1e-4f && !slow) {
+    if (events.total_diverged != 0 && size >= 1e-4f && !slow) {
         std::fprintf(stderr, "DEFECT: left physics: model %d clock %d scale %g around %u %s\n", bd.load_model, bd.clock,
                      static_cast<double>(scale), around, slow ? "slow" : "");
         std::abort();

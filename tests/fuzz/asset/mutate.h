@@ -1,7 +1,7 @@
 // Changes an asset's fields and packs it again with a right checksum.
 #pragma once
 
-#include "format/asset_data.h"
+#include "asset/asset_data.h"
 
 #include <cstdint>
 

@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>What holds of an asset.</summary>
+    /// <summary>Properties of an asset.</summary>
     [Flags]
     public enum AssetFlags : uint
     {
@@ -15,13 +15,13 @@ namespace LangevinRigid
         Diagonal = 1,
     }
 
-    /// <summary>One numbered fault of an asset file; see docs/reference/asset_format.md. Strings are valid during the
-    /// call only.</summary>
+    /// <summary>Receives one numbered fault of an asset file; docs/reference/asset_format.md lists them. Strings are
+    /// valid during the call only.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void FaultFn(IntPtr user, uint number, byte* where, byte* what, byte* remedy);
 
-    /// <summary>A solid ellipsoid, with everything from closed forms: mass, Lamb's added mass, and the decay of k and
-    /// epsilon in a uniform stream. The quickest way to a first falling body.</summary>
+    /// <summary>A solid ellipsoid: the quickest way to a first falling body. Mass, added mass (Lamb) and the decay of k
+    /// and epsilon in a uniform stream come from closed forms.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct EllipsoidDesc
     {
@@ -33,14 +33,14 @@ namespace LangevinRigid
         public Double3 SemiAxes;
         /// <summary>kg/m^3 of the body, &gt; 0</summary>
         public double Density;
-        /// <summary>kg/m^3, &gt; 0; initially 1.2, air</summary>
+        /// <summary>kg/m^3, &gt; 0; default 1.2, air</summary>
         public double FluidDensity;
-        /// <summary>m^2/s, kinematic, &gt; 0; initially 1.5e-5, air</summary>
+        /// <summary>m^2/s, kinematic, &gt; 0; default 1.5e-5, air</summary>
         public double FluidViscosity;
-        /// <summary>turbulence intensity I of k0 = 3/2 (I U0)^2, 0 to 10; initially 1, as in the paper</summary>
+        /// <summary>turbulence intensity I of k0 = 3/2 (I U0)^2, 0 to 10; default 1, as in the paper</summary>
         public double Intensity;
-        /// <summary>m, from the centre of the ellipsoid, inside it; initially 0. A ballasted body: its centre of
-        /// buoyancy stays at the centre, its moments of inertia those of the uniform solid</summary>
+        /// <summary>m, from the ellipsoid's centre, inside it; default 0. For ballast: the centre of buoyancy and the
+        /// moments of inertia stay those of the uniform solid</summary>
         public Double3 CenterOfMass;
 
         /// <summary>One with its initial values and its size.</summary>
@@ -53,10 +53,11 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>Coefficients of the quasi-steady loads at scale 1; equations in docs/maintainers/physics.md,
-    /// AERODYNAMIC. Everything acts at <c>Center</c> along <c>Axes</c>, which turn with the body. Arrays have a value
-    /// for each axis. v: velocity through the fluid and w: spin, both along the axes; s = |v|; (i, j, k) cyclic; d:
-    /// <see cref="AssetInfo.LengthD"/>; rho, nu: density and kinematic viscosity of the fluid.</summary>
+    /// <summary>Coefficients of the quasi-steady loads (<see cref="LoadModel.Aerodynamic"/>) at scale 1; equations:
+    /// docs/maintainers/physics.md, AERODYNAMIC. All loads act at <c>Center</c>, along <c>Axes</c>, which rotate with
+    /// the body. Arrays hold one value per axis. Symbols: v is the velocity through the fluid and w the spin, both
+    /// along the axes; s = |v|; (i, j, k) are cyclic; d is <see cref="AssetInfo.LengthD"/>; rho and nu are the fluid's
+    /// density and kinematic viscosity.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Aerodynamics
     {
@@ -68,17 +69,17 @@ namespace LangevinRigid
         public fixed double Axes[9];
         /// <summary>m^2, drag coefficient times area</summary>
         public Double3 Drag;
-        /// <summary>m^2, the part that grows with the Reynolds number: of rounded bodies</summary>
+        /// <summary>m^2, the part of rounded bodies, which grows with the Reynolds number</summary>
         public Double3 DragBlunt;
-        /// <summary>m^(3/2), of the boundary layer</summary>
+        /// <summary>m^(3/2), boundary layer</summary>
         public Double3 DragLayer;
-        /// <summary>m, of creeping flow</summary>
+        /// <summary>m, creeping flow</summary>
         public Double3 DragStokes;
         /// <summary>m^2, positive where the body is thinner along j than along i</summary>
         public Double3 Lift;
         /// <summary>m^3</summary>
         public Double3 SpinLift;
-        /// <summary>m^3, moment rho lift_moment_k v_i v_j of that lift about k</summary>
+        /// <summary>m^3, moment of the lift about k: rho lift_moment_k v_i v_j</summary>
         public Double3 LiftMoment;
         /// <summary>m^5</summary>
         public Double3 SpinDrag;
@@ -86,12 +87,12 @@ namespace LangevinRigid
         public Double3 SpinDragStream;
         /// <summary>m^3</summary>
         public Double3 SpinDragStokes;
-        /// <summary>of the velocity of the fluid in the body's own wake: per axis <c>Intensity</c> times s. More than
-        /// 0.4, gains included, acts as 0.4: such a wake would feed itself</summary>
+        /// <summary>velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts
+        /// as 0.4: a stronger wake would feed itself</summary>
         public double Intensity;
-        /// <summary>m, correlated over length/s</summary>
+        /// <summary>m: the fluctuations are correlated over length/s</summary>
         public double Length;
-        /// <summary>that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar</summary>
+        /// <summary>scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar</summary>
         public double WakeReynolds;
         /// <summary>0 to 1</summary>
         public Double3 Broadside;
@@ -101,7 +102,7 @@ namespace LangevinRigid
         public Double3 LiftMomentStalled;
         /// <summary>m^4</summary>
         public Double3 RollDamping;
-        /// <summary>m, where all of it acts, from the centre of buoyancy, body frame; initially 0; within 2 d</summary>
+        /// <summary>m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0</summary>
         public Double3 Center;
 
         /// <summary>One with its initial values and its size.</summary>
@@ -114,8 +115,8 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>A body whose numbers are known, without mesh or file: from another solver, from measurements, or a
-    /// section of a card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body
+    /// <summary>A body of known numbers without a mesh or file: from another solver, from measurements, or the
+    /// cross-section of a card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body
     /// axes.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct RigidDesc
@@ -130,20 +131,20 @@ namespace LangevinRigid
         public double Volume;
         /// <summary>kg m^2, positive definite</summary>
         public fixed double Inertia[9];
-        /// <summary>order vx vy vz wx wy wz, fluid density included as in <see cref="AssetInfo"/>: kg, kg m, kg m^2;
-        /// positive semi-definite; initially 0</summary>
+        /// <summary>kg, kg m, kg m^2: order vx vy vz wx wy wz, fluid density included, as in <see cref="AssetInfo"/>;
+        /// positive semi-definite; default 0</summary>
         public fixed double AddedMass[36];
-        /// <summary>m, from the centre of mass; initially 0</summary>
+        /// <summary>m, from the centre of mass; default 0</summary>
         public Double3 CenterOfBuoyancy;
-        /// <summary>kg/m^3, &gt; 0; initially 1.2, air</summary>
+        /// <summary>kg/m^3, &gt; 0; default 1.2, air</summary>
         public double FluidDensity;
-        /// <summary>m^2/s, kinematic, &gt; 0; initially 1.5e-5, air</summary>
+        /// <summary>m^2/s, kinematic, &gt; 0; default 1.5e-5, air</summary>
         public double FluidViscosity;
         /// <summary>m, full size along the body axes, &gt; 0</summary>
         public Double3 Extents;
-        /// <summary>of the turbulence table, as in <see cref="EllipsoidDesc"/>; initially 1</summary>
+        /// <summary>of the turbulence table, as in <see cref="EllipsoidDesc"/>; default 1</summary>
         public double Intensity;
-        /// <summary>copied; null, as initially: those of an ellipsoid with these extents</summary>
+        /// <summary>copied; default null: an ellipsoid's with these extents</summary>
         public Aerodynamics* Aerodynamics;
 
         /// <summary>One with its initial values and its size.</summary>
@@ -156,7 +157,7 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>What an asset is. Matrices are row-major and symmetric.</summary>
+    /// <summary>Properties of an asset. Matrices are row-major and symmetric.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct AssetInfo
     {
@@ -172,7 +173,7 @@ namespace LangevinRigid
         public double Volume;
         /// <summary>kg/m^3</summary>
         public double Density;
-        /// <summary>m, in the frame of the mesh: where the body origin lies in it</summary>
+        /// <summary>m, in the frame of the mesh: the position of the body's origin in it</summary>
         public Double3 CenterOfMass;
         /// <summary>m, from the centre of mass, body axes</summary>
         public Double3 CenterOfBuoyancy;
@@ -181,7 +182,7 @@ namespace LangevinRigid
         /// <summary>about the centre of mass, order vx vy vz wx wy wz, fluid density included: kg for the 3x3 block of
         /// v, kg m for the coupling, kg m^2 for the block of w</summary>
         public fixed double AddedMass[36];
-        /// <summary>kg/m^3, of the fluid it was baked in</summary>
+        /// <summary>kg/m^3, of the fluid that the asset was baked in</summary>
         public double FluidDensity;
         /// <summary>m^2/s, kinematic</summary>
         public double FluidViscosity;
@@ -201,13 +202,13 @@ namespace LangevinRigid
         public double TurbulenceDt;
         /// <summary>number of table samples</summary>
         public uint TurbulenceCount;
-        /// <summary>0 for an asset without a hull</summary>
+        /// <summary>0: no hull</summary>
         public uint HullVertexCount;
         /// <summary>Hull triangle count.</summary>
         public uint HullTriangleCount;
-        /// <summary>of the file; 0 for an asset without a file</summary>
+        /// <summary>of the file; 0: created without a file</summary>
         public uint FormatVersion;
-        /// <summary>of everything that matters for motion; equal for equal assets</summary>
+        /// <summary>of everything that affects motion; equal for equal assets</summary>
         public ulong ContentHash;
 
         /// <summary>One with its initial values and its size.</summary>

@@ -18,21 +18,21 @@ namespace LangevinRigid
         Aerodynamic = 3,
     }
 
-    /// <summary>What the turbulence of a body follows.</summary>
+    /// <summary>The clock of a body's turbulence.</summary>
     public enum TurbulenceClock : int
     {
-        /// <summary>Turbulence scales with the body's present speed through the fluid.</summary>
+        /// <summary>Turbulence scales with the body's current speed through the fluid.</summary>
         Speed = 0,
-        /// <summary>The paper: turbulence follows the table at the body's age.</summary>
+        /// <summary>The paper's: turbulence follows the table by the body's age.</summary>
         Age = 1,
     }
 
-    /// <summary>What follows the last sample of a turbulence table.</summary>
+    /// <summary>What happens after the last sample of a turbulence table.</summary>
     public enum TableEnd : int
     {
         /// <summary><see cref="TurbulenceClock.Age"/>: hold the last sample after the end of the table.</summary>
         Clamp = 0,
-        /// <summary><see cref="TurbulenceClock.Age"/>: begin again.</summary>
+        /// <summary><see cref="TurbulenceClock.Age"/>: start over.</summary>
         Loop = 1,
     }
 
@@ -41,20 +41,20 @@ namespace LangevinRigid
     {
         /// <summary><see cref="Integrator.Splitting"/> in this version.</summary>
         Default = 0,
-        /// <summary>The paper's: fourth order, unstable at long steps, slow. In water: splitting.</summary>
+        /// <summary>The paper's: fourth order, slow, unstable at long steps. In water: splitting.</summary>
         Rk4 = 1,
-        /// <summary>Second order and stable at any step; docs/maintainers/numerics.md.</summary>
+        /// <summary>Second order, stable at any step; docs/maintainers/numerics.md.</summary>
         Splitting = 2,
     }
 
-    /// <summary>Layouts of transforms, as float elements.</summary>
+    /// <summary>Memory layouts of transforms, in floats.</summary>
     public enum TransformFormat : int
     {
         /// <summary>7 floats: position, quaternion x y z w.</summary>
         PositionQuaternion = 0,
-        /// <summary>8 floats: the same and the scale.</summary>
+        /// <summary>8 floats: position, quaternion x y z w, scale.</summary>
         PositionQuaternionScale = 1,
-        /// <summary>12 floats: three rows of rotation times scale and translation.</summary>
+        /// <summary>12 floats: three rows, rotation times scale and translation.</summary>
         Matrix3x4RowMajor = 2,
         /// <summary>12 floats: four columns of three.</summary>
         Matrix3x4ColumnMajor = 3,
@@ -70,21 +70,21 @@ namespace LangevinRigid
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary>the most bodies at a time, 1 to 2^26; memory for all is taken at once</summary>
+        /// <summary>the most bodies at a time, 1 to 2^26; memory for all is allocated at creation</summary>
         public uint Capacity;
-        /// <summary>kept by reference until the batch ends</summary>
+        /// <summary>required; the batch keeps a reference until it is destroyed</summary>
         public IntPtr Asset;
-        /// <summary><see cref="LoadModel"/>; initially <see cref="LoadModel.Default"/></summary>
+        /// <summary><see cref="LoadModel"/>; default <see cref="LoadModel.Default"/></summary>
         public LoadModel LoadModel;
-        /// <summary><see cref="TurbulenceClock"/>; initially <see cref="TurbulenceClock.Speed"/></summary>
+        /// <summary><see cref="TurbulenceClock"/>; default <see cref="TurbulenceClock.Speed"/></summary>
         public TurbulenceClock Clock;
-        /// <summary><see cref="TableEnd"/>; initially <see cref="TableEnd.Clamp"/></summary>
+        /// <summary><see cref="TableEnd"/>; default <see cref="TableEnd.Clamp"/></summary>
         public TableEnd TableEnd;
-        /// <summary><see cref="Integrator"/>; initially <see cref="Integrator.Default"/></summary>
+        /// <summary><see cref="Integrator"/>; default <see cref="Integrator.Default"/></summary>
         public Integrator Integrator;
-        /// <summary>multiplies the turbulent damping, 0 to 100; initially 1</summary>
+        /// <summary>multiplies the turbulent damping, 0 to 100; default 1</summary>
         public float DampingGain;
-        /// <summary>multiplies the turbulent noise, 0 to 100; initially 1; 0 for repeatable single falls</summary>
+        /// <summary>multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable</summary>
         public float NoiseGain;
 
         /// <summary>One with its initial values and its size.</summary>
@@ -111,14 +111,14 @@ namespace LangevinRigid
         public float* Epsilon;
         /// <summary>s between samples, &gt; 0</summary>
         public float Dt;
-        /// <summary>m/s, speed the table was made at, &gt; 0: what <see cref="TurbulenceClock.Speed"/> scales
-        /// by</summary>
+        /// <summary>m/s, the speed that the table was made at, &gt; 0; <see cref="TurbulenceClock.Speed"/> scales by
+        /// it</summary>
         public float U0;
-        /// <summary>m, length the table was made with, &gt; 0</summary>
+        /// <summary>m, the length that the table was made with, &gt; 0</summary>
         public float L;
-        /// <summary>Kolmogorov constant, &gt; 0; initially 6.5, its limit at high Reynolds number</summary>
+        /// <summary>Kolmogorov constant, &gt; 0; default 6.5, its limit at high Reynolds number</summary>
         public float C0;
-        /// <summary>sample that <see cref="TurbulenceClock.Speed"/> uses, &lt; count; initially 0</summary>
+        /// <summary>the sample that <see cref="TurbulenceClock.Speed"/> uses, &lt; count; default 0</summary>
         public uint Stationary;
         /// <summary>0.</summary>
         public uint Reserved;
@@ -133,8 +133,8 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>Art control of the AERODYNAMIC loads: factors on top of the coefficients, so that motion stays that of
-    /// some body.</summary>
+    /// <summary>Artistic control of AERODYNAMIC loads. The factors multiply the coefficients, so bodies still move
+    /// physically.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct LoadGains
     {
@@ -142,13 +142,13 @@ namespace LangevinRigid
         public uint StructSize;
         /// <summary>0.</summary>
         public uint Reserved;
-        /// <summary>of translation, 0 to 100; initially 1</summary>
+        /// <summary>on translation, 0 to 100; default 1</summary>
         public float Drag;
-        /// <summary>and its moment, 0 to 100; initially 1</summary>
+        /// <summary>and its moment, 0 to 100; default 1</summary>
         public float Lift;
-        /// <summary>0 to 100; initially 1</summary>
+        /// <summary>0 to 100; default 1</summary>
         public float SpinDrag;
-        /// <summary>intensity of the body's own wake, 0 to 100; initially 1</summary>
+        /// <summary>intensity of the body's own wake, 0 to 100; default 1</summary>
         public float Turbulence;
 
         /// <summary>One with its initial values and its size.</summary>
@@ -161,7 +161,7 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>How a batch keeps up with its world.</summary>
+    /// <summary>How a batch keeps pace with its world.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BatchPace
     {
@@ -169,15 +169,15 @@ namespace LangevinRigid
         public uint StructSize;
         /// <summary>as set</summary>
         public uint Divisor;
-        /// <summary>in the last step of the world; 0: it waited</summary>
+        /// <summary>in the world's last step; 0: it waited</summary>
         public uint Substeps;
         /// <summary>steps since it was last stepped</summary>
         public uint Waited;
-        /// <summary>s: the same as time</summary>
+        /// <summary>s since it was last stepped</summary>
         public double Behind;
-        /// <summary>s, in all: what its bodies' clocks are slow by</summary>
+        /// <summary>s, simulated time lost in total</summary>
         public double Lost;
-        /// <summary>in all</summary>
+        /// <summary>in total</summary>
         public ulong BodySubsteps;
 
         /// <summary>One with its initial values and its size.</summary>
@@ -190,10 +190,9 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>The state of a batch where it lies: arrays with one value a body, <c>Count</c> of them, 64-byte
-    /// aligned. Bodies are dense: those that move come first, then those at rest, and where one leaves its part of
-    /// them, the last of that part takes its place. Pointers are valid until the next call that is not a
-    /// query.</summary>
+    /// <summary>Read access to a batch's state without a copy: arrays of <c>Count</c> values, one per body, 64-byte
+    /// aligned. Awake bodies come first, then sleeping ones, without gaps. A body that leaves either part is replaced
+    /// by the last one of that part. Pointers are valid until the next call that is not a query.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BatchView
     {
@@ -215,14 +214,14 @@ namespace LangevinRigid
         public float* OrientationZ;
         /// <summary>unit quaternion x, y, z, w, body to world. Element 3 of 4.</summary>
         public float* OrientationW;
-        /// <summary>m/s, of the centre of mass, in the BODY frame: turn by the orientation for the world's. Element 0
-        /// of 3.</summary>
+        /// <summary>m/s, of the centre of mass, in the BODY frame: rotate by <c>Orientation</c> for world. Element 0 of
+        /// 3.</summary>
         public float* VelocityX;
-        /// <summary>m/s, of the centre of mass, in the BODY frame: turn by the orientation for the world's. Element 1
-        /// of 3.</summary>
+        /// <summary>m/s, of the centre of mass, in the BODY frame: rotate by <c>Orientation</c> for world. Element 1 of
+        /// 3.</summary>
         public float* VelocityY;
-        /// <summary>m/s, of the centre of mass, in the BODY frame: turn by the orientation for the world's. Element 2
-        /// of 3.</summary>
+        /// <summary>m/s, of the centre of mass, in the BODY frame: rotate by <c>Orientation</c> for world. Element 2 of
+        /// 3.</summary>
         public float* VelocityZ;
         /// <summary>rad/s, angular velocity, in the BODY frame. Element 0 of 3.</summary>
         public float* SpinX;
@@ -232,21 +231,23 @@ namespace LangevinRigid
         public float* SpinZ;
         /// <summary>uniform scale</summary>
         public float* Scale;
-        /// <summary>s; of a body at rest some earlier one: <see cref="Native.lr_body_get_state"/> has it
-        /// exactly</summary>
+        /// <summary>s; outdated for sleeping bodies: <see cref="Native.lr_body_get_state"/> gives their exact
+        /// age</summary>
         public float* Age;
-        /// <summary>what tells the noise of bodies apart</summary>
-        public uint* Key;
+        /// <summary>bodies with different seeds have independent noise</summary>
+        public uint* NoiseSeed;
         /// <summary>Ids.</summary>
         public BodyId* Ids;
+        /// <summary><see cref="BodyDesc.User"/></summary>
+        public ulong* User;
         /// <summary>Capacity.</summary>
         public uint Capacity;
         /// <summary>0.</summary>
         public uint Reserved;
-        /// <summary>differs whenever bodies at rest have woken, ended, or changed their places</summary>
+        /// <summary>changes whenever sleeping bodies wake, end or change places</summary>
         public ulong Revision;
-        /// <summary>bodies [0, awake_count) move, [awake_count, count) are at rest:
-        /// <see cref="Native.lr_body_set_rest"/></summary>
+        /// <summary>bodies [0, awake_count) are awake, [awake_count, count) asleep:
+        /// <see cref="Native.lr_body_set_sleep"/></summary>
         public uint AwakeCount;
         /// <summary>0.</summary>
         public uint Reserved1;

@@ -5,15 +5,15 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>Whether a body is at rest.</summary>
-    public enum RestState : int
+    /// <summary>Whether a body is awake or asleep.</summary>
+    public enum SleepState : int
     {
-        /// <summary>The header's <c>LR_REST_AWAKE</c>.</summary>
+        /// <summary>The header's <c>LR_SLEEP_AWAKE</c>.</summary>
         Awake = 0,
-        /// <summary>The header's <c>LR_REST_RESTING</c>.</summary>
-        Resting = 1,
-        /// <summary>Read only: it has left physics, and <see cref="Native.lr_batch_set_fault_policy"/> holds it where
-        /// it was.</summary>
+        /// <summary>The header's <c>LR_SLEEP_ASLEEP</c>.</summary>
+        Asleep = 1,
+        /// <summary>Read only: diverged, and held where it was by
+        /// <see cref="Native.lr_batch_set_divergence_policy"/>.</summary>
         Held = 2,
     }
 
@@ -21,25 +21,28 @@ namespace LangevinRigid
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BodyDesc
     {
-        /// <summary>Size of the struct in bytes, set by <c>Create</c>. The same in all elements of an array: it is the
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>. Equal in all elements of an array: also the
         /// array's stride.</summary>
         public uint StructSize;
-        /// <summary>tells its noise apart; initially 0: the world gives each body its own, in order of birth</summary>
-        public uint Key;
-        /// <summary>m, of the centre of mass; initially 0</summary>
+        /// <summary>default 0: the world assigns each body the next one</summary>
+        public uint NoiseSeed;
+        /// <summary>m, of the centre of mass; default 0</summary>
         public Float3 Position;
-        /// <summary>quaternion x y z w, normalised when taken; initially 0 0 0 1</summary>
+        /// <summary>quaternion x y z w, normalised by the call; default 0 0 0 1</summary>
         public Float4 Orientation;
-        /// <summary>m/s, of the centre of mass; initially 0</summary>
+        /// <summary>m/s, of the centre of mass; default 0</summary>
         public Float3 LinearVelocity;
-        /// <summary>rad/s, world frame; initially 0</summary>
+        /// <summary>rad/s, world frame; default 0</summary>
         public Float3 AngularVelocity;
-        /// <summary>uniform, 0.001 to 1000; mass goes with its cube; initially 1</summary>
+        /// <summary>uniform, 0.001 to 1000; mass scales with its cube; default 1</summary>
         public float Scale;
-        /// <summary>s, 0 to 1e9; initially 0. Bodies grow no older than that</summary>
+        /// <summary>s, 0 to 1e9, where it stops growing; default 0</summary>
         public float Age;
         /// <summary>0.</summary>
         public uint Reserved;
+        /// <summary>the caller's own number, also in views, events and ray hits; default 0. A respawn keeps it. It does
+        /// not affect motion: part of snapshots, not of the world's hash</summary>
+        public ulong User;
 
         /// <summary>One with its initial values and its size.</summary>
         public static BodyDesc Create()
@@ -58,7 +61,7 @@ namespace LangevinRigid
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
         /// <summary>read only: ignored by <see cref="Native.lr_body_set_state"/></summary>
-        public uint Key;
+        public uint NoiseSeed;
         /// <summary>m, of the centre of mass, world frame</summary>
         public Float3 Position;
         /// <summary>unit quaternion x y z w, body to world</summary>
@@ -71,10 +74,10 @@ namespace LangevinRigid
         public float Scale;
         /// <summary>s, 0 to 1e9</summary>
         public float Age;
-        /// <summary>0.</summary>
-        public uint Reserved;
-        /// <summary><see cref="RestState"/>; read only</summary>
-        public RestState Resting;
+        /// <summary><see cref="SleepState"/>; read only</summary>
+        public SleepState SleepState;
+        /// <summary>as in <see cref="BodyDesc"/></summary>
+        public ulong User;
 
         /// <summary>One with its initial values and its size.</summary>
         public static BodyState Create()

@@ -5,10 +5,10 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>What a force's numbers are. A body answers with the inertia of the fluid that moves along with it, (M +
-    /// added)^-1 F; accelerations and velocities come out as given, whatever the mass. The first two act over the whole
-    /// next step, in each substep at its own orientation, and are then gone; forces of several calls before a step add
-    /// up. The last two change the velocity at once.</summary>
+    /// <summary>The unit and timing of a force. Forces and accelerations act over the whole next step, at the body's
+    /// orientation in each substep, and are then gone; those of several calls add up. Impulses and velocities act at
+    /// once. A force or impulse also moves the added mass of fluid, (M + added)^-1 F; an acceleration or velocity takes
+    /// full effect whatever the mass.</summary>
     public enum ForceMode : int
     {
         /// <summary>N, N m.</summary>
@@ -21,7 +21,7 @@ namespace LangevinRigid
         Velocity = 3,
     }
 
-    /// <summary>Of a force on one body.</summary>
+    /// <summary>Options of a force on one body.</summary>
     [Flags]
     public enum ForceFlags : uint
     {
@@ -36,33 +36,32 @@ namespace LangevinRigid
     {
         /// <summary>The header's <c>LR_FRAME_WORLD</c>.</summary>
         World = 0,
-        /// <summary>Turns with the body.</summary>
+        /// <summary>Rotates with the body.</summary>
         Body = 1,
     }
 
-    /// <summary>A force and a torque on one body, at the body's true size: a body of scale 2 has eight times the
-    /// mass.</summary>
+    /// <summary>A force and a torque on one body. Scale matters: a body of scale 2 has eight times the mass.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BodyForce
     {
-        /// <summary>Size of the struct in bytes, set by <c>Create</c>. The same in all elements of an array: it is the
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>. Equal in all elements of an array: also the
         /// array's stride.</summary>
         public uint StructSize;
-        /// <summary><see cref="ForceMode"/>; initially <see cref="ForceMode.Force"/></summary>
+        /// <summary><see cref="ForceMode"/>; default <see cref="ForceMode.Force"/></summary>
         public ForceMode Mode;
         /// <summary>Body.</summary>
         public BodyId Body;
-        /// <summary><see cref="ForceFrame"/>, of force, torque and point; initially
+        /// <summary><see cref="ForceFrame"/>, of force, torque and point; default
         /// <see cref="ForceFrame.World"/></summary>
         public ForceFrame Frame;
-        /// <summary><see cref="ForceFlags"/>; initially 0</summary>
+        /// <summary><see cref="ForceFlags"/>; default 0</summary>
         public ForceFlags Flags;
-        /// <summary>initially 0</summary>
+        /// <summary>default 0</summary>
         public Float3 Force;
-        /// <summary>about the centre of mass; initially 0</summary>
+        /// <summary>about the centre of mass; default 0</summary>
         public Float3 Torque;
-        /// <summary>m; in the world frame a position, in the body frame from the centre of mass. Its arm is taken at
-        /// the time of the call</summary>
+        /// <summary>m; world frame: a position, body frame: from the centre of mass. The lever arm is fixed by the
+        /// call</summary>
         public Float3 Point;
         /// <summary>0.</summary>
         public uint Reserved;
@@ -77,21 +76,21 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>The same for many bodies of one batch, in the order of its view.</summary>
+    /// <summary>Forces on consecutive bodies of one batch, in the order of its view.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct ForceArrays
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary><see cref="ForceMode"/>; initially <see cref="ForceMode.Force"/></summary>
+        /// <summary><see cref="ForceMode"/>; default <see cref="ForceMode.Force"/></summary>
         public ForceMode Mode;
-        /// <summary><see cref="ForceFrame"/>; initially <see cref="ForceFrame.World"/></summary>
+        /// <summary><see cref="ForceFrame"/>; default <see cref="ForceFrame.World"/></summary>
         public ForceFrame Frame;
-        /// <summary>index in the view of the first body; initially 0</summary>
+        /// <summary>index in the view of the first body; default 0</summary>
         public uint First;
         /// <summary>bodies</summary>
         public uint Count;
-        /// <summary>bytes from one body's value to the next's, a multiple of 4; initially 0: no gaps, 4</summary>
+        /// <summary>bytes from one body's value to the next, a multiple of 4; default 0: 4, no gaps</summary>
         public uint Stride;
         /// <summary>x, y, z: <c>Count</c> values each, not kept; all three or none. Element 0 of 3.</summary>
         public float* ForceX;
@@ -99,11 +98,11 @@ namespace LangevinRigid
         public float* ForceY;
         /// <summary>x, y, z: <c>Count</c> values each, not kept; all three or none. Element 2 of 3.</summary>
         public float* ForceZ;
-        /// <summary>alike; all three or none. Element 0 of 3.</summary>
+        /// <summary>x, y, z: <c>Count</c> values each, not kept; all three or none. Element 0 of 3.</summary>
         public float* TorqueX;
-        /// <summary>alike; all three or none. Element 1 of 3.</summary>
+        /// <summary>x, y, z: <c>Count</c> values each, not kept; all three or none. Element 1 of 3.</summary>
         public float* TorqueY;
-        /// <summary>alike; all three or none. Element 2 of 3.</summary>
+        /// <summary>x, y, z: <c>Count</c> values each, not kept; all three or none. Element 2 of 3.</summary>
         public float* TorqueZ;
 
         /// <summary>One with its initial values and its size.</summary>
@@ -116,7 +115,8 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>What acts on every body of a batch. All initially 0, each component up to 1e9 in magnitude.</summary>
+    /// <summary>Forces on every body of a batch, until changed. All default to 0; each component up to 1e9 in
+    /// magnitude.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BatchForce
     {
@@ -132,13 +132,13 @@ namespace LangevinRigid
         public Float3 Acceleration;
         /// <summary>rad/s^2, world frame</summary>
         public Float3 AngularAcceleration;
-        /// <summary>the same four in the body frame</summary>
+        /// <summary>N, body frame</summary>
         public Float3 BodyForce;
-        /// <summary>Body torque.</summary>
+        /// <summary>N m, body frame</summary>
         public Float3 BodyTorque;
-        /// <summary>Body acceleration.</summary>
+        /// <summary>m/s^2, body frame</summary>
         public Float3 BodyAcceleration;
-        /// <summary>Body angular acceleration.</summary>
+        /// <summary>rad/s^2, body frame</summary>
         public Float3 BodyAngularAcceleration;
 
         /// <summary>One with its initial values and its size.</summary>

@@ -9,24 +9,22 @@ namespace LangevinRigid
     {
         /// <summary>Fills a struct with its initial values; <c>BatchDesc.Create()</c> does it with the right size.</summary>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_desc_init(BatchDesc* desc, uint structSize);
 
-        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (also desc-&gt;asset),
-        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>,
-        /// <see cref="Status.Capacity"/>, <see cref="Status.OutOfMemory"/>.</summary>
+        /// <summary>Creates a batch.</summary>
         /// <param name="world">the world</param>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="out">receives the batch, 0 after an error.</param>
+        /// <param name="out">receives the batch, id 0 after an error.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (also desc-&gt;asset),
         /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>,
         /// <see cref="Status.Capacity"/>, <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_create(IntPtr world, BatchDesc* desc, BatchId* @out);
 
-        /// <summary>Ends a batch with all its bodies. Those of batches that it met
-        /// (<see cref="Native.lr_batch_set_pair_contact"/>) wake.</summary>
+        /// <summary>Destroys a batch with all its bodies. Wakes the bodies of batches that had body contact with it
+        /// (<see cref="Native.lr_batch_set_body_contact"/>).</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
@@ -34,14 +32,22 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_destroy(IntPtr world, BatchId batch);
 
+        /// <summary>Returns 1 if the batch exists in this world, else 0. Never an error: see
+        /// <see cref="Native.lr_body_is_valid"/>.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="batch">handle of a batch of the world</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int lr_batch_is_valid(IntPtr world, BatchId batch);
+
         /// <summary>Fills a struct with its initial values; <c>TurbulenceTable.Create()</c> does it with the right size.</summary>
         /// <param name="table">table</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_turbulence_table_init(TurbulenceTable* table, uint structSize);
 
-        /// <summary>Replaces a batch's table; null puts the asset's own back. With AERODYNAMIC loads the table sets the
-        /// velocity of the fluid around the body, instead of the intensity in <see cref="Aerodynamics"/>.</summary>
+        /// <summary>Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the
+        /// table replaces the intensity of <see cref="Aerodynamics"/>: it sets the velocity of the fluid around the
+        /// body.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="table">table</param>
@@ -51,10 +57,10 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_set_turbulence_table(IntPtr world, BatchId batch, TurbulenceTable* table);
 
-        /// <summary>Coefficients of the AERODYNAMIC loads for a batch, in place of its asset's, from the next step on;
-        /// copied. Null puts the asset's own back. With intensity 0 and <see cref="LoadGains.Turbulence"/> 1 a fall is
-        /// the same for any seed. With other axes than the body's, or another center than 0, a body of
-        /// <see cref="AssetFlags.Diagonal"/> takes the slower path of all others.</summary>
+        /// <summary>Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The
+        /// struct is copied; null restores the asset's. With intensity 0 and <see cref="LoadGains.Turbulence"/> 1 a
+        /// fall is the same for any seed. Axes other than the body's, or a center other than 0, put an
+        /// <see cref="AssetFlags.Diagonal"/> body on the slower path of all other bodies.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="aerodynamics">aerodynamics</param>
@@ -64,7 +70,7 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_set_aerodynamics(IntPtr world, BatchId batch, Aerodynamics* aerodynamics);
 
-        /// <summary>What the batch's coefficients are at present.</summary>
+        /// <summary>Reads a batch's current coefficients.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="aerodynamics">initialised, or with struct_size set.</param>
@@ -75,12 +81,12 @@ namespace LangevinRigid
 
         /// <summary>Fills a struct with its initial values; <c>LoadGains.Create()</c> does it with the right size.</summary>
         /// <param name="gains">gains</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_load_gains_init(LoadGains* gains, uint structSize);
 
-        /// <summary>From the next step on; null puts all at 1. LANGEVIN loads have their gains in
-        /// <see cref="BatchDesc"/>.</summary>
+        /// <summary>Sets the gains of a batch from the next step on; null sets all to 1. The gains of LANGEVIN loads
+        /// are in <see cref="BatchDesc"/>.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="gains">gains</param>
@@ -90,25 +96,34 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_set_load_gains(IntPtr world, BatchId batch, LoadGains* gains);
 
-        /// <summary>How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight.
-        /// docs/reference/stepping.md.</summary>
+        /// <summary>Reads the gains of a batch.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
-        /// <param name="divisor">
-        /// <para>1 to 1024, at first 1. A batch of divisor n takes one substep where others take n: fewer in each step,
-        /// or, where n is more than the world's substeps, one in every so many steps, which makes up for all of them.
-        /// No substep gets longer by that than falls keep their statistics: 1/60 s, for bodies under 2.5 cm length_d /
-        /// 1.5 m/s. A divisor beyond has no more effect. From the next step on, at any time: a batch that waits makes
-        /// up for all of it when next stepped. While it waits</para>
-        /// <para>- views and <see cref="Native.lr_body_get_state"/> have the bodies as they were last stepped,
-        /// <see cref="BatchPace.Behind"/> ago, and bodies that are made</para>
-        /// <code>
-        ///    or set are taken to be from then; transforms are moved on by that time with the bodies' velocities;
-        ///  - a force on one of its bodies ends the waiting, and acts with the impulse that it would have had in one step;
-        ///  - its rules, emitter and events wait too.
-        /// Part of snapshots.
-        /// </code>
-        /// </param>
+        /// <param name="gains">initialised, or with struct_size set.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>,
+        /// <see cref="Status.StructSize"/>.</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_batch_get_load_gains(IntPtr world, BatchId batch, LoadGains* gains);
+
+        /// <summary>
+        /// <para>Sets how often a batch is stepped: level of detail for bodies that are far away, small or out of
+        /// sight. A batch of divisor n takes one substep where other batches take n: fewer in each step or, if n
+        /// exceeds the world's substeps, one every few steps that covers them all. Substeps are never so long that fall
+        /// statistics change: at most 1/60 s, and length_d / 1.5 m/s for bodies under 2.5 cm. Larger divisors have no
+        /// further effect. docs/reference/stepping.md. Takes effect at the next step and may change at any time: a
+        /// waiting batch catches up when it is next stepped. Part of snapshots. While a batch waits</para>
+        /// <para>- views and <see cref="Native.lr_body_get_state"/> show bodies as of their last step,
+        /// <see cref="BatchPace.Behind"/> ago;</para>
+        /// <para>- bodies that are created or set count as of that time too;</para>
+        /// <para>- <see cref="Native.lr_batch_write_transforms"/> extrapolates to the present by the bodies'
+        /// velocities;</para>
+        /// <para>- a force on one of its bodies ends the wait, and acts with the impulse that it would have had in one
+        /// step;</para>
+        /// <para>- its rules, emitter and events wait too.</para>
+        /// </summary>
+        /// <param name="world">the world</param>
+        /// <param name="batch">handle of a batch of the world</param>
+        /// <param name="divisor">1 to 1024; default 1.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>,
         /// <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -116,12 +131,11 @@ namespace LangevinRigid
 
         /// <summary>Fills a struct with its initial values; <c>BatchPace.Create()</c> does it with the right size.</summary>
         /// <param name="pace">pace</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_pace_init(BatchPace* pace, uint structSize);
 
-        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>,
-        /// <see cref="Status.StructSize"/>.</summary>
+        /// <summary>Reads a batch's rate and backlog.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="pace">initialised, or with struct_size set.</param>
@@ -132,12 +146,11 @@ namespace LangevinRigid
 
         /// <summary>Fills a struct with its initial values; <c>BatchView.Create()</c> does it with the right size.</summary>
         /// <param name="view">view</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_view_init(BatchView* view, uint structSize);
 
-        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>,
-        /// <see cref="Status.StructSize"/>.</summary>
+        /// <summary>Gets the view of a batch.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="view">initialised, or with struct_size set.</param>
@@ -146,20 +159,38 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_get_view(IntPtr world, BatchId batch, BatchView* view);
 
-        /// <summary>Writes the transforms of the first <paramref name="count"/> bodies of a batch, or of all where
-        /// there are fewer, in the order of its view; of one that waits (<see cref="Native.lr_batch_set_rate"/>), moved
-        /// on to the world's time. The mesh to be drawn must have its origin at the centre of mass
-        /// (<see cref="AssetInfo.CenterOfMass"/>). An instance buffer keeps what was written before: where
-        /// <see cref="BatchView.Revision"/> is that of the last time, bodies at rest then still lie there, and it is
-        /// enough to write as many as moved then or move now, the greater awake_count of the two. Else all:
-        /// docs/reference/bodies.md. Keep both numbers for each buffer that is written in turn.</summary>
+        /// <summary>Computes a box around all bodies of a batch, awake or asleep, for culling. Each body counts as the
+        /// sphere that contains it in any orientation; the box of a waiting batch
+        /// (<see cref="Native.lr_batch_set_rate"/>) also contains the places that
+        /// <see cref="Native.lr_batch_write_transforms"/> extrapolates to. The cost is proportional to the number of
+        /// bodies.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="batch">handle of a batch of the world</param>
+        /// <param name="low">receive x, y, z of the corners, m, world frame. A batch without bodies gives the largest
+        /// float in <paramref name="low"/> and its negative in <paramref name="high"/>: the union with any other box is
+        /// that box.</param>
+        /// <param name="high">receive x, y, z of the corners, m, world frame. A batch without bodies gives the largest
+        /// float in <paramref name="low"/> and its negative in <paramref name="high"/>: the union with any other box is
+        /// that box.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
+        /// <see cref="Status.StaleBatch"/>.</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_batch_get_bounds(IntPtr world, BatchId batch, float* low, float* high);
+
+        /// <summary>Writes the transforms of a batch's first <paramref name="count"/> bodies, or of all if there are
+        /// fewer, in the order of its view. Draw a mesh whose origin is the centre of mass
+        /// (<see cref="AssetInfo.CenterOfMass"/>). Bodies of a waiting batch (<see cref="Native.lr_batch_set_rate"/>)
+        /// are extrapolated to the world's time. An instance buffer that still holds the last write needs no rewrite of
+        /// sleeping bodies. While <see cref="BatchView.Revision"/> is unchanged, <paramref name="count"/> may be the
+        /// greater of the old and the new awake_count; otherwise write all bodies. Remember both numbers per buffer.
+        /// docs/reference/bodies.md.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="format">one of the constants above</param>
         /// <param name="dst">4-byte aligned, room for <paramref name="count"/> elements <paramref name="stride"/> bytes
         /// apart.</param>
-        /// <param name="stride">0 for elements without gaps, else a multiple of 4, at least an element.</param>
-        /// <param name="count">elements of the arrays</param>
+        /// <param name="stride">0 for elements without gaps, else a multiple of 4 no smaller than an element.</param>
+        /// <param name="count">number of elements</param>
         /// <param name="written">elements written; may be null.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (dst may be null only when nothing is to
         /// be written), <see cref="Status.StaleBatch"/>, <see cref="Status.InvalidArgument"/>.</returns>

@@ -9,46 +9,52 @@ namespace LangevinRigid
     {
         /// <summary>Fills a struct with its initial values; <c>ColliderDesc.Create()</c> does it with the right size.</summary>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_collider_desc_init(ColliderDesc* desc, uint structSize);
 
-        /// <summary>Creates <paramref name="count"/> colliders, all or none. They are there from the next step on.
-        /// Hulls, heightfields and meshes that are equal share one copy of their data.</summary>
+        /// <summary>Creates <paramref name="count"/> colliders, all or none, which collide from the next step on. Equal
+        /// hulls, heightfields and meshes share one copy of their data.</summary>
         /// <param name="world">the world</param>
         /// <param name="descs"><paramref name="count"/> elements.</param>
-        /// <param name="count">elements of the arrays</param>
-        /// <param name="outIds">receives <paramref name="count"/> ids; may be null.</param>
-        /// <returns><see cref="Status.Ok"/> (also for count 0), <see cref="Status.NullArgument"/> (also arrays that the
-        /// kind needs), <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
-        /// <see cref="Status.InvalidArgument"/> (also a hull that is flat: thinner than 1e-4 of its largest extent; a
-        /// mesh with an index out of range, or no triangle with an area), <see cref="Status.Capacity"/>,
+        /// <param name="count">number of elements</param>
+        /// <param name="outIds">receives <paramref name="count"/> handles; may be null.</param>
+        /// <returns><see cref="Status.Ok"/> (also for count 0), <see cref="Status.NullArgument"/> (also for arrays that
+        /// the kind needs), <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
+        /// <see cref="Status.InvalidArgument"/> (also for a flat hull, thinner than 1e-4 of its largest extent, and for
+        /// a mesh with an index out of range or no triangle with an area), <see cref="Status.Capacity"/>,
         /// <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_collider_create(IntPtr world, ColliderDesc* descs, uint count, ColliderId* outIds);
 
-        /// <summary>Destroys <paramref name="count"/> colliders, all or none: if one of them is stale, or given twice,
-        /// nothing is destroyed.</summary>
+        /// <summary>Destroys <paramref name="count"/> colliders, all or none: a stale or repeated handle fails the
+        /// call.</summary>
         /// <param name="world">the world</param>
         /// <param name="colliders"><paramref name="count"/> handles of colliders</param>
-        /// <param name="count">elements of the arrays</param>
+        /// <param name="count">number of elements</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
         /// <see cref="Status.StaleCollider"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_collider_destroy(IntPtr world, ColliderId* colliders, uint count);
 
+        /// <summary>Returns 1 if the collider exists in this world, else 0. Never an error: see
+        /// <see cref="Native.lr_body_is_valid"/>.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="collider">handle of a collider</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int lr_collider_is_valid(IntPtr world, ColliderId collider);
+
         /// <summary>Fills a struct with its initial values; <c>ColliderMotion.Create()</c> does it with the right size.</summary>
         /// <param name="motion">motion</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_collider_motion_init(ColliderMotion* motion, uint structSize);
 
-        /// <summary>Moves <paramref name="count"/> colliders, all or none, in this order: of several motions of one
-        /// collider the last holds. Planes that turn keep all bodies of the world from the fast path while they
-        /// do.</summary>
+        /// <summary>Moves <paramref name="count"/> colliders, all or none, in order: the last motion of a collider
+        /// wins. While a plane rotates, no body of the world can use the fast path.</summary>
         /// <param name="world">the world</param>
         /// <param name="motions">motions</param>
-        /// <param name="count">elements of the arrays</param>
+        /// <param name="count">number of elements</param>
         /// <returns><see cref="Status.Ok"/> (also for count 0), <see cref="Status.NullArgument"/>,
         /// <see cref="Status.StructSize"/>, <see cref="Status.StaleCollider"/>, <see cref="Status.NotFinite"/>,
         /// <see cref="Status.InvalidArgument"/>, <see cref="Status.OutOfMemory"/>.</returns>
@@ -57,46 +63,45 @@ namespace LangevinRigid
 
         /// <summary>Fills a struct with its initial values; <c>ColliderState.Create()</c> does it with the right size.</summary>
         /// <param name="state">state</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_collider_state_init(ColliderState* state, uint structSize);
 
-        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleCollider"/>,
-        /// <see cref="Status.StructSize"/>.</summary>
+        /// <summary>Reads the state of a collider.</summary>
         /// <param name="world">the world</param>
-        /// <param name="collider">a collider's handle</param>
+        /// <param name="collider">handle of a collider</param>
         /// <param name="state">initialised, or with struct_size set.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleCollider"/>,
         /// <see cref="Status.StructSize"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_collider_get_state(IntPtr world, ColliderId collider, ColliderState* state);
 
-        /// <summary>Fills a struct with its initial values; <c>ColliderSurface.Create()</c> does it with the right size.</summary>
-        /// <param name="surface">surface</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <summary>Fills a struct with its initial values; <c>ColliderMaterial.Create()</c> does it with the right size.</summary>
+        /// <param name="material">material</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_collider_surface_init(ColliderSurface* surface, uint structSize);
+        public static extern Status lr_material_init(ColliderMaterial* material, uint structSize);
 
-        /// <summary>Gives <paramref name="count"/> colliders the same surface, all or none, from the next step
+        /// <summary>Sets one material for <paramref name="count"/> colliders, all or none, from the next step
         /// on.</summary>
         /// <param name="world">the world</param>
         /// <param name="colliders"><paramref name="count"/> handles of colliders</param>
-        /// <param name="count">elements of the arrays</param>
-        /// <param name="surface">surface</param>
+        /// <param name="count">number of elements</param>
+        /// <param name="material">material</param>
         /// <returns><see cref="Status.Ok"/> (also for count 0), <see cref="Status.NullArgument"/>,
         /// <see cref="Status.StaleCollider"/>, <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
         /// <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_collider_set_surface(IntPtr world, ColliderId* colliders, uint count, ColliderSurface* surface);
+        public static extern Status lr_collider_set_material(IntPtr world, ColliderId* colliders, uint count, ColliderMaterial* material);
 
         /// <summary>Fills a struct with its initial values; <c>BatchContact.Create()</c> does it with the right size.</summary>
         /// <param name="contact">contact</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_contact_init(BatchContact* contact, uint structSize);
 
-        /// <summary>From the next step on; copied. Null is what a batch has initially. Wakes the batch's bodies at
-        /// rest. Part of snapshots.</summary>
+        /// <summary>Sets how a batch collides from the next step on. The struct is copied; null restores the defaults.
+        /// Wakes the batch's sleeping bodies. Part of snapshots.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="contact">contact</param>
@@ -106,8 +111,7 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_set_contact(IntPtr world, BatchId batch, BatchContact* contact);
 
-        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>,
-        /// <see cref="Status.StructSize"/>.</summary>
+        /// <summary>Reads how a batch collides.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="contact">initialised, or with struct_size set.</param>
@@ -116,14 +120,14 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_get_contact(IntPtr world, BatchId batch, BatchContact* contact);
 
-        /// <summary>Whether bodies of <paramref name="a"/> and of <paramref name="b"/> meet each other, from the next
-        /// step on; their order does not matter, and a == b are the bodies of one batch among themselves. Initially
-        /// none do. Friction, restitution and rolling resistance are those of <see cref="BatchContact"/>: of a pair,
-        /// friction is the geometric mean of both and restitution the larger. Layers are for colliders alone. Bodies of
-        /// batches that are stepped at different rates (<see cref="Native.lr_batch_set_rate"/>), or wait for a budget,
-        /// meet only while one of both is at rest. A change wakes the bodies at rest of both batches, and the end of
-        /// one batch those of the other. Part of snapshots. The first pair of a batch takes 28 bytes for each of its
-        /// capacity, and up to 75 more unless there have been colliders. docs/maintainers/contact.md</summary>
+        /// <summary>Turns body contact on or off from the next step on: collisions between bodies of
+        /// <paramref name="a"/> and bodies of <paramref name="b"/>, in either order. Pass the same batch twice for
+        /// collisions within it. Off by default. Contacts use friction, restitution and rolling resistance of
+        /// <see cref="BatchContact"/>, combined as there; layers apply to colliders only. Bodies of batches stepped at
+        /// different rates (<see cref="Native.lr_batch_set_rate"/>), or waiting for the budget, collide only while one
+        /// of the two is asleep. A change wakes the sleeping bodies of both batches. Part of snapshots. A batch's first
+        /// pair allocates 28 bytes for each body of its capacity, and up to 75 more if the world has never had
+        /// colliders. docs/maintainers/contact.md.</summary>
         /// <param name="world">the world</param>
         /// <param name="a">handle of a batch of the world</param>
         /// <param name="b">handle of a batch of the world</param>
@@ -131,10 +135,9 @@ namespace LangevinRigid
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world), <see cref="Status.StaleBatch"/>
         /// (either), <see cref="Status.InvalidArgument"/> (enabled), <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_set_pair_contact(IntPtr world, BatchId a, BatchId b, int enabled);
+        public static extern Status lr_batch_set_body_contact(IntPtr world, BatchId a, BatchId b, int enabled);
 
-        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>
-        /// (either).</summary>
+        /// <summary>Reads whether bodies of two batches collide.</summary>
         /// <param name="world">the world</param>
         /// <param name="a">handle of a batch of the world</param>
         /// <param name="b">handle of a batch of the world</param>
@@ -142,6 +145,6 @@ namespace LangevinRigid
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>
         /// (either).</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_get_pair_contact(IntPtr world, BatchId a, BatchId b, int* enabled);
+        public static extern Status lr_batch_get_body_contact(IntPtr world, BatchId a, BatchId b, int* enabled);
     }
 }

@@ -8,20 +8,21 @@ namespace LangevinRigid
     public static unsafe partial class Native
     {
         /// <summary>
-        /// <para>Writes the instruction sets that this build has and this processor can run, best first.</para>
+        /// <para>Lists the instruction sets that this build contains and this processor supports, best first.</para>
         /// <para>Any thread.</para>
         /// </summary>
-        /// <param name="targets"><paramref name="capacity"/> values, may be null when capacity is 0.</param>
-        /// <param name="capacity">elements that there is room for</param>
-        /// <param name="count">how many there are, even if more than capacity.</param>
+        /// <param name="targets">receives up to <paramref name="capacity"/> values; may be null when capacity is
+        /// 0.</param>
+        /// <param name="capacity">number of elements that fit</param>
+        /// <param name="count">receives the full number, even if it exceeds capacity.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.BufferTooSmall"/>
         /// (count is set).</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_simd_targets(SimdTarget* targets, uint capacity, uint* count);
 
         /// <summary>
-        /// <para>A name for people: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown";
-        /// never null; static storage.</para>
+        /// <para>A display name: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown". Never
+        /// null; static storage.</para>
         /// <para>Any thread.</para>
         /// </summary>
         /// <param name="target">target</param>

@@ -9,14 +9,12 @@ namespace LangevinRigid
     {
         /// <summary>Fills a struct with its initial values; <c>WorldDesc.Create()</c> does it with the right size.</summary>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_desc_init(WorldDesc* desc, uint structSize);
 
         /// <summary>
-        /// <para><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StructSize"/>,
-        /// <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>, <see cref="Status.Unsupported"/>
-        /// (simd_target), <see cref="Status.OutOfMemory"/>, <see cref="Status.Threads"/>.</para>
+        /// <para>Creates a world.</para>
         /// <para>Any thread.</para>
         /// </summary>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
@@ -27,29 +25,28 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_create(WorldDesc* desc, IntPtr* @out);
 
-        /// <summary>Frees a world with all its batches and bodies, and ends its worker threads. A recording ends. Null
-        /// is fine.</summary>
+        /// <summary>Destroys a world with its batches and bodies, stops its worker threads and ends its recording. Null
+        /// is allowed.</summary>
         /// <param name="world">the world</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void lr_world_destroy(IntPtr world);
 
         /// <summary>Fills a struct with its initial values; <c>WorldInfo.Create()</c> does it with the right size.</summary>
         /// <param name="info">info</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_info_init(WorldInfo* info, uint structSize);
 
-        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
-        /// <see cref="Status.StructSize"/>.</summary>
+        /// <summary>Reads counts, time and settings of the world.</summary>
         /// <param name="world">the world</param>
-        /// <param name="info">info</param>
+        /// <param name="info">initialised, or with struct_size set.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
         /// <see cref="Status.StructSize"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_get_info(IntPtr world, WorldInfo* info);
 
-        /// <summary>Takes effect with the next step. Another one than before wakes all bodies
-        /// (<see cref="Native.lr_body_set_rest"/>).</summary>
+        /// <summary>Sets gravity from the next step on. A change wakes all bodies
+        /// (<see cref="Native.lr_body_set_sleep"/>).</summary>
         /// <param name="world">the world</param>
         /// <param name="gravity">m/s^2, 3 values, each up to 1e4 in magnitude.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.NotFinite"/>,
@@ -57,63 +54,209 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_set_gravity(IntPtr world, float* gravity);
 
-        /// <summary>Changes the instruction set from the next step on; results do not change.</summary>
+        /// <summary>Sets the instruction set from the next step on. Results do not change.</summary>
         /// <param name="world">the world</param>
-        /// <param name="target">target</param>
+        /// <param name="target"><see cref="SimdTarget"/>.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.InvalidArgument"/>,
         /// <see cref="Status.Unsupported"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_set_simd_target(IntPtr world, SimdTarget target);
 
-        /// <summary>Fills a struct with its initial values; <c>WindDesc.Create()</c> does it with the right size.</summary>
-        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_wind_desc_init(WindDesc* desc, uint structSize);
-
-        /// <summary>The uniform part of the fluid's velocity; copied. Bodies feel the fluid's velocity relative to
-        /// theirs. A change is spread evenly over the next step, and bodies feel the fluid's acceleration in it
-        /// (Froude-Krylov force and added mass): one that has the fluid's density is carried along, a heavy one keeps
-        /// most of its velocity. What is set before the world's first step is there from the beginning and accelerates
-        /// nothing; setting the same wind again changes nothing. Null is still fluid.
-        /// docs/reference/wind_and_water.md.</summary>
+        /// <summary>Sets the uniform wind, the same velocity everywhere; 0 before the first call. A change is spread
+        /// evenly over the next step, in which bodies feel the fluid accelerate (Froude-Krylov force and added mass): a
+        /// body as dense as the fluid is carried along, a heavy one keeps most of its velocity. A wind set before the
+        /// world's first step is there from the beginning and accelerates nothing. Setting the same wind again changes
+        /// nothing.</summary>
         /// <param name="world">the world</param>
-        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world),
-        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
+        /// <param name="x">m/s, each up to 1000 in magnitude.</param>
+        /// <param name="y">m/s, each up to 1000 in magnitude.</param>
+        /// <param name="z">m/s, each up to 1000 in magnitude.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.NotFinite"/>,
         /// <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_world_set_wind(IntPtr world, WindDesc* desc);
+        public static extern Status lr_world_set_uniform_wind(IntPtr world, float x, float y, float z);
 
-        /// <summary>Fills a struct with its initial values; <c>WindSourceDesc.Create()</c> does it with the right size.</summary>
-        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <summary>Reads the uniform wind that was set last.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="velocity">receives 3 values, m/s; unchanged after an error.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_wind_source_desc_init(WindSourceDesc* desc, uint structSize);
+        public static extern Status lr_world_get_uniform_wind(IntPtr world, float* velocity);
 
-        /// <summary>Adds a source. Bodies keep their velocities: a field that appears is not one that
-        /// accelerates.</summary>
+        /// <summary>Fills a struct with its initial values; <c>GustsDesc.Create()</c> does it with the right size.</summary>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_gusts_desc_init(GustsDesc* desc, uint structSize);
+
+        /// <summary>Adds gusts. The struct is copied.</summary>
         /// <param name="world">the world</param>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="out">receives the handle, 0 after an error; may be null.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (also desc-&gt;samples of a grid),
-        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>,
-        /// <see cref="Status.Capacity"/>, <see cref="Status.OutOfMemory"/>.</returns>
+        /// <param name="out">receives the handle, id 0 after an error; may be null.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StructSize"/>,
+        /// <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>, <see cref="Status.Capacity"/> (of
+        /// sources), <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_world_add_wind(IntPtr world, WindSourceDesc* desc, WindSourceId* @out);
+        public static extern Status lr_world_add_gusts(IntPtr world, GustsDesc* desc, WindSourceId* @out);
 
-        /// <summary>Replaces everything of a source, also its kind. A grid may be given without samples: it then keeps
-        /// those it has, if counts and frames are as before.</summary>
+        /// <summary>Replaces all values of a source of this kind.</summary>
         /// <param name="world">the world</param>
         /// <param name="source">handle of a wind source of the world</param>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.StaleWindSource"/>, and what
-        /// <see cref="Native.lr_world_add_wind"/> returns.</returns>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.StaleWindSource"/>, <see cref="Status.InvalidArgument"/>
+        /// (also a source of another kind), and every status of <see cref="Native.lr_world_add_gusts"/> but
+        /// <see cref="Status.Capacity"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_world_update_wind(IntPtr world, WindSourceId source, WindSourceDesc* desc);
+        public static extern Status lr_world_update_gusts(IntPtr world, WindSourceId source, GustsDesc* desc);
 
-        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
-        /// <see cref="Status.StaleWindSource"/>.</summary>
+        /// <summary>Reads a source of this kind as it was added or last updated.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised, or with struct_size set; unchanged after an error.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StructSize"/>,
+        /// <see cref="Status.StaleWindSource"/>, <see cref="Status.InvalidArgument"/> (a source of another
+        /// kind).</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_get_gusts(IntPtr world, WindSourceId source, GustsDesc* desc);
+
+        /// <summary>Fills a struct with its initial values; <c>VortexDesc.Create()</c> does it with the right size.</summary>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_vortex_desc_init(VortexDesc* desc, uint structSize);
+
+        /// <summary>Adds a vortex. Returns what <see cref="Native.lr_world_add_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="out">the handle; may be null.</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_add_vortex(IntPtr world, VortexDesc* desc, WindSourceId* @out);
+
+        /// <summary>Updates a vortex. Returns what <see cref="Native.lr_world_update_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_update_vortex(IntPtr world, WindSourceId source, VortexDesc* desc);
+
+        /// <summary>Reads a vortex as last set. Returns what <see cref="Native.lr_world_get_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_get_vortex(IntPtr world, WindSourceId source, VortexDesc* desc);
+
+        /// <summary>Fills a struct with its initial values; <c>BlowerDesc.Create()</c> does it with the right size.</summary>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_blower_desc_init(BlowerDesc* desc, uint structSize);
+
+        /// <summary>Adds a blower. Returns what <see cref="Native.lr_world_add_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="out">the handle; may be null.</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_add_blower(IntPtr world, BlowerDesc* desc, WindSourceId* @out);
+
+        /// <summary>Updates a blower. Returns what <see cref="Native.lr_world_update_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_update_blower(IntPtr world, WindSourceId source, BlowerDesc* desc);
+
+        /// <summary>Reads a blower as last set. Returns what <see cref="Native.lr_world_get_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_get_blower(IntPtr world, WindSourceId source, BlowerDesc* desc);
+
+        /// <summary>Fills a struct with its initial values; <c>TurbulenceDesc.Create()</c> does it with the right size.</summary>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_turbulence_desc_init(TurbulenceDesc* desc, uint structSize);
+
+        /// <summary>Adds turbulence. Returns what <see cref="Native.lr_world_add_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="out">the handle; may be null.</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_add_turbulence(IntPtr world, TurbulenceDesc* desc, WindSourceId* @out);
+
+        /// <summary>Updates turbulence. Returns what <see cref="Native.lr_world_update_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_update_turbulence(IntPtr world, WindSourceId source, TurbulenceDesc* desc);
+
+        /// <summary>Reads turbulence as last set. Returns what <see cref="Native.lr_world_get_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_get_turbulence(IntPtr world, WindSourceId source, TurbulenceDesc* desc);
+
+        /// <summary>Fills a struct with its initial values; <c>WindGridDesc.Create()</c> does it with the right size.</summary>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_wind_grid_desc_init(WindGridDesc* desc, uint structSize);
+
+        /// <summary>Adds a grid. Returns what <see cref="Native.lr_world_add_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="out">the handle; may be null.</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_add_wind_grid(IntPtr world, WindGridDesc* desc, WindSourceId* @out);
+
+        /// <summary>Updates a grid. Returns what <see cref="Native.lr_world_update_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_update_wind_grid(IntPtr world, WindSourceId source, WindGridDesc* desc);
+
+        /// <summary>Reads a grid as last set. Returns what <see cref="Native.lr_world_get_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_get_wind_grid(IntPtr world, WindSourceId source, WindGridDesc* desc);
+
+        /// <summary>Fills a struct with its initial values; <c>GroundWindDesc.Create()</c> does it with the right size.</summary>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_ground_wind_desc_init(GroundWindDesc* desc, uint structSize);
+
+        /// <summary>Adds the wind over a ground. Returns what <see cref="Native.lr_world_add_gusts"/> would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        /// <param name="out">the handle; may be null.</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_add_ground_wind(IntPtr world, GroundWindDesc* desc, WindSourceId* @out);
+
+        /// <summary>Updates the wind over a ground. Returns what <see cref="Native.lr_world_update_gusts"/>
+        /// would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_update_ground_wind(IntPtr world, WindSourceId source, GroundWindDesc* desc);
+
+        /// <summary>Reads the wind over a ground as last set. Returns what <see cref="Native.lr_world_get_gusts"/>
+        /// would.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_get_ground_wind(IntPtr world, WindSourceId source, GroundWindDesc* desc);
+
+        /// <summary>Removes a source of any kind.</summary>
         /// <param name="world">the world</param>
         /// <param name="source">handle of a wind source of the world</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
@@ -121,72 +264,92 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_remove_wind(IntPtr world, WindSourceId source);
 
-        /// <summary>An engine's own field, added to all else. Null removes it. Not part of snapshots.</summary>
+        /// <summary>Returns 1 if the wind source exists in this world, else 0. Never an error: see
+        /// <see cref="Native.lr_body_is_valid"/>.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="source">handle of a wind source of the world</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern int lr_wind_source_is_valid(IntPtr world, WindSourceId source);
+
+        /// <summary>Sets a callback that adds an engine's own wind field to all other wind. Null removes it. Not part
+        /// of snapshots.</summary>
         /// <param name="world">the world</param>
         /// <param name="callback">callback</param>
-        /// <param name="user">as given along with the function</param>
+        /// <param name="user">passed to each call of the function</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world).</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_set_wind_callback(IntPtr world, IntPtr callback, IntPtr user);
 
-        /// <summary>The velocity of the fluid at the world's present time, of all sources: for particles, cloth, arrows
-        /// on a screen.</summary>
+        /// <summary>Evaluates the fluid's velocity from all sources at the world's current time, for particles, cloth
+        /// or debug arrows.</summary>
         /// <param name="world">the world</param>
         /// <param name="positions">3 * count values, m, x y z x y z ..., each up to 1e9 in magnitude.</param>
-        /// <param name="count">elements of the arrays</param>
-        /// <param name="velocities">receives 3 * count, m/s. Both may be null when count is 0; they may be the same
+        /// <param name="count">number of elements</param>
+        /// <param name="velocities">receives 3 * count, m/s. Both may be null when count is 0, and both may be the same
         /// array.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.NotFinite"/>,
         /// <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_sample_wind(IntPtr world, float* positions, uint count, float* velocities);
 
-        /// <summary>Fills a struct with its initial values; <c>SurfaceDesc.Create()</c> does it with the right size.</summary>
+        /// <summary>Fills a struct with its initial values; <c>WaterDesc.Create()</c> does it with the right size.</summary>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_surface_desc_init(SurfaceDesc* desc, uint structSize);
+        public static extern Status lr_water_desc_init(WaterDesc* desc, uint structSize);
 
-        /// <summary>From the next step on; copied. Null removes it. Bodies keep their velocities, also those that are
-        /// now in another fluid. A batch whose mass matrix is singular in it stays in its own, with a warning. Part of
-        /// snapshots and hash.</summary>
+        /// <summary>Sets the water from the next step on. The struct is copied; null removes the water. Bodies keep
+        /// their velocities, even if they are now in another fluid. A batch whose mass matrix would be singular in
+        /// water stays in its own fluid, and a warning is logged. Part of snapshots and of the world's hash.</summary>
         /// <param name="world">the world</param>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world),
         /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
         /// <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_world_set_surface(IntPtr world, SurfaceDesc* desc);
+        public static extern Status lr_world_set_water(IntPtr world, WaterDesc* desc);
 
-        /// <summary>An engine's own water, while there is a surface. Null removes it. Not part of snapshots.</summary>
+        /// <summary>Reads the water.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="desc">initialised, or with struct_size set; receives initial values if there is no
+        /// water.</param>
+        /// <param name="present">receives 1 or 0.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
+        /// <see cref="Status.StructSize"/>.</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_get_water(IntPtr world, WaterDesc* desc, int* present);
+
+        /// <summary>Sets a callback for an engine's own water, used while <see cref="Native.lr_world_set_water"/> has
+        /// set a surface. Null removes it. Not part of snapshots.</summary>
         /// <param name="world">the world</param>
         /// <param name="callback">callback</param>
-        /// <param name="user">as given along with the function</param>
+        /// <param name="user">passed to each call of the function</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world).</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_world_set_surface_callback(IntPtr world, IntPtr callback, IntPtr user);
+        public static extern Status lr_world_set_water_callback(IntPtr world, IntPtr callback, IntPtr user);
 
-        /// <summary>Advances all bodies by dt in <paramref name="substeps"/> equal parts.</summary>
+        /// <summary>Advances all bodies by dt, in <paramref name="substeps"/> equal parts. At 60 Hz use 2 substeps for
+        /// leaves and paper of a few centimetres, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end
+        /// bodies and emitters spawn them at the end of the step. Allocates only in the case that
+        /// <see cref="Allocator"/> describes. Saves, sets and restores the calling thread's floating-point
+        /// mode.</summary>
         /// <param name="world">the world</param>
         /// <param name="dt">s, &gt; 0.</param>
-        /// <param name="substeps">1 to <see cref="Limits.MaxSubsteps"/>; at 60 Hz, 2 suit leaves and paper of some
-        /// centimetres, 4 petals and confetti (docs/maintainers/numerics.md). At its end bodies end and are born as the
-        /// batches' rules and emitters say. Allocates nothing but what <see cref="Allocator"/> says. The floating-point
-        /// mode of the calling thread is saved, set and restored.</param>
+        /// <param name="substeps">1 to <see cref="Limits.MaxSubsteps"/>.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <c>Status.Timestep*</c>,
-        /// <see cref="Status.Substeps"/>, <see cref="Status.OutOfMemory"/>: the step has been taken, not to be
-        /// repeated, but bodies went through each other in it; the next one asks for the memory again.</returns>
+        /// <see cref="Status.Substeps"/>, <see cref="Status.OutOfMemory"/>: the step was taken, so do not repeat it,
+        /// but bodies may have passed through each other. The next step asks for the memory again.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_step(IntPtr world, float dt, uint substeps);
 
-        /// <summary>A budget for the work of each step: a count of substeps of single bodies, whatever each of them
-        /// costs, at most 2^48; 0, as at first: none. From the next step on; part of snapshots. Where the batches that
-        /// are due want more, each gets the fewest substeps that keep falls as they are
-        /// (<see cref="Native.lr_batch_set_rate"/>), those that have waited longest first; nobody waits for ever. The
-        /// same calls give the same bits on every machine. A batch on whose single bodies forces act is stepped at
-        /// once, even over the budget. docs/reference/stepping.md.</summary>
+        /// <summary>Limits the work of each step to a number of substeps of single bodies: the same work, so the same
+        /// bits, on every machine. Takes effect at the next step. Part of snapshots. If the batches that are due need
+        /// more, each first gets the fewest substeps that preserve its fall statistics
+        /// (<see cref="Native.lr_batch_set_rate"/>); batches that have waited longest come first, and none waits
+        /// forever. A batch with forces on single bodies is stepped at once, even beyond the budget.
+        /// docs/reference/stepping.md.</summary>
         /// <param name="world">the world</param>
-        /// <param name="bodySubsteps">body substeps</param>
+        /// <param name="bodySubsteps">at most 2^48; 0, the default, for no limit.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
         /// <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -194,23 +357,36 @@ namespace LangevinRigid
 
         /// <summary>Fills a struct with its initial values; <c>StepReport.Create()</c> does it with the right size.</summary>
         /// <param name="report">report</param>
-        /// <param name="structSize">sizeof the struct as the caller sees it</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_step_report_init(StepReport* report, uint structSize);
 
-        /// <summary><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
-        /// <see cref="Status.StructSize"/>.</summary>
+        /// <summary>Reads the report of the last step: zeros before the first step and after a snapshot is
+        /// restored.</summary>
         /// <param name="world">the world</param>
-        /// <param name="report">initialised, or with struct_size set. Zeros before the first step, and after a snapshot
-        /// was restored.</param>
+        /// <param name="report">initialised, or with struct_size set.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
         /// <see cref="Status.StructSize"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_get_step_report(IntPtr world, StepReport* report);
 
-        /// <summary>A hash of the state of all bodies and the time index. Independent of the order of bodies in memory,
-        /// of the processor and of worker_count; equal hashes mean equal motion from here on, given equal worlds. Wind
-        /// sources are part of it, grids by the hash of their samples, the surface, and colliders.</summary>
+        /// <summary>Fills a struct with its initial values; <c>Timings.Create()</c> does it with the right size.</summary>
+        /// <param name="timings">timings</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_timings_init(Timings* timings, uint structSize);
+
+        /// <summary>Reads the timings of the last step: zeros before the first one.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="timings">initialised, or with struct_size set.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
+        /// <see cref="Status.StructSize"/>.</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_world_get_timings(IntPtr world, Timings* timings);
+
+        /// <summary>Computes a hash of the world's time index, bodies, colliders, water and wind sources (grids by the
+        /// hash of their samples). It does not depend on the order of bodies in memory, the processor or worker_count.
+        /// Worlds with equal settings and equal hashes move alike from here on.</summary>
         /// <param name="world">the world</param>
         /// <param name="out">out</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>.</returns>
@@ -222,28 +398,28 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern ulong lr_world_snapshot_size(IntPtr world);
 
-        /// <summary>Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads,
-        /// forces, rules, emitter, rates, budget, colliders with their ids, how batches meet them and each other) into
-        /// <paramref name="size"/> bytes at <paramref name="memory"/>, any alignment. Assets, how batches were created,
-        /// threads and callbacks are not part of it, nor the samples of wind grids and the data of hulls, heightfields
-        /// and meshes, which are named by their hash.</summary>
+        /// <summary>Writes the world's state into <paramref name="size"/> bytes at <paramref name="memory"/>, of any
+        /// alignment: time, gravity, wind, water, budget; bodies and colliders with their handles; each batch's
+        /// turbulence table, loads, forces, rules, emitter, rate and contact settings. Not included: assets, the descs
+        /// of batches, threads, callbacks, the samples of wind grids, and the data of hulls, heightfields and meshes;
+        /// samples and data are identified by their hash.</summary>
         /// <param name="world">the world</param>
         /// <param name="memory">the bytes</param>
-        /// <param name="size">bytes</param>
+        /// <param name="size">number of bytes</param>
         /// <param name="written">bytes used; may be null.</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
         /// <see cref="Status.BufferTooSmall"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_snapshot_save(IntPtr world, void* memory, ulong size, ulong* written);
 
-        /// <summary>Puts a saved state back, also into another world or process whose batches were created in the same
-        /// order from equal assets with equal capacities. Bodies, wind sources and colliders have the same ids as when
-        /// it was saved; grids of wind, hulls, heightfields and meshes must be in the world already, in any place.
-        /// Checked whole before anything changes. Allocates nothing where the world has held as much before.
-        /// docs/reference/snapshots.md: which versions restore which snapshots.</summary>
+        /// <summary>Restores a saved state. The world may be another one, also in another process, if its batches were
+        /// created in the same order from equal assets with equal capacities. Bodies, wind sources and colliders get
+        /// their handles back. Wind grids, hulls, heightfields and meshes must already be in the world, anywhere. The
+        /// snapshot is checked as a whole before anything changes. Allocates nothing in a world that has held as much
+        /// before. docs/reference/snapshots.md says which versions restore which snapshots.</summary>
         /// <param name="world">the world</param>
         /// <param name="memory">the bytes</param>
-        /// <param name="size">bytes</param>
+        /// <param name="size">number of bytes</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.SnapshotFormat"/>,
         /// <see cref="Status.SnapshotMismatch"/>, <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

@@ -30,20 +30,20 @@ namespace LangevinRigid
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Ray
     {
-        /// <summary>Size of the struct in bytes, set by <c>Create</c>. The same in all elements of an array: it is the
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>. Equal in all elements of an array: also the
         /// array's stride.</summary>
         public uint StructSize;
-        /// <summary><see cref="RayFlags"/>, what it can hit; initially both</summary>
+        /// <summary><see cref="RayFlags"/>: what it can hit; default both</summary>
         public RayFlags Flags;
-        /// <summary>m, up to 1e9 in magnitude; initially 0</summary>
+        /// <summary>m, up to 1e9 in magnitude; default 0</summary>
         public Float3 Origin;
-        /// <summary>of any length from 1e-6 to 1e6; initially 0, -1, 0</summary>
+        /// <summary>any length from 1e-6 to 1e6; default 0, -1, 0</summary>
         public Float3 Direction;
-        /// <summary>m, 0 to 1e9; initially 1e9</summary>
+        /// <summary>m, 0 to 1e9; default 1e9</summary>
         public float MaxDistance;
-        /// <summary>whose bodies it can hit; initially 0: all</summary>
+        /// <summary>hits bodies of this batch only; default id 0: of all batches</summary>
         public BatchId Batch;
-        /// <summary>bits: it meets colliders that have one of them; initially all</summary>
+        /// <summary>bits: hits colliders that share at least one; default all</summary>
         public uint ColliderLayers;
         /// <summary>0.</summary>
         public uint Reserved;
@@ -58,20 +58,22 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>Never changes: 48 bytes, an element of arrays without gaps. All 0 where nothing is hit.</summary>
+    /// <summary>The first hit of a ray, all 0 if there is none: 56 bytes in arrays without gaps. This struct never
+    /// changes after 0.2.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct RayHit
     {
-        /// <summary>0 where it is a collider</summary>
+        /// <summary>id 0: it hit a collider</summary>
         public BodyId Body;
-        /// <summary>0 where it is a body</summary>
+        /// <summary>the body's: <see cref="BodyDesc.User"/></summary>
+        public ulong User;
+        /// <summary>id 0: it hit a body</summary>
         public ColliderId Collider;
         /// <summary>m, from the ray's origin</summary>
         public float Distance;
         /// <summary>m, world frame</summary>
         public Float3 Position;
-        /// <summary>unit, world frame, out of what is hit; against the ray where that begins inside, at distance
-        /// 0</summary>
+        /// <summary>unit, world frame, outward. If the ray starts inside: against the ray, at distance 0</summary>
         public Float3 Normal;
         /// <summary>0.</summary>
         public uint Reserved;
@@ -83,15 +85,15 @@ namespace LangevinRigid
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary><see cref="OverlapShape"/>; initially <see cref="OverlapShape.Sphere"/></summary>
+        /// <summary><see cref="OverlapShape"/>; default <see cref="OverlapShape.Sphere"/></summary>
         public OverlapShape Shape;
-        /// <summary>m, of its middle, up to 1e9 in magnitude; initially 0</summary>
+        /// <summary>m, of its centre, up to 1e9 in magnitude; default 0</summary>
         public Float3 Position;
-        /// <summary>of a box, x y z w, normalised when taken; initially 0 0 0 1</summary>
+        /// <summary>of a box, x y z w, normalised by the call; default 0 0 0 1</summary>
         public Float4 Orientation;
-        /// <summary>m, &gt; 0, up to 1e6; initially 1</summary>
+        /// <summary>m, &gt; 0, up to 1e6; default 1</summary>
         public Float3 Size;
-        /// <summary>whose bodies are looked for; initially 0: all</summary>
+        /// <summary>finds bodies of this batch only; default id 0: of all batches</summary>
         public BatchId Batch;
         /// <summary>0.</summary>
         public uint Reserved;

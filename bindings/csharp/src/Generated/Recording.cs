@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>Of a recording.</summary>
+    /// <summary>Options of a recording.</summary>
     [Flags]
     public enum RecordingFlags : uint
     {
@@ -15,10 +15,11 @@ namespace LangevinRigid
         Callbacks = 1,
     }
 
-    /// <summary>Takes the next <c>size</c> bytes of a recording, valid during the call only: append them to a file, or
-    /// to a ring in memory. Returns 0; anything else ends the recording. Called within functions that take the world,
-    /// by their thread; with <see cref="RecordingFlags.Callbacks"/> also by those that run wind and surface callbacks,
-    /// never by two at a time. Must not call the library on the same world, throw or longjmp.</summary>
+    /// <summary>Receives the next <c>size</c> bytes of a recording, valid during the call only: append them to a file
+    /// or a ring buffer. Return 0, or anything else to end the recording. Called inside functions that take the world,
+    /// on their thread. With <see cref="RecordingFlags.Callbacks"/> it is also called on the threads that run wind and
+    /// water callbacks, but never by two at a time. Must not call the library on the same world, throw or
+    /// longjmp.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate int RecordFn(IntPtr user, IntPtr bytes, ulong size);
 
@@ -28,13 +29,13 @@ namespace LangevinRigid
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary><see cref="RecordingFlags"/>; initially <see cref="RecordingFlags.Callbacks"/></summary>
+        /// <summary><see cref="RecordingFlags"/>; default <see cref="RecordingFlags.Callbacks"/></summary>
         public RecordingFlags Flags;
-        /// <summary>steps from one hash of the world in the recording to the next; 0: none; initially 1</summary>
+        /// <summary>steps between recorded hashes of the world; 0: none; default 1</summary>
         public uint HashInterval;
         /// <summary>0.</summary>
         public uint Reserved;
-        /// <summary>must be given A function pointer of a <see cref="RecordFn"/>.</summary>
+        /// <summary>required A function pointer of a <see cref="RecordFn"/>.</summary>
         public IntPtr Write;
         /// <summary>User.</summary>
         public IntPtr User;

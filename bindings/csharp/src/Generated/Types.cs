@@ -5,24 +5,24 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>How much a message of the library matters.</summary>
+    /// <summary>Severity of a log message.</summary>
     public enum LogLevel : int
     {
-        /// <summary>A call failed: the message says which, and why.</summary>
+        /// <summary>A call failed: the message names it and gives the reason.</summary>
         Error = 1,
-        /// <summary>A call succeeded, but probably not as meant.</summary>
+        /// <summary>A call succeeded, but probably does not do what was meant.</summary>
         Warning = 2,
         /// <summary>The header's <c>LR_LOG_INFO</c>.</summary>
         Info = 3,
     }
 
-    /// <summary>Instruction sets, best first within a family. <see cref="SimdTarget.Auto"/> picks the best that the
-    /// processor has. All of them give the same bits: forcing one is for tests and measurements.</summary>
+    /// <summary>Instruction sets. All give the same bits, so force one only for tests and measurements.
+    /// <see cref="SimdTarget.Auto"/> picks the best that the processor supports.</summary>
     public enum SimdTarget : int
     {
         /// <summary>The header's <c>LR_SIMD_AUTO</c>.</summary>
         Auto = 0,
-        /// <summary>With SSE4.2, AES and PCLMUL: the least that an x86-64 processor must have.</summary>
+        /// <summary>With SSE4.2, AES and PCLMUL: the minimum on x86-64.</summary>
         Sse4 = 1,
         /// <summary>The header's <c>LR_SIMD_AVX2</c>.</summary>
         Avx2 = 2,
@@ -32,12 +32,11 @@ namespace LangevinRigid
         Neon = 4,
         /// <summary>The header's <c>LR_SIMD_WASM</c>.</summary>
         Wasm = 5,
-        /// <summary>Plain C++, in builds for tests alone.</summary>
+        /// <summary>Plain C++, only in test builds.</summary>
         Plain = 6,
     }
 
-    /// <summary>Handles are values. 0 is never a valid handle. A handle to something destroyed is recognised, not
-    /// followed.</summary>
+    /// <summary>Handle of a batch.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public readonly struct BatchId : IEquatable<BatchId>
     {
@@ -61,7 +60,7 @@ namespace LangevinRigid
         public static bool operator !=(BatchId left, BatchId right) { return left.Value != right.Value; }
     }
 
-    /// <summary>Batch, generation and slot in one; compare for equality only.</summary>
+    /// <summary>Handle of a body.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public readonly struct BodyId : IEquatable<BodyId>
     {
@@ -85,25 +84,74 @@ namespace LangevinRigid
         public static bool operator !=(BodyId left, BodyId right) { return left.Value != right.Value; }
     }
 
+    /// <summary>Handle of a collider.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public readonly struct ColliderId : IEquatable<ColliderId>
+    {
+        /// <summary>As the library sees it; 0 is none.</summary>
+        public readonly ulong Value;
+        /// <summary>From a number that was a handle before.</summary>
+        public ColliderId(ulong value) { Value = value; }
+        /// <summary>Whether it is no handle at all. One of something destroyed is not null: calls refuse it as stale.</summary>
+        public bool IsNull { get { return Value == 0; } }
+        /// <inheritdoc/>
+        public bool Equals(ColliderId other) { return Value == other.Value; }
+        /// <inheritdoc/>
+        public override bool Equals(object other) { return other is ColliderId && Equals((ColliderId)other); }
+        /// <inheritdoc/>
+        public override int GetHashCode() { return Value.GetHashCode(); }
+        /// <inheritdoc/>
+        public override string ToString() { return "ColliderId(0x" + Value.ToString("x") + ")"; }
+        /// <summary>Whether both are the same.</summary>
+        public static bool operator ==(ColliderId left, ColliderId right) { return left.Value == right.Value; }
+        /// <summary>Whether they differ.</summary>
+        public static bool operator !=(ColliderId left, ColliderId right) { return left.Value != right.Value; }
+    }
+
+    /// <summary>Handle of a wind source.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public readonly struct WindSourceId : IEquatable<WindSourceId>
+    {
+        /// <summary>As the library sees it; 0 is none.</summary>
+        public readonly uint Value;
+        /// <summary>From a number that was a handle before.</summary>
+        public WindSourceId(uint value) { Value = value; }
+        /// <summary>Whether it is no handle at all. One of something destroyed is not null: calls refuse it as stale.</summary>
+        public bool IsNull { get { return Value == 0; } }
+        /// <inheritdoc/>
+        public bool Equals(WindSourceId other) { return Value == other.Value; }
+        /// <inheritdoc/>
+        public override bool Equals(object other) { return other is WindSourceId && Equals((WindSourceId)other); }
+        /// <inheritdoc/>
+        public override int GetHashCode() { return Value.GetHashCode(); }
+        /// <inheritdoc/>
+        public override string ToString() { return "WindSourceId(0x" + Value.ToString("x") + ")"; }
+        /// <summary>Whether both are the same.</summary>
+        public static bool operator ==(WindSourceId left, WindSourceId right) { return left.Value == right.Value; }
+        /// <summary>Whether they differ.</summary>
+        public static bool operator !=(WindSourceId left, WindSourceId right) { return left.Value != right.Value; }
+    }
+
     /// <summary>
-    /// <para>Tasks of an engine's job system, in place of the world's own threads: docs/reference/stepping.md. Both
-    /// functions are given or neither.</para>
-    /// <para><c>enqueue</c> has run(task, begin, end) called for ranges that together hold each of the indices 0 to
-    /// count - 1 once, in any order, on any threads, at any time from now on until <c>finish</c> returns: one call for
-    /// all, one for each, or what a parallel-for makes of it, also right away inside <c>enqueue</c>. It returns a token
-    /// for <c>finish</c>, of any value. <c>finish</c> returns when all of these calls have returned. It is called
-    /// exactly once for each <c>enqueue</c>, by the same thread. Its thread had best run what has not begun itself: the
-    /// world's caller does its share first, so that late tasks find nothing left to do, and return at once.</para>
-    /// <para>Indices stand for threads, not for pieces of work, which the tasks share out among themselves: how they
-    /// are spread changes speed, never results. Both are called within <see cref="Native.lr_world_step"/> alone, by its
-    /// thread, in the floating-point mode that it came with; tasks set and restore their own. Neither may throw,
-    /// longjmp, or call the library on the same world; nor may run() be called after <c>finish</c>.</para>
+    /// <para>Runs the world's tasks on an engine's job system instead of on threads of its own:
+    /// docs/reference/stepping.md. Set both functions or neither.</para>
+    /// <para><c>enqueue</c> starts a task: call run(task, begin, end) for ranges that together cover each index from 0
+    /// to count - 1 exactly once. Any split, order and threads will do, from one call for all indices to a
+    /// parallel-for, and calls may be made inside <c>enqueue</c>. All must have returned when <c>finish</c> returns.
+    /// The returned token is passed to <c>finish</c>; any value is allowed. <c>finish</c> waits for the task. It is
+    /// called exactly once for each <c>enqueue</c>, on the same thread. While it waits, it should run calls that have
+    /// not started: the stepping thread does its share of the work first, so these find nothing left to do and return
+    /// at once.</para>
+    /// <para>An index stands for a thread, not for a piece of work: tasks share out the work among themselves, so the
+    /// split affects speed, never results. Both functions are called only during <see cref="Native.lr_world_step"/>, on
+    /// the thread that called it and in that thread's floating-point mode; tasks set and restore their own. Neither may
+    /// throw, longjmp, or call the library on the same world. Do not call run() after <c>finish</c>.</para>
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void TaskFn(IntPtr task, uint begin, uint end);
 
-    /// <summary>Receives a message, valid during the call only. Called from the thread that calls the library: with
-    /// <see cref="WorldChecks.Threads"/> also while another thread's call on the world goes on. Must not call the
+    /// <summary>Receives a log message, valid during the call only. Called on the thread that calls the library; with
+    /// <see cref="WorldChecks.Threads"/> possibly while another thread is inside a call on the world. Must not call the
     /// library on the same world. May be null.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void LogFn(IntPtr user, LogLevel level, byte* message);
@@ -116,12 +164,12 @@ namespace LangevinRigid
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void AllocatorReleaseFn(IntPtr user, IntPtr memory, ulong size, ulong alignment);
 
-    /// <summary>Where a world takes its memory from. Both functions are given or neither; neither means the C
-    /// library's. <c>Allocate</c> returns <c>size</c> bytes aligned to <c>alignment</c> (a power of two, at most 128),
-    /// or null. <c>Release</c> gets the very size and alignment that were asked for. Called only from the thread that
-    /// calls the library, during <see cref="Native.lr_world_step"/> only where bodies meet each other
-    /// (<see cref="Native.lr_batch_set_pair_contact"/>) in greater number than ever before. Must not call the library
-    /// on the same world.</summary>
+    /// <summary>The allocator of a world. Set both functions, or neither to use the C library's. <c>Allocate</c>
+    /// returns <c>size</c> bytes aligned to <c>alignment</c> (a power of two, at most 128), or null. <c>Release</c>
+    /// receives the same size and alignment as the matching <c>Allocate</c>. Both are called only on the thread that
+    /// calls the library. <see cref="Native.lr_world_step"/> calls them only when more bodies touch each other than
+    /// ever before (<see cref="Native.lr_batch_set_body_contact"/>). Neither may call the library on the same
+    /// world.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Allocator
     {

@@ -10,19 +10,19 @@ namespace LangevinRigid
     {
         /// <summary>The header's <c>LR_OK</c>.</summary>
         Ok = 0,
-        /// <summary>A pointer that must be given is null.</summary>
+        /// <summary>A required pointer is null.</summary>
         NullArgument = -1,
-        /// <summary>Struct_size is smaller than any released size, or an unknown tail is not zero.</summary>
+        /// <summary>Struct_size is below every released size, or an unknown tail is not 0.</summary>
         StructSize = -2,
-        /// <summary>A value is out of its range.</summary>
+        /// <summary>A value is out of range.</summary>
         InvalidArgument = -3,
         /// <summary>A number is NaN or infinite.</summary>
         NotFinite = -4,
         /// <summary>The allocator returned null.</summary>
         OutOfMemory = -5,
-        /// <summary>The body was destroyed, or never was.</summary>
+        /// <summary>The body was destroyed, or never existed.</summary>
         StaleBody = -6,
-        /// <summary>The batch was destroyed, or never was.</summary>
+        /// <summary>The batch was destroyed, or never existed.</summary>
         StaleBatch = -7,
         /// <summary>The batch, or the world's table of batches, is full.</summary>
         Capacity = -8,
@@ -38,11 +38,11 @@ namespace LangevinRigid
         AssetVersion = -13,
         /// <summary>An asset file, but damaged.</summary>
         AssetCorrupt = -14,
-        /// <summary>Undamaged, but its numbers cannot be those of a body.</summary>
+        /// <summary>An undamaged asset file with numbers that no body can have.</summary>
         AssetInvalid = -15,
         /// <summary>Not a snapshot, damaged, or of another version.</summary>
         SnapshotFormat = -16,
-        /// <summary>A snapshot of a world with other batches or assets.</summary>
+        /// <summary>The snapshot's world has other batches or assets.</summary>
         SnapshotMismatch = -17,
         /// <summary>Not available on this processor or in this build.</summary>
         Unsupported = -18,
@@ -54,19 +54,19 @@ namespace LangevinRigid
         TimestepNegative = -21,
         /// <summary>Dt is NaN or infinite.</summary>
         TimestepNotFinite = -22,
-        /// <summary>Dt / substeps is over <see cref="Limits.MaxSubstep"/>.</summary>
+        /// <summary>Dt / substeps exceeds <see cref="Limits.MaxSubstep"/>.</summary>
         TimestepTooLarge = -23,
-        /// <summary>Substeps is 0 or over <see cref="Limits.MaxSubsteps"/>.</summary>
+        /// <summary>Substeps is 0 or exceeds <see cref="Limits.MaxSubsteps"/>.</summary>
         Substeps = -24,
-        /// <summary>A defect of the library: please report.</summary>
+        /// <summary>A bug in the library: please report it.</summary>
         Internal = -25,
-        /// <summary>The wind source was removed, or never was.</summary>
+        /// <summary>The wind source was removed, or never existed.</summary>
         StaleWindSource = -26,
-        /// <summary>The collider was destroyed, or never was.</summary>
+        /// <summary>The collider was destroyed, or never existed.</summary>
         StaleCollider = -27,
-        /// <summary>Another thread is inside a call on the world: <see cref="WorldChecks.Threads"/>.</summary>
+        /// <summary>Another thread is inside a call on this world: see <see cref="WorldChecks.Threads"/>.</summary>
         ConcurrentUse = -28,
-        /// <summary>This thread is, and the call comes from a callback: <see cref="WorldChecks.Threads"/>.</summary>
+        /// <summary>Called from one of this world's callbacks: see <see cref="WorldChecks.Threads"/>.</summary>
         Reentrant = -29,
     }
 
@@ -79,21 +79,21 @@ namespace LangevinRigid
         public const uint VersionMinor = 1;
         /// <summary>Version of the header: patch.</summary>
         public const uint VersionPatch = 0;
-        /// <summary>s: the longest dt / substeps that is taken</summary>
+        /// <summary>s: the largest dt / substeps</summary>
         public const float MaxSubstep = 1f;
         /// <summary>the most substeps in one step</summary>
         public const uint MaxSubsteps = 65536u;
         /// <summary>MaxWindSources.</summary>
         public const uint MaxWindSources = 64u;
-        /// <summary>of a grid, all frames together</summary>
+        /// <summary>of one grid, all frames together</summary>
         public const uint MaxWindSamples = 67108864u;
         /// <summary>MaxWaves.</summary>
         public const uint MaxWaves = 8u;
         /// <summary>in a world, at a time</summary>
         public const uint MaxColliders = 67108864u;
-        /// <summary>given for one hull</summary>
+        /// <summary>of one hull</summary>
         public const uint MaxHullVertices = 256u;
-        /// <summary>of one mesh; and triangles of one, and heights of one heightfield</summary>
+        /// <summary>vertices or triangles of one mesh, or heights of one heightfield</summary>
         public const uint MaxColliderVertices = 67108864u;
         /// <summary>MaxKillVolumes.</summary>
         public const uint MaxKillVolumes = 8u;

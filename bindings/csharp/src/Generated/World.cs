@@ -5,64 +5,27 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>
-    /// <para>Wind sources: up to <see cref="Limits.MaxWindSources"/> at a time, whose velocities add to the uniform
-    /// wind. Formulas: docs/reference/wind_and_water.md. Time is that of the world (<see cref="WorldInfo.Time"/>). A
-    /// source's position is where it is when it is added or updated; from then on it moves with its own
-    /// <c>velocity</c>. Gusts have a mean of 0. They begin at 0 when they are added, the quick ones first, and have
-    /// their full speed after 4 periods; an update goes on with them. Fields that each kind has:</para>
-    /// <code>
-    ///   GUSTS         speed direction spread period seed
-    ///   RANKINE       position direction velocity circulation size radius half_length
-    ///   LAMB_OSEEN    the same
-    ///   POINT_BLOWER  position direction velocity speed size spread range
-    ///   LINE_BLOWER   the same, and side half_length
-    ///   TURBULENCE    speed size period octaves seed velocity
-    ///   GRID          position velocity spacing counts frames period outside samples
-    ///   GROUND        position direction velocity size reference_height
-    /// </code>
-    /// </summary>
-    public enum WindSourceKind : int
+    /// <summary>The core of a vortex.</summary>
+    public enum VortexCore : int
     {
-        /// <summary>Fluctuations of the uniform wind in time.</summary>
-        Gusts = 1,
-        /// <summary>A straight vortex with a core that turns as a solid.</summary>
-        Rankine = 2,
-        /// <summary>A straight vortex with a smooth core.</summary>
-        LambOseen = 3,
-        /// <summary>A round jet.</summary>
-        PointBlower = 4,
-        /// <summary>A plane jet from a slot.</summary>
-        LineBlower = 5,
-        /// <summary>Random, without divergence, everywhere; carried along by the uniform wind.</summary>
-        Turbulence = 6,
-        /// <summary>Samples on a lattice, in one or more frames.</summary>
-        Grid = 7,
-        /// <summary>A factor of the uniform wind and the gusts: logarithmic over a plane.</summary>
-        Ground = 8,
+        /// <summary>A smooth core, as viscosity makes it.</summary>
+        LambOseen = 0,
+        /// <summary>A core that rotates as a solid.</summary>
+        Rankine = 1,
     }
 
-    /// <summary>What a grid of wind is outside its samples.</summary>
+    /// <summary>The value of a wind grid outside its samples.</summary>
     public enum WindOutside : int
     {
         /// <summary>A grid adds nothing outside its samples.</summary>
         Zero = 0,
-        /// <summary>It goes on as at its border.</summary>
+        /// <summary>The values at its border continue outside.</summary>
         Clamp = 1,
-        /// <summary>It repeats itself; the first sample follows the last.</summary>
+        /// <summary>The grid repeats: its first sample follows its last.</summary>
         Repeat = 2,
     }
 
-    /// <summary>Kinds of the uniform part of the wind.</summary>
-    public enum WindKind : int
-    {
-        /// <summary>The header's <c>LR_WIND_NONE</c>.</summary>
-        None = 0,
-        /// <summary>The same velocity everywhere.</summary>
-        Uniform = 1,
-    }
-
-    /// <summary>Misuse that is found at run time.</summary>
+    /// <summary>Misuse to detect at run time.</summary>
     [Flags]
     public enum WorldChecks : uint
     {
@@ -72,44 +35,20 @@ namespace LangevinRigid
         Threads = 1,
     }
 
-    /// <summary>Handle; 0 is never one.</summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public readonly struct WindSourceId : IEquatable<WindSourceId>
-    {
-        /// <summary>As the library sees it; 0 is none.</summary>
-        public readonly uint Value;
-        /// <summary>From a number that was a handle before.</summary>
-        public WindSourceId(uint value) { Value = value; }
-        /// <summary>Whether it is no handle at all. One of something destroyed is not null: calls refuse it as stale.</summary>
-        public bool IsNull { get { return Value == 0; } }
-        /// <inheritdoc/>
-        public bool Equals(WindSourceId other) { return Value == other.Value; }
-        /// <inheritdoc/>
-        public override bool Equals(object other) { return other is WindSourceId && Equals((WindSourceId)other); }
-        /// <inheritdoc/>
-        public override int GetHashCode() { return Value.GetHashCode(); }
-        /// <inheritdoc/>
-        public override string ToString() { return "WindSourceId(0x" + Value.ToString("x") + ")"; }
-        /// <summary>Whether both are the same.</summary>
-        public static bool operator ==(WindSourceId left, WindSourceId right) { return left.Value == right.Value; }
-        /// <summary>Whether they differ.</summary>
-        public static bool operator !=(WindSourceId left, WindSourceId right) { return left.Value != right.Value; }
-    }
-
-    /// <summary>Called once for each body and substep, in no certain order, from the thread that steps and from the
-    /// world's workers, or the job system's, at the same time (with worker_count 0 from the stepping thread alone).
-    /// Results must depend on nothing but position, time and batch for the world to be deterministic. Must not call the
-    /// library on the same world, throw, or keep pointers. A body whose values are not finite, or over 1000 m/s, gets 0
-    /// for all of them, and a warning is logged once after the step.</summary>
+    /// <summary>Called with each body once per substep, in no particular order. Calls come at the same time from the
+    /// stepping thread and from the world's workers or the job system's threads; with worker_count 0 from the stepping
+    /// thread alone. For a deterministic world the results must depend only on position, time and batch. Must not call
+    /// the library on the same world, throw, or keep pointers. If a body's results are not finite, or exceed 1000 m/s,
+    /// all of them are taken as 0, and one warning is logged after the step.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void WindFn(IntPtr user, WindQuery* query);
 
-    /// <summary>Called for bodies near the surface: once, and twice more for each substep; on what terms: as
-    /// <see cref="WindFn"/>. A body whose values are not finite, too large (heights over <c>reach</c>, velocities over
-    /// 1000 m/s, accelerations over 1e6 m/s^2), or whose normal is none gets those of the plane, and a warning is
-    /// logged once after the step.</summary>
+    /// <summary>Called for bodies near the water surface: once, and twice more in each substep. Threads and
+    /// restrictions: as for <see cref="WindFn"/>. A body's results are replaced by the plane's if one is not finite, if
+    /// a height exceeds <c>reach</c>, a velocity 1000 m/s or an acceleration 1e6 m/s^2, or if the normal is invalid;
+    /// one warning is then logged after the step.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-    public unsafe delegate void SurfaceFn(IntPtr user, SurfaceQuery* query);
+    public unsafe delegate void WaterFn(IntPtr user, WaterQuery* query);
 
     /// <summary>The header's <c>struct lr_world_desc</c>.</summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -117,29 +56,29 @@ namespace LangevinRigid
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary>threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With
-        /// <c>Jobs</c>: the most indices in one enqueue, as many as its threads but the caller's; 0: one less than this
-        /// machine has threads, from 1 to 64, and a warning that it is a guess</summary>
+        /// <summary>threads besides the caller's, 0 to 64; default 0: everything runs on the caller's thread. With
+        /// <c>Jobs</c>: threads of the job system besides the caller's, and the most indices in one enqueue; 0 guesses
+        /// the machine's threads less one, from 1 to 64, and logs a warning</summary>
         public uint WorkerCount;
-        /// <summary>of all noise; initially 0</summary>
+        /// <summary>of all noise; default 0</summary>
         public ulong Seed;
-        /// <summary>m/s^2; initially 0, -9.81, 0</summary>
+        /// <summary>m/s^2; default 0, -9.81, 0</summary>
         public Float3 Gravity;
-        /// <summary>kg/m^3, &gt;= 0; initially 0: each batch in the fluid its asset was baked in</summary>
+        /// <summary>kg/m^3, &gt;= 0; default 0: each batch uses the fluid that its asset was baked in</summary>
         public float FluidDensity;
-        /// <summary><see cref="SimdTarget"/>; initially <see cref="SimdTarget.Auto"/></summary>
+        /// <summary><see cref="SimdTarget"/>; default <see cref="SimdTarget.Auto"/></summary>
         public SimdTarget SimdTarget;
-        /// <summary>m^2/s, kinematic, &gt;= 0; initially 0: as each batch's asset was baked</summary>
+        /// <summary>m^2/s, kinematic, &gt;= 0; default 0: each batch uses the value its asset was baked with</summary>
         public float FluidViscosity;
-        /// <summary>copied; initially null functions: the C library's</summary>
+        /// <summary>copied; default null functions: the C library's</summary>
         public Allocator Allocator;
-        /// <summary>initially null: silence A function pointer of a <see cref="LogFn"/>.</summary>
+        /// <summary>default null: no messages A function pointer of a <see cref="LogFn"/>.</summary>
         public IntPtr Log;
         /// <summary>Log user.</summary>
         public IntPtr LogUser;
-        /// <summary>copied; initially null functions: worker_count threads of the world's own</summary>
+        /// <summary>copied; default null functions: the world starts worker_count threads of its own</summary>
         public JobSystem Jobs;
-        /// <summary><see cref="WorldChecks"/>; initially 0</summary>
+        /// <summary><see cref="WorldChecks"/>: misuse to detect, for development; default 0</summary>
         public WorldChecks Checks;
         /// <summary>0.</summary>
         public uint Reserved;
@@ -160,9 +99,9 @@ namespace LangevinRigid
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary>what <see cref="SimdTarget.Auto"/> became</summary>
+        /// <summary><see cref="SimdTarget"/>: in use, never <see cref="SimdTarget.Auto"/></summary>
         public SimdTarget SimdTarget;
-        /// <summary>as in the desc; with jobs what 0 became</summary>
+        /// <summary>as in the desc; with <c>jobs</c> and 0: the guess</summary>
         public uint WorkerCount;
         /// <summary>Batch count.</summary>
         public uint BatchCount;
@@ -172,12 +111,18 @@ namespace LangevinRigid
         public ulong SubstepCount;
         /// <summary>s since creation: the sum of all dt, in double</summary>
         public double Time;
-        /// <summary>taken from the allocator at present</summary>
+        /// <summary>currently allocated</summary>
         public ulong MemoryBytes;
         /// <summary>Collider count.</summary>
         public ulong ColliderCount;
-        /// <summary>bodies that are not at rest: <see cref="Native.lr_body_set_rest"/></summary>
+        /// <summary>bodies that are not asleep: <see cref="Native.lr_body_set_sleep"/></summary>
         public ulong AwakeCount;
+        /// <summary>as set by <see cref="Native.lr_world_set_budget"/></summary>
+        public ulong Budget;
+        /// <summary>m/s^2, as set by <see cref="Native.lr_world_set_gravity"/></summary>
+        public Float3 Gravity;
+        /// <summary>0.</summary>
+        public uint Reserved;
 
         /// <summary>One with its initial values and its size.</summary>
         public static WorldInfo Create()
@@ -189,99 +134,194 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>The header's <c>struct lr_wind_desc</c>.</summary>
+    /// <summary>Gusts: fluctuations of the uniform wind in time, with mean 0. They start from 0 when added, the fast
+    /// ones first, and reach full strength after 4 integral times; an update continues them.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct WindDesc
+    public unsafe partial struct GustsDesc
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary><see cref="WindKind"/>; initially <see cref="WindKind.Uniform"/></summary>
-        public WindKind Kind;
-        /// <summary>m/s, each up to 1000 in magnitude; initially 0</summary>
-        public Float3 Velocity;
-        /// <summary>0.</summary>
-        public uint Reserved;
+        /// <summary>combined with the world's; default 0</summary>
+        public uint Seed;
+        /// <summary>mean direction, any length but 0; default 1, 0, 0</summary>
+        public Float3 Direction;
+        /// <summary>m/s, root mean square speed, 0 to 1000; default 1</summary>
+        public float Rms;
+        /// <summary>rad, root mean square angle from <c>Direction</c>, 0 to 1; default 0.1</summary>
+        public float AngleRms;
+        /// <summary>s, up to 1e6; default 0: 4 s. IEC 61400-1: 5.67 times height over wind speed</summary>
+        public float IntegralTime;
 
         /// <summary>One with its initial values and its size.</summary>
-        public static WindDesc Create()
+        public static GustsDesc Create()
         {
-            var value = default(WindDesc);
+            var value = default(GustsDesc);
             LangevinLibrary.EnsureLoaded();
-            LangevinException.Check(Native.lr_wind_desc_init(&value, (uint)sizeof(WindDesc)), "lr_wind_desc_init");
+            LangevinException.Check(Native.lr_gusts_desc_init(&value, (uint)sizeof(GustsDesc)), "lr_gusts_desc_init");
             return value;
         }
     }
 
-    /// <summary>Fields that a kind does not have are not used, but must be in range. Lengths up to 1e6 m, speeds up to
-    /// 1000 m/s.</summary>
+    /// <summary>A straight vortex.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct WindSourceDesc
+    public unsafe partial struct VortexDesc
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary><see cref="WindSourceKind"/>; initially 0, which is none of them</summary>
-        public WindSourceKind Kind;
-        /// <summary>m: a point of the vortex axis (its middle, if half_length &gt; 0), the nozzle's middle, the grid's
-        /// first sample, a point of the ground; initially 0</summary>
+        /// <summary><see cref="VortexCore"/>; default <see cref="VortexCore.LambOseen"/></summary>
+        public VortexCore Core;
+        /// <summary>m, a point on the axis, its middle if half_length &gt; 0; default 0</summary>
         public Float3 Position;
-        /// <summary>any length but 0: the vortex axis (right-hand rule), where a blower blows, about where gusts blow,
-        /// the ground's upward normal; initially 1, 0, 0</summary>
-        public Float3 Direction;
-        /// <summary>along the slot of a line blower, not along its direction; initially 0, 0, 1</summary>
-        public Float3 Side;
-        /// <summary>m/s, of the source itself; initially 0</summary>
+        /// <summary>right-hand rule, any length but 0; default 0, 1, 0</summary>
+        public Float3 Axis;
+        /// <summary>m/s, of the vortex itself; default 0</summary>
         public Float3 Velocity;
-        /// <summary>m/s: of a blower at its nozzle; root mean square of gusts in all, of turbulence for each component;
-        /// &gt;= 0; initially 1</summary>
-        public float Speed;
-        /// <summary>m^2/s, up to 1e6 in magnitude; initially 1</summary>
+        /// <summary>m^2/s, up to 1e6 and up to 6000 * core_radius in magnitude; default 1</summary>
         public float Circulation;
-        /// <summary>m, &gt;= 1e-4: core radius, radius of the nozzle or half width of the slot, integral length of
-        /// turbulence, roughness length of the ground (0.0001 water, 0.03 grass, 1 town); initially 1</summary>
-        public float Size;
-        /// <summary>m: a vortex fades out from half of it on, to nothing at it; 0: no limit; initially 0</summary>
-        public float Radius;
-        /// <summary>m: of a vortex, which fades likewise, 0 for no limit; of a slot; initially 0</summary>
+        /// <summary>m, &gt;= 1e-4; default 1</summary>
+        public float CoreRadius;
+        /// <summary>m: fades from half this distance to nothing at it; default 0: no limit</summary>
+        public float OuterRadius;
+        /// <summary>m: likewise along the axis; default 0: no limit</summary>
         public float HalfLength;
-        /// <summary>m, &gt;= size: a blower fades out from half of it on, to nothing at it; initially 10</summary>
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static VortexDesc Create()
+        {
+            var value = default(VortexDesc);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_vortex_desc_init(&value, (uint)sizeof(VortexDesc)), "lr_vortex_desc_init");
+            return value;
+        }
+    }
+
+    /// <summary>A blower: a turbulent jet, round or from a slot.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct BlowerDesc
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary>m, the middle of the nozzle; default 0</summary>
+        public Float3 Position;
+        /// <summary>of the jet, any length but 0; default 1, 0, 0</summary>
+        public Float3 Direction;
+        /// <summary>along the slot; not parallel to <c>Direction</c>; default 0, 0, 1. Unused by a round jet</summary>
+        public Float3 Side;
+        /// <summary>m/s, of the blower itself; default 0</summary>
+        public Float3 Velocity;
+        /// <summary>m/s at the nozzle, 0 to 1000; default 1</summary>
+        public float Speed;
+        /// <summary>m, &gt;= 1e-4: of a round nozzle, half the width of a slot; default 1</summary>
+        public float NozzleRadius;
+        /// <summary>m: half the length of the slot; default 0: a round jet</summary>
+        public float HalfLength;
+        /// <summary>m, &gt;= nozzle_radius: fades from half this distance to nothing at it; default 10</summary>
         public float Range;
-        /// <summary>0 to 1: widening of a jet per length, 0.11 as measured; gusts: root mean square angle in radians
-        /// from <c>Direction</c>; initially 0.1</summary>
+        /// <summary>widening of the jet per length, 0 to 1; default 0.1, measured as 0.11</summary>
         public float Spread;
-        /// <summary>s: integral time of gusts, 0 for 4, as 2 m over the ground in 3 m/s (IEC 61400-1: 5.67 times the
-        /// height over the speed); life of the largest eddies, 0 for size/speed; time from one frame to the next, 0 for
-        /// 1; up to 1e6; initially 0</summary>
-        public float Period;
-        /// <summary>m: where the ground's factor is 1; &gt;= size; initially 10</summary>
-        public float ReferenceHeight;
-        /// <summary>of turbulence, each half as large as the one before, 1 to 4; initially 2</summary>
-        public uint Octaves;
-        /// <summary>of gusts and turbulence, together with the world's; initially 0</summary>
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static BlowerDesc Create()
+        {
+            var value = default(BlowerDesc);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_blower_desc_init(&value, (uint)sizeof(BlowerDesc)), "lr_blower_desc_init");
+            return value;
+        }
+    }
+
+    /// <summary>Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct TurbulenceDesc
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary>combined with the world's; default 0</summary>
         public uint Seed;
-        /// <summary><see cref="WindOutside"/>; initially <see cref="WindOutside.Zero"/></summary>
+        /// <summary>each half the size of the one before, 1 to 4; default 2</summary>
+        public uint Octaves;
+        /// <summary>m/s, of the pattern, besides the uniform wind; default 0</summary>
+        public Float3 Velocity;
+        /// <summary>m/s, root mean square of each component, 0 to 1000; default 1</summary>
+        public float Rms;
+        /// <summary>m, &gt;= 1e-4; default 1</summary>
+        public float IntegralLength;
+        /// <summary>s, of the largest eddies, up to 1e6; default 0: integral_length/rms</summary>
+        public float EddyLife;
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static TurbulenceDesc Create()
+        {
+            var value = default(TurbulenceDesc);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_turbulence_desc_init(&value, (uint)sizeof(TurbulenceDesc)), "lr_turbulence_desc_init");
+            return value;
+        }
+    }
+
+    /// <summary>Samples of wind on a lattice, in one or more frames that are played in a loop.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct WindGridDesc
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary><see cref="WindOutside"/>; default <see cref="WindOutside.Zero"/></summary>
         public WindOutside Outside;
-        /// <summary>samples of a grid along x, y, z, each &gt;= 1</summary>
-        public UInt3 Counts;
-        /// <summary>of a grid, shown one after the other and again from the first; &gt;= 1; initially 1</summary>
-        public uint Frames;
-        /// <summary>m between samples, &gt;= 1e-4; initially 1</summary>
+        /// <summary>m, of the first sample; default 0</summary>
+        public Float3 Position;
+        /// <summary>m/s, of the grid itself; default 0</summary>
+        public Float3 Velocity;
+        /// <summary>m between samples, &gt;= 1e-4; default 1</summary>
         public Float3 Spacing;
-        /// <summary>0.</summary>
-        public uint Reserved;
-        /// <summary>m/s, x y z of each sample; x varies fastest, then y, z, frame; copied</summary>
+        /// <summary>samples along x, y, z, each &gt;= 1</summary>
+        public UInt3 Counts;
+        /// <summary>&gt;= 1; default 1</summary>
+        public uint Frames;
+        /// <summary>s between frames, up to 1e6; default 0: 1 s</summary>
+        public float FrameTime;
+        /// <summary>m/s, each up to 1000 in magnitude: x y z of each sample; x varies fastest, then y, z, frame;
+        /// copied. Null in an update: keeps the samples, if counts and frames are unchanged.
+        /// <see cref="Native.lr_world_get_wind_grid"/> gives null</summary>
         public float* Samples;
 
         /// <summary>One with its initial values and its size.</summary>
-        public static WindSourceDesc Create()
+        public static WindGridDesc Create()
         {
-            var value = default(WindSourceDesc);
+            var value = default(WindGridDesc);
             LangevinLibrary.EnsureLoaded();
-            LangevinException.Check(Native.lr_wind_source_desc_init(&value, (uint)sizeof(WindSourceDesc)), "lr_wind_source_desc_init");
+            LangevinException.Check(Native.lr_wind_grid_desc_init(&value, (uint)sizeof(WindGridDesc)), "lr_wind_grid_desc_init");
             return value;
         }
     }
 
-    /// <summary>What a wind callback is asked. Arrays have one value a body.</summary>
+    /// <summary>A logarithmic profile over the ground, a plane: scales the uniform wind and the gusts.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct GroundWindDesc
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary>m, a point on the ground; default 0</summary>
+        public Float3 Position;
+        /// <summary>upward, any length but 0; default 0, 1, 0</summary>
+        public Float3 Normal;
+        /// <summary>m/s, of the plane itself; default 0</summary>
+        public Float3 Velocity;
+        /// <summary>m, &gt;= 1e-4; default 0.03, grass (0.0001 water, 1 town)</summary>
+        public float RoughnessLength;
+        /// <summary>m, &gt;= roughness_length: the height at which the factor is 1; default 10</summary>
+        public float ReferenceHeight;
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static GroundWindDesc Create()
+        {
+            var value = default(GroundWindDesc);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_ground_wind_desc_init(&value, (uint)sizeof(GroundWindDesc)), "lr_ground_wind_desc_init");
+            return value;
+        }
+    }
+
+    /// <summary>Input and output of a wind callback. Arrays hold one value per body.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct WindQuery
     {
@@ -289,103 +329,103 @@ namespace LangevinRigid
         public uint StructSize;
         /// <summary>bodies, 1 to 256</summary>
         public uint Count;
-        /// <summary>whose bodies they are; 0 when asked by <see cref="Native.lr_world_sample_wind"/></summary>
+        /// <summary>of these bodies; id 0 in <see cref="Native.lr_world_sample_wind"/></summary>
         public BatchId Batch;
         /// <summary>0.</summary>
         public uint Reserved;
         /// <summary>s, of the middle of the substep</summary>
         public double Time;
-        /// <summary>m: where the bodies are expected to be at that time; finite. Element 0 of 3.</summary>
+        /// <summary>m: expected positions of the bodies at that time; finite. Element 0 of 3.</summary>
         public float* PositionX;
-        /// <summary>m: where the bodies are expected to be at that time; finite. Element 1 of 3.</summary>
+        /// <summary>m: expected positions of the bodies at that time; finite. Element 1 of 3.</summary>
         public float* PositionY;
-        /// <summary>m: where the bodies are expected to be at that time; finite. Element 2 of 3.</summary>
+        /// <summary>m: expected positions of the bodies at that time; finite. Element 2 of 3.</summary>
         public float* PositionZ;
-        /// <summary>m/s, 0 at first: the velocity that is added to the other sources'. Element 0 of 3.</summary>
+        /// <summary>m/s, preset to 0: write the velocity to add to the other sources'. Element 0 of 3.</summary>
         public float* VelocityX;
-        /// <summary>m/s, 0 at first: the velocity that is added to the other sources'. Element 1 of 3.</summary>
+        /// <summary>m/s, preset to 0: write the velocity to add to the other sources'. Element 1 of 3.</summary>
         public float* VelocityY;
-        /// <summary>m/s, 0 at first: the velocity that is added to the other sources'. Element 2 of 3.</summary>
+        /// <summary>m/s, preset to 0: write the velocity to add to the other sources'. Element 2 of 3.</summary>
         public float* VelocityZ;
-        /// <summary>m/s^2, 0 at first: its partial derivative in time, if it is known. Element 0 of 3.</summary>
+        /// <summary>m/s^2, preset to 0: write its partial derivative in time, if known. Element 0 of 3.</summary>
         public float* RateX;
-        /// <summary>m/s^2, 0 at first: its partial derivative in time, if it is known. Element 1 of 3.</summary>
+        /// <summary>m/s^2, preset to 0: write its partial derivative in time, if known. Element 1 of 3.</summary>
         public float* RateY;
-        /// <summary>m/s^2, 0 at first: its partial derivative in time, if it is known. Element 2 of 3.</summary>
+        /// <summary>m/s^2, preset to 0: write its partial derivative in time, if known. Element 2 of 3.</summary>
         public float* RateZ;
-        /// <summary>1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and
-        /// gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear.
-        /// Element 0 of 9.</summary>
+        /// <summary>1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and
+        /// gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid. Element 0
+        /// of 9.</summary>
         public float* Gradient0;
-        /// <summary>1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and
-        /// gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear.
-        /// Element 1 of 9.</summary>
+        /// <summary>1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and
+        /// gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid. Element 1
+        /// of 9.</summary>
         public float* Gradient1;
-        /// <summary>1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and
-        /// gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear.
-        /// Element 2 of 9.</summary>
+        /// <summary>1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and
+        /// gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid. Element 2
+        /// of 9.</summary>
         public float* Gradient2;
-        /// <summary>1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and
-        /// gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear.
-        /// Element 3 of 9.</summary>
+        /// <summary>1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and
+        /// gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid. Element 3
+        /// of 9.</summary>
         public float* Gradient3;
-        /// <summary>1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and
-        /// gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear.
-        /// Element 4 of 9.</summary>
+        /// <summary>1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and
+        /// gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid. Element 4
+        /// of 9.</summary>
         public float* Gradient4;
-        /// <summary>1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and
-        /// gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear.
-        /// Element 5 of 9.</summary>
+        /// <summary>1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and
+        /// gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid. Element 5
+        /// of 9.</summary>
         public float* Gradient5;
-        /// <summary>1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and
-        /// gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear.
-        /// Element 6 of 9.</summary>
+        /// <summary>1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and
+        /// gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid. Element 6
+        /// of 9.</summary>
         public float* Gradient6;
-        /// <summary>1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and
-        /// gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear.
-        /// Element 7 of 9.</summary>
+        /// <summary>1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and
+        /// gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid. Element 7
+        /// of 9.</summary>
         public float* Gradient7;
-        /// <summary>1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and
-        /// gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear.
-        /// Element 8 of 9.</summary>
+        /// <summary>1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and
+        /// gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid. Element 8
+        /// of 9.</summary>
         public float* Gradient8;
     }
 
-    /// <summary>A long-crested wave of deep water. Heights add; its frequency sqrt(2 pi g/length) is that of the
-    /// world's gravity when the surface is set.</summary>
+    /// <summary>A long-crested deep-water wave. Heights of waves add up. The frequency sqrt(2 pi g/length) uses the
+    /// world's gravity at the time of <see cref="Native.lr_world_set_water"/>.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Wave
     {
-        /// <summary>where it goes: any vector not along the normal; its part in the plane counts</summary>
+        /// <summary>of travel: any vector not along the normal; only its part in the plane counts</summary>
         public Float3 Direction;
         /// <summary>m, crest to crest, 1e-3 to 1e6</summary>
         public float Length;
-        /// <summary>m, half of crest to trough, 0 to length/7: steeper ones break</summary>
+        /// <summary>m, half of crest to trough, 0 to length/7: steeper waves break</summary>
         public float Amplitude;
-        /// <summary>rad, up to 1e6 in magnitude: 0 has a crest at <c>position</c> at the world's time 0</summary>
+        /// <summary>rad, up to 1e6 in magnitude; 0 puts a crest at <c>position</c> at world time 0</summary>
         public float Phase;
     }
 
-    /// <summary>The lower fluid fills everything below a plane, or below the waves on it. Above is the fluid of the
-    /// world or of each batch's asset. Bodies float, sink, and go through; surface tension is ignored.</summary>
+    /// <summary>The water surface. Water fills everything below it; above it is the fluid of the world or of each
+    /// batch's asset.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct SurfaceDesc
+    public unsafe partial struct WaterDesc
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary>used part of <c>Waves</c>; initially 0</summary>
+        /// <summary>elements of <c>Waves</c> in use; default 0</summary>
         public uint WaveCount;
-        /// <summary>m, a point of the plane, each up to 1e9 in magnitude; initially 0</summary>
+        /// <summary>m, a point of the plane, each up to 1e9 in magnitude; default 0</summary>
         public Float3 Position;
-        /// <summary>upward, any length but 0; initially 0, 1, 0</summary>
+        /// <summary>upward, any length but 0; default 0, 1, 0</summary>
         public Float3 Normal;
-        /// <summary>kg/m^3, 1e-3 to 1e6; initially 998. A batch whose own fluid is denser keeps that one's</summary>
+        /// <summary>kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density</summary>
         public float Density;
-        /// <summary>m^2/s, kinematic, 1e-12 to 1e3; initially 1e-6</summary>
+        /// <summary>m^2/s, kinematic, 1e-12 to 1e3; default 1e-6</summary>
         public float Viscosity;
-        /// <summary>m/s, velocity of the lower fluid, each up to 1000 in magnitude; initially 0</summary>
+        /// <summary>m/s, velocity of the water, each up to 1000 in magnitude; default 0</summary>
         public Float3 Current;
-        /// <summary>m, 0 to 1e6: a callback's surface lies at most so far from the plane; initially 0</summary>
+        /// <summary>m, 0 to 1e6: the farthest that a callback's surface lies from the plane; default 0</summary>
         public float Reach;
         /// <summary>Waves. Element 0 of 8.</summary>
         public Wave Waves0;
@@ -412,25 +452,25 @@ namespace LangevinRigid
         }
 
         /// <summary>One with its initial values and its size.</summary>
-        public static SurfaceDesc Create()
+        public static WaterDesc Create()
         {
-            var value = default(SurfaceDesc);
+            var value = default(WaterDesc);
             LangevinLibrary.EnsureLoaded();
-            LangevinException.Check(Native.lr_surface_desc_init(&value, (uint)sizeof(SurfaceDesc)), "lr_surface_desc_init");
+            LangevinException.Check(Native.lr_water_desc_init(&value, (uint)sizeof(WaterDesc)), "lr_water_desc_init");
             return value;
         }
     }
 
-    /// <summary>What a surface callback is asked. Arrays have one value a body, and hold what plane and waves give at
-    /// first.</summary>
+    /// <summary>Input and output of a water surface callback. Arrays hold one value per body; outputs are preset to the
+    /// values of the plane and its waves.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct SurfaceQuery
+    public unsafe partial struct WaterQuery
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
         /// <summary>bodies, 1 to 256</summary>
         public uint Count;
-        /// <summary>whose bodies they are</summary>
+        /// <summary>of these bodies</summary>
         public BatchId Batch;
         /// <summary>0.</summary>
         public uint Reserved;
@@ -442,7 +482,7 @@ namespace LangevinRigid
         public float* PositionY;
         /// <summary>m; finite. Element 2 of 3.</summary>
         public float* PositionZ;
-        /// <summary>m above the plane of the surface there, along the plane's normal</summary>
+        /// <summary>m, of the surface above the plane, along the plane's normal</summary>
         public float* Height;
         /// <summary>unit, of the surface, less than 80 degrees from the plane's. Element 0 of 3.</summary>
         public float* NormalX;
@@ -450,24 +490,21 @@ namespace LangevinRigid
         public float* NormalY;
         /// <summary>unit, of the surface, less than 80 degrees from the plane's. Element 2 of 3.</summary>
         public float* NormalZ;
-        /// <summary>m/s, of the lower fluid at the position. Element 0 of 3.</summary>
+        /// <summary>m/s, of the water at the position. Element 0 of 3.</summary>
         public float* VelocityX;
-        /// <summary>m/s, of the lower fluid at the position. Element 1 of 3.</summary>
+        /// <summary>m/s, of the water at the position. Element 1 of 3.</summary>
         public float* VelocityY;
-        /// <summary>m/s, of the lower fluid at the position. Element 2 of 3.</summary>
+        /// <summary>m/s, of the water at the position. Element 2 of 3.</summary>
         public float* VelocityZ;
-        /// <summary>m/s^2, its acceleration. Where the surface is steep it is what lets bodies slide down. Element 0 of
-        /// 3.</summary>
+        /// <summary>m/s^2, acceleration of the water; lets bodies slide down a steep surface. Element 0 of 3.</summary>
         public float* RateX;
-        /// <summary>m/s^2, its acceleration. Where the surface is steep it is what lets bodies slide down. Element 1 of
-        /// 3.</summary>
+        /// <summary>m/s^2, acceleration of the water; lets bodies slide down a steep surface. Element 1 of 3.</summary>
         public float* RateY;
-        /// <summary>m/s^2, its acceleration. Where the surface is steep it is what lets bodies slide down. Element 2 of
-        /// 3.</summary>
+        /// <summary>m/s^2, acceleration of the water; lets bodies slide down a steep surface. Element 2 of 3.</summary>
         public float* RateZ;
     }
 
-    /// <summary>What the last step did, and what it left out. Batches without bodies do not count.</summary>
+    /// <summary>Work done and postponed by the last step. Batches without bodies are not counted.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct StepReport
     {
@@ -475,18 +512,18 @@ namespace LangevinRigid
         public uint StructSize;
         /// <summary>Batches stepped.</summary>
         public uint BatchesStepped;
-        /// <summary>not due, by their own divisors</summary>
+        /// <summary>not due, because of their divisors</summary>
         public uint BatchesWaiting;
-        /// <summary>due, but the budget did not reach them</summary>
+        /// <summary>due, but out of budget</summary>
         public uint BatchesPassedOver;
-        /// <summary>done</summary>
+        /// <summary>done in this step</summary>
         public ulong BodySubsteps;
-        /// <summary>of the batches that were due, without a budget</summary>
+        /// <summary>of the batches that were due, as without a budget</summary>
         public ulong BodySubstepsWanted;
-        /// <summary>s: how far the bodies that have waited longest are behind the world's time</summary>
+        /// <summary>s: the longest time by which a batch is behind the world</summary>
         public double Behind;
-        /// <summary>s: the most that a batch lost in this step: bodies go in slow motion rather than in too long
-        /// substeps</summary>
+        /// <summary>s: the most simulated time that a batch lost in this step: rather than take substeps that are too
+        /// long, bodies move in slow motion</summary>
         public double Lost;
 
         /// <summary>One with its initial values and its size.</summary>
@@ -495,6 +532,43 @@ namespace LangevinRigid
             var value = default(StepReport);
             LangevinLibrary.EnsureLoaded();
             LangevinException.Check(Native.lr_step_report_init(&value, (uint)sizeof(StepReport)), "lr_step_report_init");
+            return value;
+        }
+    }
+
+    /// <summary>Seconds that the phases of the last step took on the stepping thread, by a monotonic clock.
+    /// <c>Total</c> also includes the work between phases. Phases that did not occur are 0. Neither part of snapshots
+    /// nor of the world's hash.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct Timings
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary>0.</summary>
+        public uint Reserved;
+        /// <summary>Total.</summary>
+        public double Total;
+        /// <summary>waking what is about to be hit, moving colliders, sorting them for the search</summary>
+        public double Colliders;
+        /// <summary>preparing the wind's fields; bodies evaluate them as part of their motion</summary>
+        public double Wind;
+        /// <summary>of batches without body contact: loads, wind, water, contact with colliders</summary>
+        public double Motion;
+        /// <summary>of batches with body contact: their motion, and the contact between their bodies</summary>
+        public double BodyContact;
+        /// <summary>finding sleeping bodies that wind or water moves</summary>
+        public double Wake;
+        /// <summary>ends, spawns, divergence, and falling asleep</summary>
+        public double EmitAndRules;
+        /// <summary>listing and sorting them</summary>
+        public double Events;
+
+        /// <summary>One with its initial values and its size.</summary>
+        public static Timings Create()
+        {
+            var value = default(Timings);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_timings_init(&value, (uint)sizeof(Timings)), "lr_timings_init");
             return value;
         }
     }

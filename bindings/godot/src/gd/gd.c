@@ -357,6 +357,14 @@ gdx_object gd_call_object(gdx_object object, int method) {
     return result;
 }
 
+gd_var gd_nodes_below_viewport(gdx_object node, const char* class_name) {
+    gd_var nodes = gd_nil();
+    gdx_object viewport = gd_call_object(node, GD_N_get_viewport);
+    if (viewport)
+        gd_call(viewport, GD_N_find_children, &nodes, 4, gd_string("*"), gd_string(class_name), gd_bool(1), gd_bool(0));
+    return nodes;
+}
+
 int gd_call_floats(gdx_object object, int method, gdx_type type, float* out) {
     gd_var ret;
     if (!gd_call(object, method, &ret, 0)) return 0;

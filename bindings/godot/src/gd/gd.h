@@ -90,6 +90,7 @@ int64_t gd_call_int(gdx_object object, int method);
 double gd_call_float(gdx_object object, int method);
 gdx_object gd_call_object(gdx_object object, int method); /* not for what is counted: no reference is kept */
 int gd_call_floats(gdx_object object, int method, gdx_type type, float* out);
+gd_var gd_nodes_below_viewport(gdx_object node, const char* class_name); /* Array of nodes in the same World3D */
 int gd_is_class(gdx_object object, const char* class_name);
 
 /* Errors and warnings go to the engine's log, and to the editor's debugger. */

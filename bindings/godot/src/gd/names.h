@@ -76,7 +76,9 @@
     X(update_configuration_warnings)                                                                                   \
     X(_tree_changed)                                                                                                   \
     X(ended)                                                                                                           \
-    X(faulted)                                                                                                         \
+    X(respawned)                                                                                                       \
+    X(spawned)                                                                                                         \
+    X(diverged)                                                                                                        \
     X(landed)                                                                                                          \
     X(touched)                                                                                                         \
     X(woke)                                                                                                            \

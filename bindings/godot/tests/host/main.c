@@ -233,8 +233,8 @@ int main(int argc, char** argv) {
     const int objects = host.objects;
     for (gdx_level level = 0; level <= GDX_LEVEL_EDITOR; ++level) levels.initialize(levels.userdata, level);
     host_class* batch = host_find_class("LangevinBatch");
-    CHECK(batch && !strcmp(batch->parent, "Node3D") && batch->properties > 25 && batch->signals == 5);
-    CHECK(host_find_class("LangevinWorld") && host_find_class("LangevinWorld")->constants == 8);
+    CHECK(batch && !strcmp(batch->parent, "Node3D") && batch->properties > 25 && batch->signals == 7);
+    CHECK(host_find_class("LangevinWorld") && host_find_class("LangevinWorld")->constants == 10);
     CHECK(host_find_class("LangevinAsset") && !strcmp(host_find_class("LangevinAsset")->parent, "Resource"));
 
     CHECK(load("/nothing/there.lrb") == NULL && host.errors == 1);

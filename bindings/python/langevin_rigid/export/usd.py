@@ -60,7 +60,7 @@ def _mesh(file: IO[str], indent: str, mesh: Mesh, color: Sequence[float]) -> Non
 
 
 def _extent(mesh: Mesh, frame: Any) -> np.ndarray:
-    """A box that holds every body whichever way it is turned."""
+    """A box that contains every body in any orientation."""
     if not len(frame.ids):
         return np.zeros((2, 3))
     reach = frame.scale[:, None] * np.linalg.norm(mesh.points, axis=1).max()

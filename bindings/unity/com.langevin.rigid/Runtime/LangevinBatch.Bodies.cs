@@ -79,7 +79,7 @@ namespace LangevinUnity
         /// <summary>Bears `count` bodies by the emitter now, all or none.</summary>
         public void Emit(int count)
         {
-            LangevinSimulation.Check(Native.lr_batch_emit(Ready(), id, (uint)Mathf.Max(0, count), null), "lr_batch_emit");
+            LangevinSimulation.Check(Native.lr_batch_spawn(Ready(), id, (uint)Mathf.Max(0, count), null), "lr_batch_spawn");
         }
 
         /// <summary>Ends a body of this world.</summary>
@@ -103,7 +103,7 @@ namespace LangevinUnity
             state.angularVelocity = LangevinConversion.SpinToUnity(native.AngularVelocity);
             state.scale = native.Scale;
             state.age = native.Age;
-            state.resting = native.Resting == RestState.Resting;
+            state.resting = native.SleepState == SleepState.Asleep;
             return true;
         }
 
@@ -129,10 +129,10 @@ namespace LangevinUnity
         }
 
         /// <summary>Puts a body to rest where it is, or wakes it.</summary>
-        public void SetRest(BodyId body, bool resting)
+        public void SetSleep(BodyId body, bool resting)
         {
-            Status status = Native.lr_body_set_rest(Ready(), &body, 1, resting ? RestState.Resting : RestState.Awake);
-            LangevinSimulation.Check(status, "lr_body_set_rest");
+            Status status = Native.lr_body_set_sleep(Ready(), &body, 1, resting ? SleepState.Asleep : SleepState.Awake);
+            LangevinSimulation.Check(status, "lr_body_set_sleep");
         }
 
         /// <summary>Whether bodies of this batch and of another meet.</summary>
@@ -140,16 +140,26 @@ namespace LangevinUnity
         {
             if (other == null) throw new ArgumentNullException("other");
             if (other.World != World) throw new ArgumentException("The batches are in different worlds.", "other");
-            Status status = Native.lr_batch_set_pair_contact(Ready(), id, other.id, meet ? 1 : 0);
-            LangevinSimulation.Check(status, "lr_batch_set_pair_contact");
+            Status status = Native.lr_batch_set_body_contact(Ready(), id, other.id, meet ? 1 : 0);
+            LangevinSimulation.Check(status, "lr_batch_set_body_contact");
         }
 
-        /// <summary>What rules and emitter did in the last step and in all; its lists are valid until the world's next change.</summary>
-        public BatchEvents LifeEvents()
+        /// <summary>How many bodies rules and emitter ended and spawned in the last step, and in total.</summary>
+        public BatchCounts Counts()
         {
-            BatchEvents events = BatchEvents.Create();
-            LangevinSimulation.Check(Native.lr_batch_get_events(Ready(), id, &events), "lr_batch_get_events");
-            return events;
+            BatchCounts counts = BatchCounts.Create();
+            LangevinSimulation.Check(Native.lr_batch_get_counts(Ready(), id, &counts), "lr_batch_get_counts");
+            return counts;
+        }
+
+        /// <summary>A box around all bodies, in Unity's world; its size is 0 where there are none.</summary>
+        public Bounds GetBounds()
+        {
+            Float3 low = default(Float3), high = default(Float3);
+            LangevinSimulation.Check(Native.lr_batch_get_bounds(Ready(), id, &low.X, &high.X), "lr_batch_get_bounds");
+            var bounds = new Bounds();
+            if (low.X <= high.X) bounds.SetMinMax(new Vector3(low.X, low.Y, -high.Z), new Vector3(high.X, high.Y, -low.Z));
+            return bounds;
         }
     }
 }

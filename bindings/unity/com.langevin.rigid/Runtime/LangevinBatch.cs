@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>All bodies of one asset: where they are born, when they end, what they touch, and how they are drawn.</summary>
+    /// <summary>All bodies of one asset: where they are spawned, when they end, what they touch, and how they are drawn.</summary>
     [AddComponentMenu("Langevin Rigid/Langevin Batch")]
     public sealed unsafe partial class LangevinBatch : LangevinMember
     {
@@ -13,7 +13,7 @@ namespace LangevinUnity
         [SerializeField] private LangevinAsset asset = null;
         [Tooltip("The most bodies at a time; memory for all is taken at once.")]
         [SerializeField, Min(1)] private int capacity = 1000;
-        [Tooltip("Born by the emitter when the batch joins its world.")]
+        [Tooltip("Spawned by the emitter when the batch joins its world.")]
         [SerializeField, Min(0)] private int startCount = 0;
         [SerializeField] private LoadModel loadModel = LoadModel.Default;
         [SerializeField] private LangevinEmitter emitter = new LangevinEmitter();
@@ -63,7 +63,7 @@ namespace LangevinUnity
         /// <summary>The most bodies at a time; set it while the component is disabled.</summary>
         public int Capacity { get { return capacity; } set { capacity = Mathf.Max(1, value); } }
 
-        /// <summary>Bodies that are born on joining the world.</summary>
+        /// <summary>Bodies that are spawned on joining the world.</summary>
         public int StartCount { get { return startCount; } set { startCount = value; } }
 
         /// <summary>Call Apply after a change.</summary>
@@ -170,7 +170,7 @@ namespace LangevinUnity
             contact.RollingResistance = rollingResistance;
             contact.GroundEffect = groundEffect;
             LangevinSimulation.Check(Native.lr_batch_set_contact(world, id, &contact), "lr_batch_set_contact");
-            LangevinSimulation.Check(Native.lr_batch_set_pair_contact(world, id, id, meetEachOther ? 1 : 0), "lr_batch_set_pair_contact");
+            LangevinSimulation.Check(Native.lr_batch_set_body_contact(world, id, id, meetEachOther ? 1 : 0), "lr_batch_set_body_contact");
             LoadGains gains = LoadGains.Create();
             gains.Drag = drag;
             gains.Lift = lift;

@@ -162,12 +162,12 @@ namespace LangevinUnity
             float frictionBefore = frictionSet, restitutionBefore = restitutionSet;
             ReadSurface();
             if (layers == layersBefore && frictionSet == frictionBefore && restitutionSet == restitutionBefore) return;
-            ColliderSurface surface = ColliderSurface.Create();
+            ColliderMaterial surface = ColliderMaterial.Create();
             surface.Layers = layers;
             surface.Friction = frictionSet;
             surface.Restitution = restitutionSet;
             ColliderId self = id;
-            LangevinSimulation.Check(Native.lr_collider_set_surface(simulation.Handle, &self, 1, &surface), "lr_collider_set_surface");
+            LangevinSimulation.Check(Native.lr_collider_set_material(simulation.Handle, &self, 1, &surface), "lr_collider_set_material");
         }
 
         // Where the transform went since the last step is where the collider goes in the next one: so it has a velocity there.

@@ -5,13 +5,13 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>How bodies of a batch are born. Places and directions are those of the batch's transform.</summary>
+    /// <summary>How bodies of a batch are spawned. Places and directions are those of the batch's transform.</summary>
     [Serializable]
     public sealed class LangevinEmitter
     {
         /// <summary>Whether there is one.</summary>
         public bool enabled = true;
-        /// <summary>Where they are born.</summary>
+        /// <summary>Where they are spawned.</summary>
         public EmitterShape shape = EmitterShape.Box;
         /// <summary>m, half extents or semi-axes along the transform's axes, times its scale.</summary>
         public Vector3 size = new Vector3(5.0f, 1.0f, 5.0f);
@@ -79,7 +79,7 @@ namespace LangevinUnity
     {
         /// <summary>Whether there are any.</summary>
         public bool enabled = false;
-        /// <summary>Destroyed, or born anew by the emitter.</summary>
+        /// <summary>Destroyed, or spawned anew by the emitter.</summary>
         public EndAction action = EndAction.Respawn;
         /// <summary>s; 0: no limit.</summary>
         [Min(0.0f)] public float maximumAge = 0.0f;

@@ -25,7 +25,7 @@ namespace LangevinUnity
         private WindZone zone;
         private WindSourceId eddies;
         private WindSourceId sphere;
-        private WindSourceDesc eddiesSet;
+        private TurbulenceDesc eddiesSet;
         private Shape shapeSet;
         private Vector3 positionSet;
 
@@ -96,9 +96,8 @@ namespace LangevinUnity
             }
             // A world without winds keeps what was set by hand.
             if (!any) return;
-            WindDesc desc = WindDesc.Create();
-            desc.Velocity = LangevinConversion.ToLibrary(sum);
-            LangevinSimulation.Check(Native.lr_world_set_wind(simulation.Handle, &desc), "lr_world_set_wind");
+            Float3 uniform = LangevinConversion.ToLibrary(sum);
+            LangevinSimulation.Check(Native.lr_world_set_uniform_wind(simulation.Handle, uniform.X, uniform.Y, uniform.Z), "lr_world_set_uniform_wind");
         }
 
         private void Synchronize(LangevinSimulation simulation)
@@ -112,14 +111,16 @@ namespace LangevinUnity
 
         private void SynchronizeEddies(LangevinSimulation simulation, float rms)
         {
-            WindSourceDesc desc = WindSourceDesc.Create();
-            desc.Kind = WindSourceKind.Turbulence;
-            desc.Speed = rms;
-            desc.Size = Mathf.Max(eddySize, 0.01f);
+            TurbulenceDesc desc = TurbulenceDesc.Create();
+            desc.Rms = rms;
+            desc.IntegralLength = Mathf.Max(eddySize, 0.01f);
             desc.Octaves = 3;
             desc.Seed = (uint)seed;
-            if (!eddies.IsNull && desc.Speed == eddiesSet.Speed && desc.Size == eddiesSet.Size && desc.Seed == eddiesSet.Seed) return;
-            Put(simulation, ref eddies, &desc);
+            if (!eddies.IsNull && desc.Rms == eddiesSet.Rms && desc.IntegralLength == eddiesSet.IntegralLength && desc.Seed == eddiesSet.Seed) return;
+            WindSourceId id = eddies;
+            if (id.IsNull) LangevinSimulation.Check(Native.lr_world_add_turbulence(simulation.Handle, &desc, &id), "lr_world_add_turbulence");
+            else LangevinSimulation.Check(Native.lr_world_update_turbulence(simulation.Handle, id, &desc), "lr_world_update_turbulence");
+            eddies = id;
             eddiesSet = desc;
         }
 
@@ -136,8 +137,7 @@ namespace LangevinUnity
             bool same = !sphere.IsNull && shape.Equals(shapeSet);
             if (same && transform.position == positionSet) return;
             float[] samples = same ? null : Samples(shape);
-            WindSourceDesc desc = WindSourceDesc.Create();
-            desc.Kind = WindSourceKind.Grid;
+            WindGridDesc desc = WindGridDesc.Create();
             float spacing = 2.0f * shape.Radius / (shape.Resolution - 1);
             // The first sample is the corner of least coordinates in the library's world: the samples are symmetric, so no order changes.
             Float3 middle = LangevinConversion.ToLibrary(transform.position);
@@ -145,12 +145,15 @@ namespace LangevinUnity
             desc.Spacing = new Float3(spacing, spacing, spacing);
             desc.Counts = new UInt3((uint)shape.Resolution, (uint)shape.Resolution, (uint)shape.Resolution);
             desc.Frames = FramesOf(shape);
-            desc.Period = Pulses(shape) ? 1.0f / (shape.Frequency * Frames) : 1.0f;
+            desc.FrameTime = Pulses(shape) ? 1.0f / (shape.Frequency * Frames) : 1.0f;
             desc.Outside = WindOutside.Zero;
             fixed (float* first = samples)
             {
                 desc.Samples = first;
-                Put(simulation, ref sphere, &desc);
+                WindSourceId id = sphere;
+                if (id.IsNull) LangevinSimulation.Check(Native.lr_world_add_wind_grid(simulation.Handle, &desc, &id), "lr_world_add_wind_grid");
+                else LangevinSimulation.Check(Native.lr_world_update_wind_grid(simulation.Handle, id, &desc), "lr_world_update_wind_grid");
+                sphere = id;
             }
             shapeSet = shape;
             positionSet = transform.position;
@@ -183,18 +186,6 @@ namespace LangevinUnity
                         }
             }
             return samples;
-        }
-
-        private static void Put(LangevinSimulation simulation, ref WindSourceId id, WindSourceDesc* desc)
-        {
-            if (!id.IsNull)
-            {
-                LangevinSimulation.Check(Native.lr_world_update_wind(simulation.Handle, id, desc), "lr_world_update_wind");
-                return;
-            }
-            WindSourceId added;
-            LangevinSimulation.Check(Native.lr_world_add_wind(simulation.Handle, desc, &added), "lr_world_add_wind");
-            id = added;
         }
 
         private static void Remove(LangevinSimulation simulation, ref WindSourceId id)

@@ -11,16 +11,18 @@ namespace LangevinUnity
     public struct LangevinEvent
     {
         /// <summary>What happened.</summary>
-        public ContactEventKind kind;
+        public EventKind kind;
         /// <summary>Whose body it is.</summary>
         public LangevinBatch batch;
         /// <summary>The body; stale where it has been destroyed.</summary>
         public BodyId body;
+        /// <summary>The number that the program gave to the body.</summary>
+        public ulong user;
         /// <summary>What was touched or left; null for other events, and for colliders without a component.</summary>
         public LangevinCollider collider;
         /// <summary>m, where they touch; else of the centre of mass.</summary>
         public Vector3 position;
-        /// <summary>Unit, from the collider to the body; 0 unless a contact begins.</summary>
+        /// <summary>Unit, from the collider to the body; 0 unless it is a hit.</summary>
         public Vector3 normal;
         /// <summary>m/s, of approach.</summary>
         public float speed;
@@ -37,7 +39,7 @@ namespace LangevinUnity
         [Header("Events")]
         [Tooltip("Kept of a step at most; 64 bytes each. 0: none.")]
         [SerializeField, Min(0)] private int eventCapacity = 0;
-        [SerializeField] private ContactEvents eventKinds = ContactEvents.Begin | ContactEvents.Landed | ContactEvents.Killed;
+        [SerializeField] private EventKinds eventKinds = EventKinds.Hit | EventKinds.Landed | EventKinds.Killed | EventKinds.Respawned;
         [SerializeField] private LangevinUnityEvent onEvent = new LangevinUnityEvent();
 
         private readonly Dictionary<BatchId, LangevinBatch> batchesById = new Dictionary<BatchId, LangevinBatch>();
@@ -55,7 +57,7 @@ namespace LangevinUnity
         public long LostEvents { get; private set; }
 
         /// <summary>Has events kept from now on, at most `capacity` of a step; 0 ends it.</summary>
-        public void SetEvents(int capacity, ContactEvents kinds)
+        public void SetEvents(int capacity, EventKinds kinds)
         {
             eventCapacity = capacity;
             eventKinds = kinds;
@@ -67,11 +69,11 @@ namespace LangevinUnity
         private void ApplyEvents()
         {
             // "Everything" in the inspector sets all 32 bits.
-            ContactEvents kinds = eventKinds & ContactEvents.All;
-            bool on = eventCapacity > 0 && kinds != ContactEvents.None;
-            Status status = Native.lr_world_set_contact_events(simulation.Handle, on ? (uint)eventCapacity : 0u,
-                on ? kinds : ContactEvents.None);
-            LangevinSimulation.Check(status, "lr_world_set_contact_events");
+            EventKinds kinds = eventKinds & EventKinds.All;
+            bool on = eventCapacity > 0 && kinds != EventKinds.None;
+            Status status = Native.lr_world_set_events(simulation.Handle, on ? (uint)eventCapacity : 0u,
+                on ? kinds : EventKinds.None);
+            LangevinSimulation.Check(status, "lr_world_set_events");
             LostEvents = 0;
         }
 
@@ -84,8 +86,8 @@ namespace LangevinUnity
         private void DispatchEvents()
         {
             if (eventCapacity <= 0 || Simulation == null) return;
-            ContactEventList list = ContactEventList.Create();
-            LangevinSimulation.Check(Native.lr_world_get_contact_events(simulation.Handle, &list), "lr_world_get_contact_events");
+            EventList list = EventList.Create();
+            LangevinSimulation.Check(Native.lr_world_get_events(simulation.Handle, &list), "lr_world_get_events");
             LostEvents = (long)list.TotalLost;
             int count = (int)list.Count;
             if (count == 0) return;
@@ -117,7 +119,7 @@ namespace LangevinUnity
             Array.Clear(buffer, 0, count);
         }
 
-        private LangevinEvent Convert(ContactEvent* from)
+        private LangevinEvent Convert(BodyEvent* from)
         {
             LangevinBatch batch;
             LangevinCollider collider = null;
@@ -128,6 +130,7 @@ namespace LangevinUnity
                 kind = from->Kind,
                 batch = batch,
                 body = from->Body,
+                user = from->User,
                 collider = collider,
                 position = LangevinConversion.ToUnity(from->Position),
                 normal = LangevinConversion.ToUnity(from->Normal),

@@ -6,19 +6,19 @@ import type { Asset } from '../../langevin_rigid.mjs';
 /** Constants of the C header, without LR_. */
 export declare const LR: {
   readonly OK: 0;
-  /** a pointer that must be given is null */
+  /** a required pointer is null */
   readonly ERROR_NULL_ARGUMENT: -1;
-  /** struct_size is smaller than any released size, or an unknown tail is not zero */
+  /** struct_size is below every released size, or an unknown tail is not 0 */
   readonly ERROR_STRUCT_SIZE: -2;
-  /** a value is out of its range */
+  /** a value is out of range */
   readonly ERROR_INVALID_ARGUMENT: -3;
   /** a number is NaN or infinite */
   readonly ERROR_NOT_FINITE: -4;
   /** the allocator returned null */
   readonly ERROR_OUT_OF_MEMORY: -5;
-  /** the body was destroyed, or never was */
+  /** the body was destroyed, or never existed */
   readonly ERROR_STALE_BODY: -6;
-  /** the batch was destroyed, or never was */
+  /** the batch was destroyed, or never existed */
   readonly ERROR_STALE_BATCH: -7;
   /** the batch, or the world's table of batches, is full */
   readonly ERROR_CAPACITY: -8;
@@ -34,11 +34,11 @@ export declare const LR: {
   readonly ERROR_ASSET_VERSION: -13;
   /** an asset file, but damaged */
   readonly ERROR_ASSET_CORRUPT: -14;
-  /** undamaged, but its numbers cannot be those of a body */
+  /** an undamaged asset file with numbers that no body can have */
   readonly ERROR_ASSET_INVALID: -15;
   /** not a snapshot, damaged, or of another version */
   readonly ERROR_SNAPSHOT_FORMAT: -16;
-  /** a snapshot of a world with other batches or assets */
+  /** the snapshot's world has other batches or assets */
   readonly ERROR_SNAPSHOT_MISMATCH: -17;
   /** not available on this processor or in this build */
   readonly ERROR_UNSUPPORTED: -18;
@@ -50,68 +50,53 @@ export declare const LR: {
   readonly ERROR_TIMESTEP_NEGATIVE: -21;
   /** dt is NaN or infinite */
   readonly ERROR_TIMESTEP_NOT_FINITE: -22;
-  /** dt / substeps is over LR_MAX_SUBSTEP */
+  /** dt / substeps exceeds LR_MAX_SUBSTEP */
   readonly ERROR_TIMESTEP_TOO_LARGE: -23;
-  /** substeps is 0 or over LR_MAX_SUBSTEPS */
+  /** substeps is 0 or exceeds LR_MAX_SUBSTEPS */
   readonly ERROR_SUBSTEPS: -24;
-  /** a defect of the library: please report */
+  /** a bug in the library: please report it */
   readonly ERROR_INTERNAL: -25;
-  /** the wind source was removed, or never was */
+  /** the wind source was removed, or never existed */
   readonly ERROR_STALE_WIND_SOURCE: -26;
-  /** the collider was destroyed, or never was */
+  /** the collider was destroyed, or never existed */
   readonly ERROR_STALE_COLLIDER: -27;
-  /** another thread is inside a call on the world: LR_CHECK_THREADS */
+  /** another thread is inside a call on this world: see LR_CHECK_THREADS */
   readonly ERROR_CONCURRENT_USE: -28;
-  /** this thread is, and the call comes from a callback: LR_CHECK_THREADS */
+  /** called from one of this world's callbacks: see LR_CHECK_THREADS */
   readonly ERROR_REENTRANT: -29;
-  /** s: the longest dt / substeps that is taken */
+  /** s: the largest dt / substeps */
   readonly MAX_SUBSTEP: 1;
   /** the most substeps in one step */
   readonly MAX_SUBSTEPS: 65536;
-  /** a call failed: the message says which, and why */
+  /** a call failed: the message names it and gives the reason */
   readonly LOG_ERROR: 1;
-  /** a call succeeded, but probably not as meant */
+  /** a call succeeded, but probably does not do what was meant */
   readonly LOG_WARNING: 2;
   readonly LOG_INFO: 3;
   readonly SIMD_AUTO: 0;
-  /** with SSE4.2, AES and PCLMUL: the least that an x86-64 processor must have */
+  /** with SSE4.2, AES and PCLMUL: the minimum on x86-64 */
   readonly SIMD_SSE4: 1;
   readonly SIMD_AVX2: 2;
   readonly SIMD_AVX512: 3;
   readonly SIMD_NEON: 4;
   readonly SIMD_WASM: 5;
-  /** plain C++, in builds for tests alone */
+  /** plain C++, only in test builds */
   readonly SIMD_PLAIN: 6;
   /** diagonal in body axes, buoyancy at the centre of mass: the fast path applies */
   readonly ASSET_DIAGONAL: 1;
   readonly CHECK_THREADS: 1;
-  readonly WIND_NONE: 0;
-  /** the same velocity everywhere */
-  readonly WIND_UNIFORM: 1;
-  /** fluctuations of the uniform wind in time */
-  readonly WIND_SOURCE_GUSTS: 1;
-  /** a straight vortex with a core that turns as a solid */
-  readonly WIND_SOURCE_RANKINE: 2;
-  /** a straight vortex with a smooth core */
-  readonly WIND_SOURCE_LAMB_OSEEN: 3;
-  /** a round jet */
-  readonly WIND_SOURCE_POINT_BLOWER: 4;
-  /** a plane jet from a slot */
-  readonly WIND_SOURCE_LINE_BLOWER: 5;
-  /** random, without divergence, everywhere; carried along by the uniform wind */
-  readonly WIND_SOURCE_TURBULENCE: 6;
-  /** samples on a lattice, in one or more frames */
-  readonly WIND_SOURCE_GRID: 7;
-  /** a factor of the uniform wind and the gusts: logarithmic over a plane */
-  readonly WIND_SOURCE_GROUND: 8;
+  readonly MAX_WIND_SOURCES: 64;
+  /** a smooth core, as viscosity makes it */
+  readonly VORTEX_LAMB_OSEEN: 0;
+  /** a core that rotates as a solid */
+  readonly VORTEX_RANKINE: 1;
   /** a grid adds nothing outside its samples */
   readonly WIND_OUTSIDE_ZERO: 0;
-  /** it goes on as at its border */
+  /** the values at its border continue outside */
   readonly WIND_OUTSIDE_CLAMP: 1;
-  /** it repeats itself; the first sample follows the last */
+  /** the grid repeats: its first sample follows its last */
   readonly WIND_OUTSIDE_REPEAT: 2;
-  readonly MAX_WIND_SOURCES: 64;
-  /** of a grid, all frames together */
+  /** of one grid, all frames together */
   readonly MAX_WIND_SAMPLES: 67108864;
   readonly MAX_WAVES: 8;
   readonly RECORD_CALLBACKS: 1;
@@ -123,25 +108,25 @@ export declare const LR: {
   readonly LOADS_LANGEVIN: 2;
   /** quasi-steady drag and lift in a turbulent fluid; docs/maintainers/physics.md, 5 */
   readonly LOADS_AERODYNAMIC: 3;
-  /** turbulence scales with the body's present speed through the fluid */
+  /** turbulence scales with the body's current speed through the fluid */
   readonly CLOCK_SPEED: 0;
-  /** the paper: turbulence follows the table at the body's age */
+  /** the paper's: turbulence follows the table by the body's age */
   readonly CLOCK_AGE: 1;
   /** LR_CLOCK_AGE: hold the last sample after the end of the table */
   readonly TABLE_CLAMP: 0;
-  /** LR_CLOCK_AGE: begin again */
+  /** LR_CLOCK_AGE: start over */
   readonly TABLE_LOOP: 1;
   /** LR_INTEGRATOR_SPLITTING in this version */
   readonly INTEGRATOR_DEFAULT: 0;
-  /** the paper's: fourth order, unstable at long steps, slow. In water: splitting */
+  /** the paper's: fourth order, slow, unstable at long steps. In water: splitting */
   readonly INTEGRATOR_RK4: 1;
-  /** second order and stable at any step; docs/maintainers/numerics.md */
+  /** second order, stable at any step; docs/maintainers/numerics.md */
   readonly INTEGRATOR_SPLITTING: 2;
   /** 7 floats: position, quaternion x y z w */
   readonly TRANSFORM_POSITION_QUATERNION: 0;
-  /** 8 floats: the same and the scale */
+  /** 8 floats: position, quaternion x y z w, scale */
   readonly TRANSFORM_POSITION_QUATERNION_SCALE: 1;
-  /** 12 floats: three rows of rotation times scale and translation */
+  /** 12 floats: three rows, rotation times scale and translation */
   readonly TRANSFORM_3X4_ROW_MAJOR: 2;
   /** 12 floats: four columns of three */
   readonly TRANSFORM_3X4_COLUMN_MAJOR: 3;
@@ -149,10 +134,10 @@ export declare const LR: {
   readonly TRANSFORM_4X4_ROW_MAJOR: 4;
   /** 16 floats; column vectors, translation in elements 12, 13, 14 */
   readonly TRANSFORM_4X4_COLUMN_MAJOR: 5;
-  readonly REST_AWAKE: 0;
-  readonly REST_RESTING: 1;
-  /** read only: it has left physics, and lr_batch_set_fault_policy holds it where it was */
-  readonly REST_HELD: 2;
+  readonly SLEEP_AWAKE: 0;
+  readonly SLEEP_ASLEEP: 1;
+  /** read only: diverged, and held where it was by lr_batch_set_divergence_policy */
+  readonly SLEEP_HELD: 2;
   /** N, N m */
   readonly FORCE_MODE_FORCE: 0;
   /** m/s^2, rad/s^2 */
@@ -162,7 +147,7 @@ export declare const LR: {
   /** m/s, rad/s: added to the body's */
   readonly FORCE_MODE_VELOCITY: 3;
   readonly FRAME_WORLD: 0;
-  /** turns with the body */
+  /** rotates with the body */
   readonly FRAME_BODY: 1;
   /** `force` acts at `point`, not at the centre of mass; forces and impulses only */
   readonly FORCE_AT_POINT: 1;
@@ -175,48 +160,54 @@ export declare const LR: {
   readonly COLLIDER_MESH: 7;
   /** in a world, at a time */
   readonly MAX_COLLIDERS: 67108864;
-  /** given for one hull */
+  /** of one hull */
   readonly MAX_HULL_VERTICES: 256;
-  /** of one mesh; and triangles of one, and heights of one heightfield */
+  /** vertices or triangles of one mesh, or heights of one heightfield */
   readonly MAX_COLLIDER_VERTICES: 67108864;
-  /** over the next step it goes from where it is to this pose, and stands still afterwards */
+  /** sweeps to this pose during the next step, then stands still */
   readonly MOVE_TO: 1;
-  /** it is there at once, and has these velocities from now on */
+  /** teleports to this pose, and moves with these velocities from now on */
   readonly MOVE_PLACE: 2;
-  /** it stays where it is, and has these velocities from now on */
+  /** keeps its pose, and moves with these velocities from now on */
   readonly MOVE_VELOCITY: 3;
-  /** bodies move until they are put to rest by lr_body_set_rest */
-  readonly CONTACT_NEVER_REST: 1;
-  /** a body touches a collider that it did not touch at the end of the step before */
-  readonly CONTACT_BEGIN: 1;
-  /** it no longer does, or the collider has been destroyed, whose id is then stale */
-  readonly CONTACT_END: 2;
-  /** it has come to rest by itself */
-  readonly BODY_LANDED: 3;
-  /** it has left rest since the step before, whatever for */
-  readonly BODY_WOKE: 4;
-  /** its batch's rules have ended it; with LR_END_RESPAWN it goes on with the same id */
-  readonly BODY_KILLED: 5;
-  /** it has left physics: lr_batch_set_fault_policy */
-  readonly BODY_FAULTED: 6;
-  readonly EVENTS_BEGIN: 1;
-  readonly EVENTS_END: 2;
-  readonly EVENTS_LANDED: 4;
-  readonly EVENTS_WOKE: 8;
-  readonly EVENTS_KILLED: 16;
-  readonly EVENTS_FAULTED: 32;
-  readonly EVENTS_ALL: 63;
+  /** bodies never fall asleep by themselves, only by lr_body_set_sleep */
+  readonly CONTACT_NEVER_SLEEP: 1;
+  /** an emitter or lr_batch_spawn added it since the previous step; not lr_body_create */
+  readonly EVENT_SPAWNED: 1;
+  /** the body touches a collider that it did not touch at the end of the step before */
+  readonly EVENT_HIT: 2;
+  /** it no longer touches the collider, or the collider was destroyed: its id is stale */
+  readonly EVENT_LIFTED: 3;
+  /** it fell asleep by itself */
+  readonly EVENT_LANDED: 4;
+  /** it woke since the previous step, for any reason */
+  readonly EVENT_WOKE: 5;
+  /** its batch's rules or its divergence destroyed it: its id is stale */
+  readonly EVENT_KILLED: 6;
+  /** its batch's rules or its divergence ended it, and it restarted with its id */
+  readonly EVENT_RESPAWNED: 7;
+  /** it diverged: lr_batch_set_divergence_policy */
+  readonly EVENT_DIVERGED: 8;
+  readonly EVENTS_SPAWNED: 1;
+  readonly EVENTS_HIT: 2;
+  readonly EVENTS_LIFTED: 4;
+  readonly EVENTS_LANDED: 8;
+  readonly EVENTS_WOKE: 16;
+  readonly EVENTS_KILLED: 32;
+  readonly EVENTS_RESPAWNED: 64;
+  readonly EVENTS_DIVERGED: 128;
+  readonly EVENTS_ALL: 255;
   readonly RAY_BODIES: 1;
   readonly RAY_COLLIDERS: 2;
   /** size[0]: radius */
   readonly OVERLAP_SPHERE: 1;
   /** size: half extents along its own axes */
   readonly OVERLAP_BOX: 2;
-  /** the body is destroyed, its id stale */
+  /** the body is destroyed and its id becomes stale */
   readonly END_DESTROY: 0;
-  /** the body begins anew where the batch's emitter says, at age 0, with the same id and key */
+  /** the body restarts where the batch's emitter puts it, at age 0, with its id and noise seed */
   readonly END_RESPAWN: 1;
-  /** inside: behind the plane through `center`, away from its normal `size` */
+  /** `size` is its normal, `center` a point of it; inside: behind it, away from the normal */
   readonly VOLUME_PLANE: 0;
   /** axis-aligned; size: half extents */
   readonly VOLUME_BOX: 1;
@@ -225,34 +216,35 @@ export declare const LR: {
   readonly KILL_INSIDE: 0;
   readonly KILL_OUTSIDE: 1;
   readonly MAX_KILL_VOLUMES: 8;
-  /** as LR_FAULT_REMOVE in a batch with rules, as LR_FAULT_FREEZE in others */
-  readonly FAULT_AUTO: 0;
-  /** it is held where it last was sane */
-  readonly FAULT_FREEZE: 1;
-  /** it ends: respawns where the batch's rules do that, else is destroyed */
-  readonly FAULT_REMOVE: 2;
+  /** LR_DIVERGENCE_REMOVE in a batch with rules, else LR_DIVERGENCE_FREEZE */
+  readonly DIVERGENCE_AUTO: 0;
+  /** the body is held where it was last valid */
+  readonly DIVERGENCE_FREEZE: 1;
+  /** the body respawns if the batch's rules respawn, else it is destroyed */
+  readonly DIVERGENCE_REMOVE: 2;
   readonly EMIT_POINT: 0;
-  /** the first three fill their shape evenly */
+  /** filled evenly */
   readonly EMIT_BOX: 1;
+  /** filled evenly */
   readonly EMIT_SPHERE: 2;
-  /** in the plane of the shape's own x and y */
+  /** filled evenly, in the plane of the shape's x and y axes */
   readonly EMIT_DISC: 3;
-  /** evenly */
+  /** covered evenly */
   readonly EMIT_BOX_SURFACE: 4;
-  /** evenly if its three sizes are equal */
+  /** covered evenly if its three sizes are equal */
   readonly EMIT_SPHERE_SURFACE: 5;
-  /** every orientation alike */
+  /** every orientation is equally likely */
   readonly POSE_RANDOM: 0;
   /** body_orientation */
   readonly POSE_FIXED: 1;
 };
 
 /**
- * Where a world takes its memory from. Both functions are given or neither; neither means the C library's.
+ * The allocator of a world. Set both functions, or neither to use the C library's.
  * `allocate` returns `size` bytes aligned to `alignment` (a power of two, at most 128), or null.
- * `release` gets the very size and alignment that were asked for. Called only from the thread that calls the library,
- * during lr_world_step only where bodies meet each other (lr_batch_set_pair_contact) in greater number than ever before.
- * Must not call the library on the same world.
+ * `release` receives the same size and alignment as the matching `allocate`. Both are called only on the thread that
+ * calls the library. lr_world_step calls them only when more bodies touch each other than ever before
+ * (lr_batch_set_body_contact). Neither may call the library on the same world.
  */
 export interface Allocator {
   user: number;
@@ -267,46 +259,46 @@ export interface JobSystem {
 }
 
 /**
- * A solid ellipsoid, with everything from closed forms: mass, Lamb's added mass, and the decay of k and epsilon in a
- * uniform stream. The quickest way to a first falling body.
+ * A solid ellipsoid: the quickest way to a first falling body. Mass, added mass (Lamb) and the decay of k and epsilon
+ * in a uniform stream come from closed forms.
  */
 export interface EllipsoidDesc {
   /** 3 elements. m, each 1e-6 to 1e3, along body x, y, z */
   semiAxes: number[];
   /** kg/m^3 of the body, > 0 */
   density: number;
-  /** kg/m^3, > 0; initially 1.2, air */
+  /** kg/m^3, > 0; default 1.2, air */
   fluidDensity: number;
-  /** m^2/s, kinematic, > 0; initially 1.5e-5, air */
+  /** m^2/s, kinematic, > 0; default 1.5e-5, air */
   fluidViscosity: number;
-  /** turbulence intensity I of k0 = 3/2 (I U0)^2, 0 to 10; initially 1, as in the paper */
+  /** turbulence intensity I of k0 = 3/2 (I U0)^2, 0 to 10; default 1, as in the paper */
   intensity: number;
-  /** 3 elements. m, from the centre of the ellipsoid, inside it; initially 0. A ballasted body: its centre of buoyancy stays at the centre, its moments of inertia those of the uniform solid */
+  /** 3 elements. m, from the ellipsoid's centre, inside it; default 0. For ballast: the centre of buoyancy and the moments of inertia stay those of the uniform solid */
   centerOfMass: number[];
 }
 
 /**
- * Coefficients of the quasi-steady loads at scale 1; equations in docs/maintainers/physics.md, AERODYNAMIC. Everything acts at
- * `center` along `axes`, which turn with the body. Arrays have a value for each axis. v: velocity through the fluid and w:
- * spin, both along the axes; s = |v|; (i, j, k) cyclic; d: lr_asset_info.length_d; rho, nu: density and kinematic viscosity of
- * the fluid.
+ * Coefficients of the quasi-steady loads (LR_LOADS_AERODYNAMIC) at scale 1; equations: docs/maintainers/physics.md,
+ * AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
+ * Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
+ * lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
  */
 export interface Aerodynamics {
   /** 9 elements. rows: unit vectors in the body frame, right-handed */
   axes: number[];
   /** 3 elements. m^2, drag coefficient times area */
   drag: number[];
-  /** 3 elements. m^2, the part that grows with the Reynolds number: of rounded bodies */
+  /** 3 elements. m^2, the part of rounded bodies, which grows with the Reynolds number */
   dragBlunt: number[];
-  /** 3 elements. m^(3/2), of the boundary layer */
+  /** 3 elements. m^(3/2), boundary layer */
   dragLayer: number[];
-  /** 3 elements. m, of creeping flow */
+  /** 3 elements. m, creeping flow */
   dragStokes: number[];
   /** 3 elements. m^2, positive where the body is thinner along j than along i */
   lift: number[];
   /** 3 elements. m^3 */
   spinLift: number[];
-  /** 3 elements. m^3, moment rho lift_moment_k v_i v_j of that lift about k */
+  /** 3 elements. m^3, moment of the lift about k: rho lift_moment_k v_i v_j */
   liftMoment: number[];
   /** 3 elements. m^5 */
   spinDrag: number[];
@@ -314,11 +306,11 @@ export interface Aerodynamics {
   spinDragStream: number[];
   /** 3 elements. m^3 */
   spinDragStokes: number[];
-  /** of the velocity of the fluid in the body's own wake: per axis `intensity` times s. More than 0.4, gains included, acts as 0.4: such a wake would feed itself */
+  /** velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself */
   intensity: number;
-  /** m, correlated over length/s */
+  /** m: the fluctuations are correlated over length/s */
   length: number;
-  /** that velocity is less by Re/(Re + wake_reynolds): slow wakes are laminar */
+  /** scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar */
   wakeReynolds: number;
   /** 3 elements. 0 to 1 */
   broadside: number[];
@@ -327,13 +319,13 @@ export interface Aerodynamics {
   liftMomentStalled: number[];
   /** 3 elements. m^4 */
   rollDamping: number[];
-  /** 3 elements. m, where all of it acts, from the centre of buoyancy, body frame; initially 0; within 2 d */
+  /** 3 elements. m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0 */
   center: number[];
 }
 
 /**
- * A body whose numbers are known, without mesh or file: from another solver, from measurements, or a section of a card in
- * two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes.
+ * A body of known numbers without a mesh or file: from another solver, from measurements, or the cross-section of a
+ * card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes.
  */
 export interface RigidDesc {
   /** kg, > 0 */
@@ -342,23 +334,23 @@ export interface RigidDesc {
   volume: number;
   /** 9 elements. kg m^2, positive definite */
   inertia: number[];
-  /** 36 elements. order vx vy vz wx wy wz, fluid density included as in lr_asset_info: kg, kg m, kg m^2; positive semi-definite; initially 0 */
+  /** 36 elements. kg, kg m, kg m^2: order vx vy vz wx wy wz, fluid density included, as in lr_asset_info; positive semi-definite; default 0 */
   addedMass: number[];
-  /** 3 elements. m, from the centre of mass; initially 0 */
+  /** 3 elements. m, from the centre of mass; default 0 */
   centerOfBuoyancy: number[];
-  /** kg/m^3, > 0; initially 1.2, air */
+  /** kg/m^3, > 0; default 1.2, air */
   fluidDensity: number;
-  /** m^2/s, kinematic, > 0; initially 1.5e-5, air */
+  /** m^2/s, kinematic, > 0; default 1.5e-5, air */
   fluidViscosity: number;
   /** 3 elements. m, full size along the body axes, > 0 */
   extents: number[];
-  /** of the turbulence table, as in lr_ellipsoid_desc; initially 1 */
+  /** of the turbulence table, as in lr_ellipsoid_desc; default 1 */
   intensity: number;
-  /** copied; null, as initially: those of an ellipsoid with these extents */
+  /** copied; default null: an ellipsoid's with these extents */
   aerodynamics: Aerodynamics;
 }
 
-/** What an asset is. Matrices are row-major and symmetric. */
+/** Properties of an asset. Matrices are row-major and symmetric. */
 export interface AssetInfo {
   /** LR_ASSET_* */
   flags: number;
@@ -370,7 +362,7 @@ export interface AssetInfo {
   volume: number;
   /** kg/m^3 */
   density: number;
-  /** 3 elements. m, in the frame of the mesh: where the body origin lies in it */
+  /** 3 elements. m, in the frame of the mesh: the position of the body's origin in it */
   centerOfMass: number[];
   /** 3 elements. m, from the centre of mass, body axes */
   centerOfBuoyancy: number[];
@@ -378,7 +370,7 @@ export interface AssetInfo {
   inertia: number[];
   /** 36 elements. about the centre of mass, order vx vy vz wx wy wz, fluid density included: kg for the 3x3 block of v, kg m for the coupling, kg m^2 for the block of w */
   addedMass: number[];
-  /** kg/m^3, of the fluid it was baked in */
+  /** kg/m^3, of the fluid that the asset was baked in */
   fluidDensity: number;
   /** m^2/s, kinematic */
   fluidViscosity: number;
@@ -398,43 +390,43 @@ export interface AssetInfo {
   turbulenceDt: number;
   /** number of table samples */
   turbulenceCount: number;
-  /** 0 for an asset without a hull */
+  /** 0: no hull */
   hullVertexCount: number;
   hullTriangleCount: number;
-  /** of the file; 0 for an asset without a file */
+  /** of the file; 0: created without a file */
   formatVersion: number;
-  /** of everything that matters for motion; equal for equal assets */
+  /** of everything that affects motion; equal for equal assets */
   contentHash: bigint;
 }
 
 export interface WorldDesc {
-  /** threads besides the caller's, 0 to 64; initially 0: everything runs in the caller. With `jobs`: the most indices in one enqueue, as many as its threads but the caller's; 0: one less than this machine has threads, from 1 to 64, and a warning that it is a guess */
+  /** threads besides the caller's, 0 to 64; default 0: everything runs on the caller's thread. With `jobs`: threads of the job system besides the caller's, and the most indices in one enqueue; 0 guesses the machine's threads less one, from 1 to 64, and logs a warning */
   workerCount: number;
-  /** of all noise; initially 0 */
+  /** of all noise; default 0 */
   seed: bigint;
-  /** 3 elements. m/s^2; initially 0, -9.81, 0 */
+  /** 3 elements. m/s^2; default 0, -9.81, 0 */
   gravity: number[];
-  /** kg/m^3, >= 0; initially 0: each batch in the fluid its asset was baked in */
+  /** kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in */
   fluidDensity: number;
-  /** LR_SIMD_*; initially LR_SIMD_AUTO */
+  /** LR_SIMD_*; default LR_SIMD_AUTO */
   simdTarget: number;
-  /** m^2/s, kinematic, >= 0; initially 0: as each batch's asset was baked */
+  /** m^2/s, kinematic, >= 0; default 0: each batch uses the value its asset was baked with */
   fluidViscosity: number;
-  /** copied; initially null functions: the C library's */
+  /** copied; default null functions: the C library's */
   allocator: Allocator;
-  /** initially null: silence */
+  /** default null: no messages */
   log: number;
   logUser: number;
-  /** copied; initially null functions: worker_count threads of the world's own */
+  /** copied; default null functions: the world starts worker_count threads of its own */
   jobs: JobSystem;
-  /** bits LR_CHECK_*; initially 0 */
+  /** bits LR_CHECK_*: misuse to detect, for development; default 0 */
   checks: number;
 }
 
 export interface WorldInfo {
-  /** what LR_SIMD_AUTO became */
+  /** LR_SIMD_*: in use, never LR_SIMD_AUTO */
   simdTarget: number;
-  /** as in the desc; with jobs what 0 became */
+  /** as in the desc; with `jobs` and 0: the guess */
   workerCount: number;
   batchCount: number;
   bodyCount: number;
@@ -442,185 +434,267 @@ export interface WorldInfo {
   substepCount: number;
   /** s since creation: the sum of all dt, in double */
   time: number;
-  /** taken from the allocator at present */
+  /** currently allocated */
   memoryBytes: number;
   colliderCount: number;
-  /** bodies that are not at rest: lr_body_set_rest */
+  /** bodies that are not asleep: lr_body_set_sleep */
   awakeCount: number;
+  /** as set by lr_world_set_budget */
+  budget: number;
+  /** 3 elements. m/s^2, as set by lr_world_set_gravity */
+  gravity: number[];
 }
 
-export interface WindDesc {
-  /** LR_WIND_*; initially LR_WIND_UNIFORM */
-  kind: number;
-  /** 3 elements. m/s, each up to 1000 in magnitude; initially 0 */
-  velocity: number[];
-}
-
-/** Fields that a kind does not have are not used, but must be in range. Lengths up to 1e6 m, speeds up to 1000 m/s. */
-export interface WindSourceDesc {
-  /** LR_WIND_SOURCE_*; initially 0, which is none of them */
-  kind: number;
-  /** 3 elements. m: a point of the vortex axis (its middle, if half_length > 0), the nozzle's middle, the grid's first sample, a point of the ground; initially 0 */
-  position: number[];
-  /** 3 elements. any length but 0: the vortex axis (right-hand rule), where a blower blows, about where gusts blow, the ground's upward normal; initially 1, 0, 0 */
-  direction: number[];
-  /** 3 elements. along the slot of a line blower, not along its direction; initially 0, 0, 1 */
-  side: number[];
-  /** 3 elements. m/s, of the source itself; initially 0 */
-  velocity: number[];
-  /** m/s: of a blower at its nozzle; root mean square of gusts in all, of turbulence for each component; >= 0; initially 1 */
-  speed: number;
-  /** m^2/s, up to 1e6 in magnitude; initially 1 */
-  circulation: number;
-  /** m, >= 1e-4: core radius, radius of the nozzle or half width of the slot, integral length of turbulence, roughness length of the ground (0.0001 water, 0.03 grass, 1 town); initially 1 */
-  size: number;
-  /** m: a vortex fades out from half of it on, to nothing at it; 0: no limit; initially 0 */
-  radius: number;
-  /** m: of a vortex, which fades likewise, 0 for no limit; of a slot; initially 0 */
-  halfLength: number;
-  /** m, >= size: a blower fades out from half of it on, to nothing at it; initially 10 */
-  range: number;
-  /** 0 to 1: widening of a jet per length, 0.11 as measured; gusts: root mean square angle in radians from `direction`; initially 0.1 */
-  spread: number;
-  /** s: integral time of gusts, 0 for 4, as 2 m over the ground in 3 m/s (IEC 61400-1: 5.67 times the height over the speed); life of the largest eddies, 0 for size/speed; time from one frame to the next, 0 for 1; up to 1e6; initially 0 */
-  period: number;
-  /** m: where the ground's factor is 1; >= size; initially 10 */
-  referenceHeight: number;
-  /** of turbulence, each half as large as the one before, 1 to 4; initially 2 */
-  octaves: number;
-  /** of gusts and turbulence, together with the world's; initially 0 */
+/**
+ * Gusts: fluctuations of the uniform wind in time, with mean 0. They start from 0 when added, the fast ones first, and
+ * reach full strength after 4 integral times; an update continues them.
+ */
+export interface GustsDesc {
+  /** combined with the world's; default 0 */
   seed: number;
-  /** LR_WIND_OUTSIDE_*; initially LR_WIND_OUTSIDE_ZERO */
+  /** 3 elements. mean direction, any length but 0; default 1, 0, 0 */
+  direction: number[];
+  /** m/s, root mean square speed, 0 to 1000; default 1 */
+  rms: number;
+  /** rad, root mean square angle from `direction`, 0 to 1; default 0.1 */
+  angleRms: number;
+  /** s, up to 1e6; default 0: 4 s. IEC 61400-1: 5.67 times height over wind speed */
+  integralTime: number;
+}
+
+/** A straight vortex. */
+export interface VortexDesc {
+  /** LR_VORTEX_*; default LR_VORTEX_LAMB_OSEEN */
+  core: number;
+  /** 3 elements. m, a point on the axis, its middle if half_length > 0; default 0 */
+  position: number[];
+  /** 3 elements. right-hand rule, any length but 0; default 0, 1, 0 */
+  axis: number[];
+  /** 3 elements. m/s, of the vortex itself; default 0 */
+  velocity: number[];
+  /** m^2/s, up to 1e6 and up to 6000 * core_radius in magnitude; default 1 */
+  circulation: number;
+  /** m, >= 1e-4; default 1 */
+  coreRadius: number;
+  /** m: fades from half this distance to nothing at it; default 0: no limit */
+  outerRadius: number;
+  /** m: likewise along the axis; default 0: no limit */
+  halfLength: number;
+}
+
+/** A blower: a turbulent jet, round or from a slot. */
+export interface BlowerDesc {
+  /** 3 elements. m, the middle of the nozzle; default 0 */
+  position: number[];
+  /** 3 elements. of the jet, any length but 0; default 1, 0, 0 */
+  direction: number[];
+  /** 3 elements. along the slot; not parallel to `direction`; default 0, 0, 1. Unused by a round jet */
+  side: number[];
+  /** 3 elements. m/s, of the blower itself; default 0 */
+  velocity: number[];
+  /** m/s at the nozzle, 0 to 1000; default 1 */
+  speed: number;
+  /** m, >= 1e-4: of a round nozzle, half the width of a slot; default 1 */
+  nozzleRadius: number;
+  /** m: half the length of the slot; default 0: a round jet */
+  halfLength: number;
+  /** m, >= nozzle_radius: fades from half this distance to nothing at it; default 10 */
+  range: number;
+  /** widening of the jet per length, 0 to 1; default 0.1, measured as 0.11 */
+  spread: number;
+}
+
+/** Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. */
+export interface TurbulenceDesc {
+  /** combined with the world's; default 0 */
+  seed: number;
+  /** each half the size of the one before, 1 to 4; default 2 */
+  octaves: number;
+  /** 3 elements. m/s, of the pattern, besides the uniform wind; default 0 */
+  velocity: number[];
+  /** m/s, root mean square of each component, 0 to 1000; default 1 */
+  rms: number;
+  /** m, >= 1e-4; default 1 */
+  integralLength: number;
+  /** s, of the largest eddies, up to 1e6; default 0: integral_length/rms */
+  eddyLife: number;
+}
+
+/** Samples of wind on a lattice, in one or more frames that are played in a loop. */
+export interface WindGridDesc {
+  /** LR_WIND_OUTSIDE_*; default LR_WIND_OUTSIDE_ZERO */
   outside: number;
-  /** 3 elements. samples of a grid along x, y, z, each >= 1 */
-  counts: number[];
-  /** of a grid, shown one after the other and again from the first; >= 1; initially 1 */
-  frames: number;
-  /** 3 elements. m between samples, >= 1e-4; initially 1 */
+  /** 3 elements. m, of the first sample; default 0 */
+  position: number[];
+  /** 3 elements. m/s, of the grid itself; default 0 */
+  velocity: number[];
+  /** 3 elements. m between samples, >= 1e-4; default 1 */
   spacing: number[];
-  /** m/s, x y z of each sample; x varies fastest, then y, z, frame; copied */
+  /** 3 elements. samples along x, y, z, each >= 1 */
+  counts: number[];
+  /** >= 1; default 1 */
+  frames: number;
+  /** s between frames, up to 1e6; default 0: 1 s */
+  frameTime: number;
+  /** m/s, each up to 1000 in magnitude: x y z of each sample; x varies fastest, then y, z, frame; copied. Null in an update: keeps the samples, if counts and frames are unchanged. lr_world_get_wind_grid gives null */
   samples: Float32Array;
 }
 
-/** What a wind callback is asked. Arrays have one value a body. */
+/** A logarithmic profile over the ground, a plane: scales the uniform wind and the gusts. */
+export interface GroundWindDesc {
+  /** 3 elements. m, a point on the ground; default 0 */
+  position: number[];
+  /** 3 elements. upward, any length but 0; default 0, 1, 0 */
+  normal: number[];
+  /** 3 elements. m/s, of the plane itself; default 0 */
+  velocity: number[];
+  /** m, >= 1e-4; default 0.03, grass (0.0001 water, 1 town) */
+  roughnessLength: number;
+  /** m, >= roughness_length: the height at which the factor is 1; default 10 */
+  referenceHeight: number;
+}
+
+/** Input and output of a wind callback. Arrays hold one value per body. */
 export interface WindQuery {
   /** bodies, 1 to 256 */
   count: number;
-  /** whose bodies they are; 0 when asked by lr_world_sample_wind */
+  /** of these bodies; id 0 in lr_world_sample_wind */
   batch: number;
   /** s, of the middle of the substep */
   time: number;
-  /** 3 elements. m: where the bodies are expected to be at that time; finite */
+  /** 3 elements. m: expected positions of the bodies at that time; finite */
   position: Float32Array[];
-  /** 3 elements. m/s, 0 at first: the velocity that is added to the other sources' */
+  /** 3 elements. m/s, preset to 0: write the velocity to add to the other sources' */
   velocity: Float32Array[];
-  /** 3 elements. m/s^2, 0 at first: its partial derivative in time, if it is known */
+  /** 3 elements. m/s^2, preset to 0: write its partial derivative in time, if known */
   rate: Float32Array[];
-  /** 9 elements. 1/s, 0 at first: d velocity[i] / d position[j] at 3 i + j, if it is known. Without rate and gradient the callback's part gives drag, but neither the force of the fluid's acceleration nor shear */
+  /** 9 elements. 1/s, preset to 0: write d velocity[i] / d position[j] at 3 i + j, if known. Without rate and gradient the callback's wind causes drag, but neither shear nor the force of accelerating fluid */
   gradient: Float32Array[];
 }
 
 /**
- * A long-crested wave of deep water. Heights add; its frequency sqrt(2 pi g/length) is that of the world's gravity when
- * the surface is set.
+ * A long-crested deep-water wave. Heights of waves add up. The frequency sqrt(2 pi g/length) uses the world's gravity
+ * at the time of lr_world_set_water.
  */
 export interface Wave {
-  /** 3 elements. where it goes: any vector not along the normal; its part in the plane counts */
+  /** 3 elements. of travel: any vector not along the normal; only its part in the plane counts */
   direction: number[];
   /** m, crest to crest, 1e-3 to 1e6 */
   length: number;
-  /** m, half of crest to trough, 0 to length/7: steeper ones break */
+  /** m, half of crest to trough, 0 to length/7: steeper waves break */
   amplitude: number;
-  /** rad, up to 1e6 in magnitude: 0 has a crest at `position` at the world's time 0 */
+  /** rad, up to 1e6 in magnitude; 0 puts a crest at `position` at world time 0 */
   phase: number;
 }
 
-/**
- * The lower fluid fills everything below a plane, or below the waves on it. Above is the fluid of the world or of each
- * batch's asset. Bodies float, sink, and go through; surface tension is ignored.
- */
-export interface SurfaceDesc {
-  /** used part of `waves`; initially 0 */
+/** The water surface. Water fills everything below it; above it is the fluid of the world or of each batch's asset. */
+export interface WaterDesc {
+  /** elements of `waves` in use; default 0 */
   waveCount: number;
-  /** 3 elements. m, a point of the plane, each up to 1e9 in magnitude; initially 0 */
+  /** 3 elements. m, a point of the plane, each up to 1e9 in magnitude; default 0 */
   position: number[];
-  /** 3 elements. upward, any length but 0; initially 0, 1, 0 */
+  /** 3 elements. upward, any length but 0; default 0, 1, 0 */
   normal: number[];
-  /** kg/m^3, 1e-3 to 1e6; initially 998. A batch whose own fluid is denser keeps that one's */
+  /** kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density */
   density: number;
-  /** m^2/s, kinematic, 1e-12 to 1e3; initially 1e-6 */
+  /** m^2/s, kinematic, 1e-12 to 1e3; default 1e-6 */
   viscosity: number;
-  /** 3 elements. m/s, velocity of the lower fluid, each up to 1000 in magnitude; initially 0 */
+  /** 3 elements. m/s, velocity of the water, each up to 1000 in magnitude; default 0 */
   current: number[];
-  /** m, 0 to 1e6: a callback's surface lies at most so far from the plane; initially 0 */
+  /** m, 0 to 1e6: the farthest that a callback's surface lies from the plane; default 0 */
   reach: number;
   /** 8 elements. */
   waves: Wave[];
 }
 
-/** What a surface callback is asked. Arrays have one value a body, and hold what plane and waves give at first. */
-export interface SurfaceQuery {
+/**
+ * Input and output of a water surface callback. Arrays hold one value per body; outputs are preset to the values of the
+ * plane and its waves.
+ */
+export interface WaterQuery {
   /** bodies, 1 to 256 */
   count: number;
-  /** whose bodies they are */
+  /** of these bodies */
   batch: number;
   /** s */
   time: number;
   /** 3 elements. m; finite */
   position: Float32Array[];
-  /** m above the plane of the surface there, along the plane's normal */
+  /** m, of the surface above the plane, along the plane's normal */
   height: Float32Array;
   /** 3 elements. unit, of the surface, less than 80 degrees from the plane's */
   normal: Float32Array[];
-  /** 3 elements. m/s, of the lower fluid at the position */
+  /** 3 elements. m/s, of the water at the position */
   velocity: Float32Array[];
-  /** 3 elements. m/s^2, its acceleration. Where the surface is steep it is what lets bodies slide down */
+  /** 3 elements. m/s^2, acceleration of the water; lets bodies slide down a steep surface */
   rate: Float32Array[];
 }
 
-/** What the last step did, and what it left out. Batches without bodies do not count. */
+/** Work done and postponed by the last step. Batches without bodies are not counted. */
 export interface StepReport {
   batchesStepped: number;
-  /** not due, by their own divisors */
+  /** not due, because of their divisors */
   batchesWaiting: number;
-  /** due, but the budget did not reach them */
+  /** due, but out of budget */
   batchesPassedOver: number;
-  /** done */
+  /** done in this step */
   bodySubsteps: number;
-  /** of the batches that were due, without a budget */
+  /** of the batches that were due, as without a budget */
   bodySubstepsWanted: number;
-  /** s: how far the bodies that have waited longest are behind the world's time */
+  /** s: the longest time by which a batch is behind the world */
   behind: number;
-  /** s: the most that a batch lost in this step: bodies go in slow motion rather than in too long substeps */
+  /** s: the most simulated time that a batch lost in this step: rather than take substeps that are too long, bodies move in slow motion */
   lost: number;
 }
 
+/**
+ * Seconds that the phases of the last step took on the stepping thread, by a monotonic clock. `total` also includes
+ * the work between phases. Phases that did not occur are 0. Neither part of snapshots nor of the world's hash.
+ */
+export interface Timings {
+  total: number;
+  /** waking what is about to be hit, moving colliders, sorting them for the search */
+  colliders: number;
+  /** preparing the wind's fields; bodies evaluate them as part of their motion */
+  wind: number;
+  /** of batches without body contact: loads, wind, water, contact with colliders */
+  motion: number;
+  /** of batches with body contact: their motion, and the contact between their bodies */
+  bodyContact: number;
+  /** finding sleeping bodies that wind or water moves */
+  wake: number;
+  /** ends, spawns, divergence, and falling asleep */
+  emitAndRules: number;
+  /** listing and sorting them */
+  events: number;
+}
+
 export interface RecordingDesc {
-  /** bits LR_RECORD_*; initially LR_RECORD_CALLBACKS */
+  /** bits LR_RECORD_*; default LR_RECORD_CALLBACKS */
   flags: number;
-  /** steps from one hash of the world in the recording to the next; 0: none; initially 1 */
+  /** steps between recorded hashes of the world; 0: none; default 1 */
   hashInterval: number;
-  /** must be given */
+  /** required */
   write: number;
   user: number;
 }
 
 export interface BatchDesc {
-  /** the most bodies at a time, 1 to 2^26; memory for all is taken at once */
+  /** the most bodies at a time, 1 to 2^26; memory for all is allocated at creation */
   capacity: number;
-  /** kept by reference until the batch ends */
+  /** required; the batch keeps a reference until it is destroyed */
   asset: Asset;
-  /** LR_LOADS_*; initially LR_LOADS_DEFAULT */
+  /** LR_LOADS_*; default LR_LOADS_DEFAULT */
   loadModel: number;
-  /** LR_CLOCK_*; initially LR_CLOCK_SPEED */
+  /** LR_CLOCK_*; default LR_CLOCK_SPEED */
   clock: number;
-  /** LR_TABLE_*; initially LR_TABLE_CLAMP */
+  /** LR_TABLE_*; default LR_TABLE_CLAMP */
   tableEnd: number;
-  /** LR_INTEGRATOR_*; initially LR_INTEGRATOR_DEFAULT */
+  /** LR_INTEGRATOR_*; default LR_INTEGRATOR_DEFAULT */
   integrator: number;
-  /** multiplies the turbulent damping, 0 to 100; initially 1 */
+  /** multiplies the turbulent damping, 0 to 100; default 1 */
   dampingGain: number;
-  /** multiplies the turbulent noise, 0 to 100; initially 1; 0 for repeatable single falls */
+  /** multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable */
   noiseGain: number;
 }
 
@@ -634,48 +708,48 @@ export interface TurbulenceTable {
   epsilon: Float32Array;
   /** s between samples, > 0 */
   dt: number;
-  /** m/s, speed the table was made at, > 0: what LR_CLOCK_SPEED scales by */
+  /** m/s, the speed that the table was made at, > 0; LR_CLOCK_SPEED scales by it */
   u0: number;
-  /** m, length the table was made with, > 0 */
+  /** m, the length that the table was made with, > 0 */
   l: number;
-  /** Kolmogorov constant, > 0; initially 6.5, its limit at high Reynolds number */
+  /** Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number */
   c0: number;
-  /** sample that LR_CLOCK_SPEED uses, < count; initially 0 */
+  /** the sample that LR_CLOCK_SPEED uses, < count; default 0 */
   stationary: number;
 }
 
-/** Art control of the AERODYNAMIC loads: factors on top of the coefficients, so that motion stays that of some body. */
+/** Artistic control of AERODYNAMIC loads. The factors multiply the coefficients, so bodies still move physically. */
 export interface LoadGains {
-  /** of translation, 0 to 100; initially 1 */
+  /** on translation, 0 to 100; default 1 */
   drag: number;
-  /** and its moment, 0 to 100; initially 1 */
+  /** and its moment, 0 to 100; default 1 */
   lift: number;
-  /** 0 to 100; initially 1 */
+  /** 0 to 100; default 1 */
   spinDrag: number;
-  /** intensity of the body's own wake, 0 to 100; initially 1 */
+  /** intensity of the body's own wake, 0 to 100; default 1 */
   turbulence: number;
 }
 
-/** How a batch keeps up with its world. */
+/** How a batch keeps pace with its world. */
 export interface BatchPace {
   /** as set */
   divisor: number;
-  /** in the last step of the world; 0: it waited */
+  /** in the world's last step; 0: it waited */
   substeps: number;
   /** steps since it was last stepped */
   waited: number;
-  /** s: the same as time */
+  /** s since it was last stepped */
   behind: number;
-  /** s, in all: what its bodies' clocks are slow by */
+  /** s, simulated time lost in total */
   lost: number;
-  /** in all */
+  /** in total */
   bodySubsteps: number;
 }
 
 /**
- * The state of a batch where it lies: arrays with one value a body, `count` of them, 64-byte aligned. Bodies are dense:
- * those that move come first, then those at rest, and where one leaves its part of them, the last of that part takes its
- * place. Pointers are valid until the next call that is not a query.
+ * Read access to a batch's state without a copy: arrays of `count` values, one per body, 64-byte aligned. Awake bodies
+ * come first, then sleeping ones, without gaps. A body that leaves either part is replaced by the last one of that
+ * part. Pointers are valid until the next call that is not a query.
  */
 export interface BatchView {
   /** bodies */
@@ -684,44 +758,48 @@ export interface BatchView {
   position: Float32Array[];
   /** 4 elements. unit quaternion x, y, z, w, body to world */
   orientation: Float32Array[];
-  /** 3 elements. m/s, of the centre of mass, in the BODY frame: turn by the orientation for the world's */
+  /** 3 elements. m/s, of the centre of mass, in the BODY frame: rotate by `orientation` for world */
   velocity: Float32Array[];
   /** 3 elements. rad/s, angular velocity, in the BODY frame */
   spin: Float32Array[];
   /** uniform scale */
   scale: Float32Array;
-  /** s; of a body at rest some earlier one: lr_body_get_state has it exactly */
+  /** s; outdated for sleeping bodies: lr_body_get_state gives their exact age */
   age: Float32Array;
-  /** what tells the noise of bodies apart */
-  key: Uint32Array;
+  /** bodies with different seeds have independent noise */
+  noiseSeed: Uint32Array;
   ids: BigUint64Array;
+  /** lr_body_desc.user */
+  user: BigUint64Array;
   capacity: number;
-  /** differs whenever bodies at rest have woken, ended, or changed their places */
+  /** changes whenever sleeping bodies wake, end or change places */
   revision: number;
-  /** bodies [0, awake_count) move, [awake_count, count) are at rest: lr_body_set_rest */
+  /** bodies [0, awake_count) are awake, [awake_count, count) asleep: lr_body_set_sleep */
   awakeCount: number;
 }
 
 export interface BodyDesc {
-  /** tells its noise apart; initially 0: the world gives each body its own, in order of birth */
-  key: number;
-  /** 3 elements. m, of the centre of mass; initially 0 */
+  /** default 0: the world assigns each body the next one */
+  noiseSeed: number;
+  /** 3 elements. m, of the centre of mass; default 0 */
   position: number[];
-  /** 4 elements. quaternion x y z w, normalised when taken; initially 0 0 0 1 */
+  /** 4 elements. quaternion x y z w, normalised by the call; default 0 0 0 1 */
   orientation: number[];
-  /** 3 elements. m/s, of the centre of mass; initially 0 */
+  /** 3 elements. m/s, of the centre of mass; default 0 */
   linearVelocity: number[];
-  /** 3 elements. rad/s, world frame; initially 0 */
+  /** 3 elements. rad/s, world frame; default 0 */
   angularVelocity: number[];
-  /** uniform, 0.001 to 1000; mass goes with its cube; initially 1 */
+  /** uniform, 0.001 to 1000; mass scales with its cube; default 1 */
   scale: number;
-  /** s, 0 to 1e9; initially 0. Bodies grow no older than that */
+  /** s, 0 to 1e9, where it stops growing; default 0 */
   age: number;
+  /** the caller's own number, also in views, events and ray hits; default 0. A respawn keeps it. It does not affect motion: part of snapshots, not of the world's hash */
+  user: bigint;
 }
 
 export interface BodyState {
   /** read only: ignored by lr_body_set_state */
-  key: number;
+  noiseSeed: number;
   /** 3 elements. m, of the centre of mass, world frame */
   position: number[];
   /** 4 elements. unit quaternion x y z w, body to world */
@@ -734,46 +812,48 @@ export interface BodyState {
   scale: number;
   /** s, 0 to 1e9 */
   age: number;
-  /** LR_REST_*; read only */
-  resting: number;
+  /** LR_SLEEP_*; read only */
+  sleepState: number;
+  /** as in lr_body_desc */
+  user: bigint;
 }
 
-/** A force and a torque on one body, at the body's true size: a body of scale 2 has eight times the mass. */
+/** A force and a torque on one body. Scale matters: a body of scale 2 has eight times the mass. */
 export interface BodyForce {
-  /** LR_FORCE_MODE_*; initially LR_FORCE_MODE_FORCE */
+  /** LR_FORCE_MODE_*; default LR_FORCE_MODE_FORCE */
   mode: number;
   body: bigint;
-  /** LR_FRAME_*, of force, torque and point; initially LR_FRAME_WORLD */
+  /** LR_FRAME_*, of force, torque and point; default LR_FRAME_WORLD */
   frame: number;
-  /** LR_FORCE_*; initially 0 */
+  /** LR_FORCE_*; default 0 */
   flags: number;
-  /** 3 elements. initially 0 */
+  /** 3 elements. default 0 */
   force: number[];
-  /** 3 elements. about the centre of mass; initially 0 */
+  /** 3 elements. about the centre of mass; default 0 */
   torque: number[];
-  /** 3 elements. m; in the world frame a position, in the body frame from the centre of mass. Its arm is taken at the time of the call */
+  /** 3 elements. m; world frame: a position, body frame: from the centre of mass. The lever arm is fixed by the call */
   point: number[];
 }
 
-/** The same for many bodies of one batch, in the order of its view. */
+/** Forces on consecutive bodies of one batch, in the order of its view. */
 export interface ForceArrays {
-  /** LR_FORCE_MODE_*; initially LR_FORCE_MODE_FORCE */
+  /** LR_FORCE_MODE_*; default LR_FORCE_MODE_FORCE */
   mode: number;
-  /** LR_FRAME_*; initially LR_FRAME_WORLD */
+  /** LR_FRAME_*; default LR_FRAME_WORLD */
   frame: number;
-  /** index in the view of the first body; initially 0 */
+  /** index in the view of the first body; default 0 */
   first: number;
   /** bodies */
   count: number;
-  /** bytes from one body's value to the next's, a multiple of 4; initially 0: no gaps, 4 */
+  /** bytes from one body's value to the next, a multiple of 4; default 0: 4, no gaps */
   stride: number;
   /** 3 elements. x, y, z: `count` values each, not kept; all three or none */
   force: Float32Array[];
-  /** 3 elements. alike; all three or none */
+  /** 3 elements. x, y, z: `count` values each, not kept; all three or none */
   torque: Float32Array[];
 }
 
-/** What acts on every body of a batch. All initially 0, each component up to 1e9 in magnitude. */
+/** Forces on every body of a batch, until changed. All default to 0; each component up to 1e9 in magnitude. */
 export interface BatchForce {
   /** 3 elements. N, world frame */
   force: number[];
@@ -783,35 +863,35 @@ export interface BatchForce {
   acceleration: number[];
   /** 3 elements. rad/s^2, world frame */
   angularAcceleration: number[];
-  /** 3 elements. the same four in the body frame */
+  /** 3 elements. N, body frame */
   bodyForce: number[];
-  /** 3 elements. */
+  /** 3 elements. N m, body frame */
   bodyTorque: number[];
-  /** 3 elements. */
+  /** 3 elements. m/s^2, body frame */
   bodyAcceleration: number[];
-  /** 3 elements. */
+  /** 3 elements. rad/s^2, body frame */
   bodyAngularAcceleration: number[];
 }
 
-/** Fields that a kind does not have are not used. */
+/** A collider. Fields that its kind does not use are ignored. Arrays are copied. */
 export interface ColliderDesc {
-  /** LR_COLLIDER_*; initially 0, which is none of them */
+  /** LR_COLLIDER_*; must be set: the default 0 is no kind */
   kind: number;
-  /** 3 elements. m, up to 1e9 in magnitude; initially 0 */
+  /** 3 elements. m, up to 1e9 in magnitude; default 0 */
   position: number[];
-  /** 4 elements. quaternion x y z w, normalised when taken; initially 0 0 0 1 */
+  /** 4 elements. quaternion x y z w, normalised by the call; default 0 0 0 1 */
   orientation: number[];
-  /** 3 elements. m/s, of the frame's origin, up to 1e6; initially 0. It moves so until told otherwise */
+  /** 3 elements. m/s, of the frame's origin, up to 1e6; default 0. Lasts until changed */
   linearVelocity: number[];
-  /** 3 elements. rad/s, world frame, up to 1e6; initially 0 */
+  /** 3 elements. rad/s, world frame, up to 1e6; default 0. Lasts until changed */
   angularVelocity: number[];
-  /** 3 elements. m, > 0, up to 1e6; initially 0 */
+  /** 3 elements. m, > 0, up to 1e6; default 0 */
   size: number[];
-  /** 0 to 10; initially 0.5 */
+  /** 0 to 10; default 0.5 */
   friction: number;
-  /** 0 to 1; initially 0.2 */
+  /** 0 to 1; default 0.2 */
   restitution: number;
-  /** bits: it meets bodies that have one of them; initially 1 */
+  /** bits: collides with bodies that share at least one; default 1 */
   layers: number;
   /** 0 */
   flags: number;
@@ -821,32 +901,31 @@ export interface ColliderDesc {
   triangleCount: number;
   /** 2 elements. heightfield: samples along x and z, each >= 2 */
   counts: number[];
-  /** 2 elements. heightfield: m between samples, 1e-6 to 1e6; initially 1 */
+  /** 2 elements. heightfield: m between samples, 1e-6 to 1e6; default 1 */
   spacing: number[];
-  /** m, x y z each, up to 1e6 in magnitude; copied, as are the others */
+  /** m, x y z each, up to 1e6 in magnitude */
   vertices: Float32Array;
-  /** 3 a triangle, each < vertex_count */
+  /** 3 per triangle, each < vertex_count */
   indices: Uint32Array;
   /** m, up to 1e6 in magnitude; x varies fastest */
   heights: Float32Array;
 }
 
 /**
- * How one collider moves. Within a step its position goes evenly from where it begins to where it ends, and its
- * orientation by the normalised linear quaternion, the shorter way round: what turns by more than half a turn in a step
- * seems to turn by less.
+ * A motion of one collider. Within a step its position moves linearly and its orientation follows the normalised linear
+ * quaternion, the shorter way round: rotations of more than half a turn per step appear shorter.
  */
 export interface ColliderMotion {
-  /** LR_MOVE_*; initially LR_MOVE_TO */
+  /** LR_MOVE_*; default LR_MOVE_TO */
   mode: number;
   collider: bigint;
-  /** 3 elements. m, as in lr_collider_desc; LR_MOVE_TO, LR_MOVE_PLACE; initially 0 */
+  /** 3 elements. m, as in lr_collider_desc; LR_MOVE_TO and LR_MOVE_PLACE; default 0 */
   position: number[];
-  /** 4 elements. alike; initially 0 0 0 1 */
+  /** 4 elements. quaternion x y z w; LR_MOVE_TO and LR_MOVE_PLACE; default 0 0 0 1 */
   orientation: number[];
-  /** 3 elements. m/s; LR_MOVE_PLACE, LR_MOVE_VELOCITY; initially 0 */
+  /** 3 elements. m/s; LR_MOVE_PLACE and LR_MOVE_VELOCITY; default 0 */
   linearVelocity: number[];
-  /** 3 elements. rad/s; alike */
+  /** 3 elements. rad/s; LR_MOVE_PLACE and LR_MOVE_VELOCITY; default 0 */
   angularVelocity: number[];
 }
 
@@ -857,9 +936,9 @@ export interface ColliderState {
   position: number[];
   /** 4 elements. unit quaternion x y z w, collider to world */
   orientation: number[];
-  /** 3 elements. m/s, that it has until told otherwise; 0 while LR_MOVE_TO is pending */
+  /** 3 elements. m/s, that lasts until changed; 0 while LR_MOVE_TO is pending */
   linearVelocity: number[];
-  /** 3 elements. rad/s, world frame; alike */
+  /** 3 elements. rad/s, world frame, that lasts until changed; 0 while LR_MOVE_TO is pending */
   angularVelocity: number[];
   friction: number;
   restitution: number;
@@ -868,452 +947,582 @@ export interface ColliderState {
   flags: number;
 }
 
-/** What can be changed of a collider besides its motion. */
-export interface ColliderSurface {
-  /** as in lr_collider_desc; initially 1 */
+/** The material of a collider. */
+export interface Material {
+  /** as in lr_collider_desc; default 1 */
   layers: number;
-  /** initially 0.5 */
+  /** as in lr_collider_desc; default 0.5 */
   friction: number;
-  /** initially 0.2 */
+  /** as in lr_collider_desc; default 0.2 */
   restitution: number;
 }
 
 /**
- * How the bodies of a batch meet colliders. Of a pair, friction is the geometric mean of both and restitution the larger.
- * Bodies touch with their hull, reduced to 32 points at most, or as the ellipsoid that they are.
+ * How bodies of a batch collide. A contact uses the geometric mean of both frictions and the larger restitution. A body
+ * collides as its hull, reduced to at most 32 points, or as an ellipsoid if its asset is one.
  */
 export interface BatchContact {
-  /** bit mask: colliders that are in one of these are met; initially all; 0: none */
+  /** bits: collides with colliders that share at least one; default all; 0: none */
   layers: number;
-  /** coefficient of Coulomb friction, 0 to 10; initially 0.5 */
+  /** coefficient of Coulomb friction, 0 to 10; default 0.5 */
   friction: number;
-  /** speed after over speed before an impact, 0 to 1; initially 0.1 */
+  /** speed after an impact over speed before it, 0 to 1; default 0.1 */
   restitution: number;
-  /** moment against rolling and spinning over normal force and a lever, 0 to 10; initially 0.05. The lever is the geometric mean of reach and half of the least width: a sphere's radius */
+  /** moment against rolling and spinning over normal force times lever, 0 to 10; default 0.05. The lever is the geometric mean of reach and half the thickness: of a sphere, its radius */
   rollingResistance: number;
-  /** LR_CONTACT_*; initially 0 */
+  /** bits: LR_CONTACT_NEVER_SLEEP; default 0 */
   flags: number;
-  /** the air that a sheet must press away before it lies, 0 to 1 of what the flow over planes and heightfields gives in theory; initially 0. docs/maintainers/contact.md */
+  /** air cushion under a sheet that settles on a plane or heightfield, as a share of theory, 0 to 1; default 0. docs/maintainers/contact.md */
   groundEffect: number;
 }
 
-/** Never changes: 64 bytes, an element of arrays without gaps. */
-export interface ContactEvent {
-  /** LR_CONTACT_*, LR_BODY_* */
+/** One event: 64 bytes in arrays without gaps. This struct never changes after 0.2. */
+export interface Event {
+  /** LR_EVENT_* */
   kind: number;
   batch: number;
-  /** stale where it has been destroyed */
+  /** stale if it was destroyed */
   body: bigint;
-  /** LR_CONTACT_*; else 0 */
+  /** the body's: lr_body_desc.user */
+  user: bigint;
+  /** LR_EVENT_HIT, LR_EVENT_LIFTED; else id 0 */
   collider: bigint;
-  /** 3 elements. m, world frame: of LR_CONTACT_BEGIN where they touch, else of the centre of mass; of one that has left physics where that was last sane */
+  /** 3 elements. m, world frame: the point of contact in LR_EVENT_HIT; where it ended in LR_EVENT_KILLED and LR_EVENT_RESPAWNED; the last valid centre of mass in LR_EVENT_DIVERGED; else the centre of mass */
   position: number[];
-  /** 3 elements. LR_CONTACT_BEGIN: unit, world frame, from the collider to the body; else 0 */
+  /** 3 elements. LR_EVENT_HIT: unit, world frame, from the collider to the body; else 0 */
   normal: number[];
-  /** m/s, LR_CONTACT_BEGIN: at which they approach each other along the normal, >= 0; else 0 */
+  /** m/s, LR_EVENT_HIT: approach speed along the normal, >= 0; else 0 */
   speed: number;
-  /** N s, LR_CONTACT_BEGIN: along the normal, of the substep in which they meet; else 0 */
+  /** N s, LR_EVENT_HIT: along the normal, in the substep of first contact; else 0 */
   impulse: number;
 }
 
-export interface ContactEventList {
+export interface EventList {
   count: number;
-  /** of the last step; null before lr_world_set_contact_events */
-  events: ContactEvent;
-  /** events of the last step for which there was no room: the last ones in their order */
+  /** of the last step; null before lr_world_set_events */
+  events: Event;
+  /** events of the last step beyond capacity: those last in order are dropped */
   lost: number;
-  /** since lr_world_set_contact_events */
+  /** since lr_world_set_events */
   totalLost: number;
+  /** as set by lr_world_set_events */
+  capacity: number;
+  /** bits LR_EVENTS_*, likewise */
+  kinds: number;
 }
 
 export interface Ray {
-  /** LR_RAY_*, what it can hit; initially both */
+  /** bits LR_RAY_*: what it can hit; default both */
   flags: number;
-  /** 3 elements. m, up to 1e9 in magnitude; initially 0 */
+  /** 3 elements. m, up to 1e9 in magnitude; default 0 */
   origin: number[];
-  /** 3 elements. of any length from 1e-6 to 1e6; initially 0, -1, 0 */
+  /** 3 elements. any length from 1e-6 to 1e6; default 0, -1, 0 */
   direction: number[];
-  /** m, 0 to 1e9; initially 1e9 */
+  /** m, 0 to 1e9; default 1e9 */
   maxDistance: number;
-  /** whose bodies it can hit; initially 0: all */
+  /** hits bodies of this batch only; default id 0: of all batches */
   batch: number;
-  /** bits: it meets colliders that have one of them; initially all */
+  /** bits: hits colliders that share at least one; default all */
   colliderLayers: number;
 }
 
-/** Never changes: 48 bytes, an element of arrays without gaps. All 0 where nothing is hit. */
+/**
+ * The first hit of a ray, all 0 if there is none: 56 bytes in arrays without gaps. This struct never changes after
+ * 0.2.
+ */
 export interface RayHit {
-  /** 0 where it is a collider */
+  /** id 0: it hit a collider */
   body: bigint;
-  /** 0 where it is a body */
+  /** the body's: lr_body_desc.user */
+  user: bigint;
+  /** id 0: it hit a body */
   collider: bigint;
   /** m, from the ray's origin */
   distance: number;
   /** 3 elements. m, world frame */
   position: number[];
-  /** 3 elements. unit, world frame, out of what is hit; against the ray where that begins inside, at distance 0 */
+  /** 3 elements. unit, world frame, outward. If the ray starts inside: against the ray, at distance 0 */
   normal: number[];
 }
 
 export interface OverlapDesc {
-  /** LR_OVERLAP_*; initially LR_OVERLAP_SPHERE */
+  /** LR_OVERLAP_*; default LR_OVERLAP_SPHERE */
   shape: number;
-  /** 3 elements. m, of its middle, up to 1e9 in magnitude; initially 0 */
+  /** 3 elements. m, of its centre, up to 1e9 in magnitude; default 0 */
   position: number[];
-  /** 4 elements. of a box, x y z w, normalised when taken; initially 0 0 0 1 */
+  /** 4 elements. of a box, x y z w, normalised by the call; default 0 0 0 1 */
   orientation: number[];
-  /** 3 elements. m, > 0, up to 1e6; initially 1 */
+  /** 3 elements. m, > 0, up to 1e6; default 1 */
   size: number[];
-  /** whose bodies are looked for; initially 0: all */
+  /** finds bodies of this batch only; default id 0: of all batches */
   batch: number;
 }
 
 export interface KillVolume {
   /** LR_VOLUME_* */
   shape: number;
-  /** LR_KILL_*: where bodies end */
+  /** LR_KILL_*: the side on which bodies end */
   side: number;
   /** 3 elements. m, up to 1e9 in magnitude */
   center: number[];
-  /** 3 elements. m; of a plane its normal, of any length but 0 */
+  /** 3 elements. m; of a plane its normal, any length but 0 */
   size: number[];
 }
 
 /**
- * When the bodies of a batch end. A body that has left physics ends under any rules, unless lr_batch_set_fault_policy says
- * that it is held.
+ * When the bodies of a batch end. Diverged bodies end under any rules, unless lr_batch_set_divergence_policy holds
+ * them.
  */
 export interface BatchRules {
-  /** LR_END_*; initially LR_END_DESTROY */
+  /** LR_END_*; default LR_END_DESTROY */
   action: number;
-  /** s, up to 1e9; initially 0: no limit */
+  /** s, up to 1e9; default 0: no limit */
   maxAge: number;
-  /** used part of `volumes`; initially 0 */
+  /** elements of `volumes` in use; default 0 */
   volumeCount: number;
-  /** 8 elements. by the centre of mass */
+  /** 8 elements. tested with the centre of mass */
   volumes: KillVolume[];
 }
 
 /**
- * How bodies of a batch are born. What is drawn for a body depends on the world's seed, its key, and how often it has
- * respawned, and on nothing else.
+ * How bodies of a batch spawn. Random values depend only on the world's seed, the body's noise seed, and the number of
+ * times it has respawned.
  */
 export interface EmitterDesc {
-  /** LR_EMIT_*; initially LR_EMIT_POINT */
+  /** LR_EMIT_*; default LR_EMIT_POINT */
   shape: number;
-  /** 3 elements. m, centre of the shape; initially 0 */
+  /** 3 elements. m, centre of the shape; default 0 */
   position: number[];
-  /** 4 elements. of the shape, x y z w, normalised when taken; initially 0 0 0 1 */
+  /** 4 elements. of the shape, x y z w, normalised by the call; default 0 0 0 1 */
   orientation: number[];
-  /** 3 elements. m, half extents or semi-axes along the shape's own axes, 0 to 1e9; initially 0 */
+  /** 3 elements. m, half extents or semi-axes along the shape's own axes, 0 to 1e9; default 0 */
   size: number[];
-  /** LR_POSE_*, of the bodies; initially LR_POSE_RANDOM */
+  /** LR_POSE_*, of the bodies; default LR_POSE_RANDOM */
   pose: number;
-  /** 4 elements. body to world, normalised when taken; initially 0 0 0 1 */
+  /** 4 elements. body to world, normalised by the call; default 0 0 0 1 */
   bodyOrientation: number[];
-  /** 3 elements. of the velocity, world frame, of any length but 0; initially 0, -1, 0 */
+  /** 3 elements. of the velocity, world frame, any length but 0; default 0, -1, 0 */
   direction: number[];
-  /** rad, half angle of a cone about `direction`, filled evenly, 0 to pi; initially 0 */
+  /** rad, half angle of a cone about `direction`, filled evenly, 0 to pi; default 0 */
   spread: number;
-  /** m/s, evenly between; initially 0 */
+  /** m/s, uniform in this range; default 0 */
   speedMin: number;
-  /** m/s, evenly between; initially 0 */
+  /** m/s, uniform in this range; default 0 */
   speedMax: number;
-  /** rad/s, evenly between, about any axis alike; initially 0 */
+  /** rad/s, uniform in this range, about a random axis; default 0 */
   spinMin: number;
-  /** rad/s, evenly between, about any axis alike; initially 0 */
+  /** rad/s, uniform in this range, about a random axis; default 0 */
   spinMax: number;
-  /** evenly between; initially 1 */
+  /** uniform in this range; default 1 */
   scaleMin: number;
-  /** evenly between; initially 1 */
+  /** uniform in this range; default 1 */
   scaleMax: number;
-  /** births per second, 0 to 1e9; initially 0: bodies respawn, but none are added */
+  /** spawns per second, 0 to 1e9; default 0: bodies respawn, but none are added */
   rate: number;
   /** s between bursts, >= 1e-4 */
   burstInterval: number;
-  /** births at once in each burst; initially 0: no bursts */
+  /** spawns in each burst; default 0: no bursts */
   burstCount: number;
 }
 
-/** What rules and emitter did in the last step, and since the batch began. */
-export interface BatchEvents {
+/**
+ * Numbers of bodies that rules ended and the emitter spawned in the last step, and totals since the batch was created.
+ * lr_world_get_events names the bodies.
+ */
+export interface BatchCounts {
   /** by rate and bursts */
-  born: number;
+  spawned: number;
   /** by the rules */
   destroyed: number;
   respawned: number;
-  /** births for which there was no room */
+  /** spawns dropped for lack of room */
   missed: number;
-  /** bodies that have left physics: lr_batch_set_fault_policy */
-  byNotFinite: number;
+  /** diverged: lr_batch_set_divergence_policy */
+  byDivergence: number;
   byAge: number;
   /** 8 elements. */
   byVolume: number[];
-  /** with those of lr_batch_emit */
-  totalBorn: number;
+  /** bodies that diverged in the last step, held or ended */
+  diverged: number;
+  /** including lr_batch_spawn */
+  totalSpawned: number;
   totalDestroyed: number;
   totalRespawned: number;
   totalMissed: number;
-  /** destroyed or respawned in the last step: destroyed + respawned of them, in no order */
-  endedIds: BigUint64Array;
-  /** `born` of them */
-  bornIds: BigUint64Array;
-  /** bodies that have left physics in the last step, held or ended */
-  faulted: number;
-  /** since the batch began */
-  totalFaulted: number;
+  totalDiverged: number;
 }
 
 /** The C functions as the module exports them: addresses are numbers, 64 bits are bigints. */
 export interface RawFunctions {
   /**
-   * Version of the library that is loaded: major << 22 | minor << 12 | patch. Compare it with the macros above when the
-   * library is loaded at run time: a different major, or before 1.0 a different minor, is another ABI.
+   * Version of the loaded library: major << 22 | minor << 12 | patch. Compare it with the macros above when you load the
+   * library at run time. A different major version has a different ABI; before 1.0, so has a different minor version.
    */
   lr_version(): number;
-  /** A short English phrase for a status, no full stop; never null; static storage. Unknown values give "unknown status". */
+  /**
+   * A short English phrase for a status, without a full stop. Unknown values give "unknown status". Never null; static
+   * storage.
+   */
   lr_status_string(status: number): number;
   /**
-   * Writes the instruction sets that this build has and this processor can run, best first.
+   * The text of the calling thread's last failed call: the function and the reason, as the log has it. Calls that succeed
+   * leave it alone. Never null, empty before the first failure, cut after 255 bytes. Valid until the thread's next failed
+   * call.
+   */
+  lr_last_error(): number;
+  /**
+   * Lists the instruction sets that this build contains and this processor supports, best first.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL (count is set).
    */
   lr_simd_targets(targets: number, capacity: number, count: number): number;
   /**
-   * A name for people: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown"; never null; static
+   * A display name: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown". Never null; static
    * storage.
    */
   lr_simd_target_name(target: number): number;
   /**
-   * Reads an asset made by `lr_bake`, a regular file. It is verified whole before anything of it is used.
+   * Loads an asset made by `lr_bake` from a regular file. The whole file is verified before any of it is used.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_FORMAT,
    * LR_ERROR_ASSET_VERSION, LR_ERROR_ASSET_CORRUPT, LR_ERROR_ASSET_INVALID, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_asset_load_file(path_utf8: number, out: number): number;
   /**
-   * The same from `size` bytes in memory, of any alignment, not kept.
+   * Loads an asset from memory.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_ASSET_*, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_asset_load_memory(bytes: number, size: bigint, out: number): number;
   /**
-   * Says everything that is wrong with asset bytes, by one call of `report` for each fault (may be null).
+   * Checks the bytes of an asset and calls `report`, which may be null, once for each fault found.
    * Returns what lr_asset_load_memory would.
    */
   lr_asset_check_memory(bytes: number, size: bigint, report: number, user: number): number;
   /**
-   * Fills a desc with its initial values.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. The other _init functions are alike.
+   * Sets the defaults. All other _init functions work alike.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
    */
   lr_ellipsoid_desc_init(desc: number, struct_size: number): number;
   /**
+   * Creates an asset from an ellipsoid. Formulas: Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
-   * LR_ERROR_OUT_OF_MEMORY. Source: Lamb, Hydrodynamics, art. 114-115; docs/maintainers/physics.md.
+   * LR_ERROR_OUT_OF_MEMORY.
    */
   lr_asset_create_ellipsoid(desc: number, out: number): number;
   /**
-   * Adds a reference, to be given back by lr_asset_release.
+   * Adds a reference, which lr_asset_release gives back.
    * LR_OK, LR_ERROR_NULL_ARGUMENT.
    */
   lr_asset_retain(asset: number): number;
-  /** Gives a reference back; the last one frees the asset. Batches hold their own. Null is fine. */
+  /** Gives back a reference. The last one frees the asset. Each batch holds its own. Null is allowed. */
   lr_asset_release(asset: number): void;
-  /** Initially the axes are those of the body, `length` is 1 and all else 0: no loads. */
+  /** Sets the axes to the body's, `length` to 1 and everything else to 0: no loads. */
   lr_aerodynamics_init(aerodynamics: number, struct_size: number): number;
   lr_rigid_desc_init(desc: number, struct_size: number): number;
   /**
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also matrices that no
-   * body has), LR_ERROR_OUT_OF_MEMORY.
+   * Creates an asset from given numbers.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for
+   * matrices that no body can have), LR_ERROR_OUT_OF_MEMORY.
    */
   lr_asset_create_rigid(desc: number, out: number): number;
   lr_asset_info_init(info: number, struct_size: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
+  /**
+   * Reads an asset's properties.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
+   */
   lr_asset_get_info(asset: number, info: number): number;
   /**
-   * The coefficients of an asset, as baked.
+   * Reads an asset's baked coefficients.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
    */
   lr_asset_get_aerodynamics(asset: number, aerodynamics: number): number;
   lr_world_desc_init(desc: number, struct_size: number): number;
   /**
+   * Creates a world.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
    * LR_ERROR_UNSUPPORTED (simd_target), LR_ERROR_OUT_OF_MEMORY, LR_ERROR_THREADS.
    */
   lr_world_create(desc: number, out: number): number;
-  /** Frees a world with all its batches and bodies, and ends its worker threads. A recording ends. Null is fine. */
+  /** Destroys a world with its batches and bodies, stops its worker threads and ends its recording. Null is allowed. */
   lr_world_destroy(world: number): void;
   lr_world_info_init(info: number, struct_size: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
+  /**
+   * Reads counts, time and settings of the world.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
+   */
   lr_world_get_info(world: number, info: number): number;
   /**
-   * Takes effect with the next step. Another one than before wakes all bodies (lr_body_set_rest).
+   * Sets gravity from the next step on. A change wakes all bodies (lr_body_set_sleep).
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
    */
   lr_world_set_gravity(world: number, gravity: number): number;
   /**
-   * Changes the instruction set from the next step on; results do not change.
+   * Sets the instruction set from the next step on. Results do not change.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_UNSUPPORTED.
    */
   lr_world_set_simd_target(world: number, target: number): number;
-  lr_wind_desc_init(desc: number, struct_size: number): number;
   /**
-   * The uniform part of the fluid's velocity; copied. Bodies feel the fluid's velocity relative to theirs. A change is
-   * spread evenly over the next step, and bodies feel the fluid's acceleration in it (Froude-Krylov force and added mass):
-   * one that has the fluid's density is carried along, a heavy one keeps most of its velocity. What is set before the
-   * world's first step is there from the beginning and accelerates nothing; setting the same wind again changes nothing.
-   * Null is still fluid. docs/reference/wind_and_water.md.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+   * Sets the uniform wind, the same velocity everywhere; 0 before the first call. A change is spread evenly over the next
+   * step, in which bodies feel the fluid accelerate (Froude-Krylov force and added mass): a body as dense as the fluid is
+   * carried along, a heavy one keeps most of its velocity. A wind set before the world's first step is there from the
+   * beginning and accelerates nothing. Setting the same wind again changes nothing.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
    */
-  lr_world_set_wind(world: number, desc: number): number;
-  lr_wind_source_desc_init(desc: number, struct_size: number): number;
+  lr_world_set_uniform_wind(world: number, x: number, y: number, z: number): number;
   /**
-   * Adds a source. Bodies keep their velocities: a field that appears is not one that accelerates.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->samples of a grid), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
-   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
+   * Reads the uniform wind that was set last.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT.
    */
-  lr_world_add_wind(world: number, desc: number, out: number): number;
+  lr_world_get_uniform_wind(world: number, velocity: number): number;
+  lr_gusts_desc_init(desc: number, struct_size: number): number;
   /**
-   * Replaces everything of a source, also its kind. A grid may be given without samples: it then keeps those it has, if
-   * counts and frames are as before.
-   * LR_OK, LR_ERROR_STALE_WIND_SOURCE, and what lr_world_add_wind returns.
+   * Adds gusts. The struct is copied.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
+   * LR_ERROR_CAPACITY (of sources), LR_ERROR_OUT_OF_MEMORY.
    */
-  lr_world_update_wind(world: number, source: number, desc: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_WIND_SOURCE. */
+  lr_world_add_gusts(world: number, desc: number, out: number): number;
+  /**
+   * Replaces all values of a source of this kind.
+   * LR_OK, LR_ERROR_STALE_WIND_SOURCE, LR_ERROR_INVALID_ARGUMENT (also a source of another kind), and every status of
+   * lr_world_add_gusts but LR_ERROR_CAPACITY.
+   */
+  lr_world_update_gusts(world: number, source: number, desc: number): number;
+  /**
+   * Reads a source of this kind as it was added or last updated.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_STALE_WIND_SOURCE, LR_ERROR_INVALID_ARGUMENT (a source
+   * of another kind).
+   */
+  lr_world_get_gusts(world: number, source: number, desc: number): number;
+  lr_vortex_desc_init(desc: number, struct_size: number): number;
+  /** Adds a vortex. Returns what lr_world_add_gusts would. */
+  lr_world_add_vortex(world: number, desc: number, out: number): number;
+  /** Updates a vortex. Returns what lr_world_update_gusts would. */
+  lr_world_update_vortex(world: number, source: number, desc: number): number;
+  /** Reads a vortex as last set. Returns what lr_world_get_gusts would. */
+  lr_world_get_vortex(world: number, source: number, desc: number): number;
+  lr_blower_desc_init(desc: number, struct_size: number): number;
+  /** Adds a blower. Returns what lr_world_add_gusts would. */
+  lr_world_add_blower(world: number, desc: number, out: number): number;
+  /** Updates a blower. Returns what lr_world_update_gusts would. */
+  lr_world_update_blower(world: number, source: number, desc: number): number;
+  /** Reads a blower as last set. Returns what lr_world_get_gusts would. */
+  lr_world_get_blower(world: number, source: number, desc: number): number;
+  lr_turbulence_desc_init(desc: number, struct_size: number): number;
+  /** Adds turbulence. Returns what lr_world_add_gusts would. */
+  lr_world_add_turbulence(world: number, desc: number, out: number): number;
+  /** Updates turbulence. Returns what lr_world_update_gusts would. */
+  lr_world_update_turbulence(world: number, source: number, desc: number): number;
+  /** Reads turbulence as last set. Returns what lr_world_get_gusts would. */
+  lr_world_get_turbulence(world: number, source: number, desc: number): number;
+  lr_wind_grid_desc_init(desc: number, struct_size: number): number;
+  /** Adds a grid. Returns what lr_world_add_gusts would. */
+  lr_world_add_wind_grid(world: number, desc: number, out: number): number;
+  /** Updates a grid. Returns what lr_world_update_gusts would. */
+  lr_world_update_wind_grid(world: number, source: number, desc: number): number;
+  /** Reads a grid as last set. Returns what lr_world_get_gusts would. */
+  lr_world_get_wind_grid(world: number, source: number, desc: number): number;
+  lr_ground_wind_desc_init(desc: number, struct_size: number): number;
+  /** Adds the wind over a ground. Returns what lr_world_add_gusts would. */
+  lr_world_add_ground_wind(world: number, desc: number, out: number): number;
+  /** Updates the wind over a ground. Returns what lr_world_update_gusts would. */
+  lr_world_update_ground_wind(world: number, source: number, desc: number): number;
+  /** Reads the wind over a ground as last set. Returns what lr_world_get_gusts would. */
+  lr_world_get_ground_wind(world: number, source: number, desc: number): number;
+  /**
+   * Removes a source of any kind.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_WIND_SOURCE.
+   */
   lr_world_remove_wind(world: number, source: number): number;
+  /** Returns 1 if the wind source exists in this world, else 0. Never an error: see lr_body_is_valid. */
+  lr_wind_source_is_valid(world: number, source: number): number;
   /**
-   * An engine's own field, added to all else. Null removes it. Not part of snapshots.
+   * Sets a callback that adds an engine's own wind field to all other wind. Null removes it. Not part of snapshots.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world).
    */
   lr_world_set_wind_callback(world: number, callback: number, user: number): number;
   /**
-   * The velocity of the fluid at the world's present time, of all sources: for particles, cloth, arrows on a screen.
+   * Evaluates the fluid's velocity from all sources at the world's current time, for particles, cloth or debug arrows.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
    */
   lr_world_sample_wind(world: number, positions: number, count: number, velocities: number): number;
-  lr_surface_desc_init(desc: number, struct_size: number): number;
+  lr_water_desc_init(desc: number, struct_size: number): number;
   /**
-   * From the next step on; copied. Null removes it. Bodies keep their velocities, also those that are now in another
-   * fluid. A batch whose mass matrix is singular in it stays in its own, with a warning. Part of snapshots and hash.
+   * Sets the water from the next step on. The struct is copied; null removes the water. Bodies keep their velocities,
+   * even if they are now in another fluid. A batch whose mass matrix would be singular in water stays in its own fluid,
+   * and a warning is logged. Part of snapshots and of the world's hash.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
    */
-  lr_world_set_surface(world: number, desc: number): number;
+  lr_world_set_water(world: number, desc: number): number;
   /**
-   * An engine's own water, while there is a surface. Null removes it. Not part of snapshots.
+   * Reads the water.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_world_get_water(world: number, desc: number, present: number): number;
+  /**
+   * Sets a callback for an engine's own water, used while lr_world_set_water has set a surface. Null removes it. Not
+   * part of snapshots.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world).
    */
-  lr_world_set_surface_callback(world: number, callback: number, user: number): number;
+  lr_world_set_water_callback(world: number, callback: number, user: number): number;
   /**
-   * Advances all bodies by dt in `substeps` equal parts.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step has been taken, not
-   * to be repeated, but bodies went through each other in it; the next one asks for the memory again.
+   * Advances all bodies by dt, in `substeps` equal parts. At 60 Hz use 2 substeps for leaves and paper of a few
+   * centimetres, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end bodies and emitters spawn them at
+   * the end of the step. Allocates only in the case that lr_allocator describes. Saves, sets and restores the calling
+   * thread's floating-point mode.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step was taken, so
+   * do not repeat it, but bodies may have passed through each other. The next step asks for the memory again.
    */
   lr_world_step(world: number, dt: number, substeps: number): number;
   /**
-   * A budget for the work of each step: a count of substeps of single bodies, whatever each of them costs, at most 2^48; 0, as at
-   * first: none. From the next step on; part of snapshots. Where the batches that are due want more, each gets the fewest substeps that
-   * keep falls as they are (lr_batch_set_rate), those that have waited longest first; nobody waits for ever. The same calls give the
-   * same bits on every machine. A batch on whose single bodies forces act is stepped at once, even over the budget. docs/reference/stepping.md.
+   * Limits the work of each step to a number of substeps of single bodies: the same work, so the same bits, on every
+   * machine. Takes effect at the next step. Part of snapshots. If the batches that are due need more, each first gets the
+   * fewest substeps that preserve its fall statistics (lr_batch_set_rate); batches that have waited longest come first,
+   * and none waits forever. A batch with forces on single bodies is stepped at once, even beyond the budget.
+   * docs/reference/stepping.md.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT.
    */
   lr_world_set_budget(world: number, body_substeps: bigint): number;
   lr_step_report_init(report: number, struct_size: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. */
-  lr_world_get_step_report(world: number, report: number): number;
   /**
-   * A hash of the state of all bodies and the time index. Independent of the order of bodies in memory, of the processor
-   * and of worker_count; equal hashes mean equal motion from here on, given equal worlds. Wind sources are part of it,
-   * grids by the hash of their samples, the surface, and colliders.
+   * Reads the report of the last step: zeros before the first step and after a snapshot is restored.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_world_get_step_report(world: number, report: number): number;
+  lr_timings_init(timings: number, struct_size: number): number;
+  /**
+   * Reads the timings of the last step: zeros before the first one.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_world_get_timings(world: number, timings: number): number;
+  /**
+   * Computes a hash of the world's time index, bodies, colliders, water and wind sources (grids by the hash of their
+   * samples). It does not depend on the order of bodies in memory, the processor or worker_count. Worlds with equal
+   * settings and equal hashes move alike from here on.
    * LR_OK, LR_ERROR_NULL_ARGUMENT.
    */
   lr_world_hash(world: number, out: number): number;
   /** Bytes that lr_world_snapshot_save needs at present; 0 for null. */
   lr_world_snapshot_size(world: number): bigint;
   /**
-   * Writes the world's state (bodies with their ids, time, wind, surface, gravity, tables, loads, forces, rules, emitter,
-   * rates, budget, colliders with their ids, how batches meet them and each other) into `size` bytes at `memory`, any alignment.
-   * Assets, how batches were created, threads and callbacks are not part of it, nor the samples of wind grids and the data of
-   * hulls, heightfields and meshes, which are named by their hash.
+   * Writes the world's state into `size` bytes at `memory`, of any alignment: time, gravity, wind, water, budget; bodies
+   * and colliders with their handles; each batch's turbulence table, loads, forces, rules, emitter, rate and contact
+   * settings. Not included: assets, the descs of batches, threads, callbacks, the samples of wind grids, and the data of
+   * hulls, heightfields and meshes; samples and data are identified by their hash.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL.
    */
   lr_world_snapshot_save(world: number, memory: number, size: bigint, written: number): number;
   /**
-   * Puts a saved state back, also into another world or process whose batches were created in the same order from equal
-   * assets with equal capacities. Bodies, wind sources and colliders have the same ids as when it was saved; grids of
-   * wind, hulls, heightfields and meshes must be in the world already, in any place. Checked whole before anything changes.
-   * Allocates nothing where the world has held as much before. docs/reference/snapshots.md: which versions restore which snapshots.
+   * Restores a saved state. The world may be another one, also in another process, if its batches were created in the
+   * same order from equal assets with equal capacities. Bodies, wind sources and colliders get their handles back. Wind
+   * grids, hulls, heightfields and meshes must already be in the world, anywhere. The snapshot is checked as a whole
+   * before anything changes. Allocates nothing in a world that has held as much before. docs/reference/snapshots.md says
+   * which versions restore which snapshots.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_SNAPSHOT_FORMAT, LR_ERROR_SNAPSHOT_MISMATCH, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_world_snapshot_restore(world: number, memory: number, size: bigint): number;
   lr_recording_desc_init(desc: number, struct_size: number): number;
   /**
-   * From now on every call that can change the world is handed to desc->write with its arguments before it is carried out, and
-   * its status after it. At once: the world as it is, with the assets of its batches. May begin at any time. Takes 64 KiB of memory,
-   * some bytes for each asset, and while it begins a copy of the assets and a snapshot. When `write` refuses, the recording
-   * ends, a message is logged, and the world goes on.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags; the world
-   * is being recorded; `write` has refused), LR_ERROR_OUT_OF_MEMORY.
+   * Starts a recording, at any time. First writes the world's present state and the assets of its batches, then each call
+   * that can change the world: its arguments, as a rule before it is carried out, and its status after it. Allocates 64
+   * KiB and a few bytes per asset; while starting, also a copy of the assets and a snapshot. If `write` refuses, the
+   * recording ends, a message is logged, and the world goes on.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->write), LR_ERROR_STRUCT_SIZE, LR_ERROR_INVALID_ARGUMENT (unknown flags;
+   * already recording; `write` has refused), LR_ERROR_OUT_OF_MEMORY.
    */
   lr_world_record_start(world: number, desc: number): number;
   /**
    * Ends a recording.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (none is under way: also where `write` has refused).
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (not recording, also after `write` has refused).
    */
   lr_world_record_stop(world: number): number;
   lr_batch_desc_init(desc: number, struct_size: number): number;
   /**
+   * Creates a batch.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (also desc->asset), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_batch_create(world: number, desc: number, out: number): number;
   /**
-   * Ends a batch with all its bodies. Those of batches that it met (lr_batch_set_pair_contact) wake.
+   * Destroys a batch with all its bodies. Wakes the bodies of batches that had body contact with it
+   * (lr_batch_set_body_contact).
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH.
    */
   lr_batch_destroy(world: number, batch: number): number;
+  /** Returns 1 if the batch exists in this world, else 0. Never an error: see lr_body_is_valid. */
+  lr_batch_is_valid(world: number, batch: number): number;
   lr_turbulence_table_init(table: number, struct_size: number): number;
   /**
-   * Replaces a batch's table; null puts the asset's own back. With AERODYNAMIC loads the table sets the velocity of the fluid
-   * around the body, instead of the intensity in lr_aerodynamics.
+   * Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the table replaces the
+   * intensity of lr_aerodynamics: it sets the velocity of the fluid around the body.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_batch_set_turbulence_table(world: number, batch: number, table: number): number;
   /**
-   * Coefficients of the AERODYNAMIC loads for a batch, in place of its asset's, from the next step on; copied. Null puts the
-   * asset's own back. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. With other axes than the
-   * body's, or another center than 0, a body of LR_ASSET_DIAGONAL takes the slower path of all others.
+   * Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
+   * restores the asset's. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. Axes other
+   * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
   lr_batch_set_aerodynamics(world: number, batch: number, aerodynamics: number): number;
   /**
-   * What the batch's coefficients are at present.
+   * Reads a batch's current coefficients.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
    */
   lr_batch_get_aerodynamics(world: number, batch: number, aerodynamics: number): number;
   lr_load_gains_init(gains: number, struct_size: number): number;
   /**
-   * From the next step on; null puts all at 1. LANGEVIN loads have their gains in lr_batch_desc.
+   * Sets the gains of a batch from the next step on; null sets all to 1. The gains of LANGEVIN loads are in
+   * lr_batch_desc.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
   lr_batch_set_load_gains(world: number, batch: number, gains: number): number;
   /**
-   * How often a batch is stepped: level of detail for bodies that are far away, small, or out of sight. docs/reference/stepping.md.
+   * Reads the gains of a batch.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_batch_get_load_gains(world: number, batch: number, gains: number): number;
+  /**
+   * Sets how often a batch is stepped: level of detail for bodies that are far away, small or out of sight. A batch of
+   * divisor n takes one substep where other batches take n: fewer in each step or, if n exceeds the world's substeps, one
+   * every few steps that covers them all. Substeps are never so long that fall statistics change: at most 1/60 s, and
+   * length_d / 1.5 m/s for bodies under 2.5 cm. Larger divisors have no further effect. docs/reference/stepping.md.
+   * Takes effect at the next step and may change at any time: a waiting batch catches up when it is next stepped. Part of
+   * snapshots. While a batch waits
+   *  - views and lr_body_get_state show bodies as of their last step, lr_batch_pace.behind ago;
+   *  - bodies that are created or set count as of that time too;
+   *  - lr_batch_write_transforms extrapolates to the present by the bodies' velocities;
+   *  - a force on one of its bodies ends the wait, and acts with the impulse that it would have had in one step;
+   *  - its rules, emitter and events wait too.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
    */
   lr_batch_set_rate(world: number, batch: number, divisor: number): number;
   lr_batch_pace_init(pace: number, struct_size: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
+  /**
+   * Reads a batch's rate and backlog.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+   */
   lr_batch_get_pace(world: number, batch: number, pace: number): number;
   lr_batch_view_init(view: number, struct_size: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
+  /**
+   * Gets the view of a batch.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+   */
   lr_batch_get_view(world: number, batch: number, view: number): number;
   /**
-   * Writes the transforms of the first `count` bodies of a batch, or of all where there are fewer, in the order of its view; of one that
-   * waits (lr_batch_set_rate), moved on to the world's time. The mesh to be drawn must have its origin at the centre of mass
-   * (lr_asset_info.center_of_mass).
-   * An instance buffer keeps what was written before: where lr_batch_view.revision is that of the last time, bodies at rest then still
-   * lie there, and it is enough to write as many as moved then or move now, the greater awake_count of the two. Else all: docs/reference/bodies.md.
-   * Keep both numbers for each buffer that is written in turn.
+   * Computes a box around all bodies of a batch, awake or asleep, for culling. Each body counts as the sphere that
+   * contains it in any orientation; the box of a waiting batch (lr_batch_set_rate) also contains the places that
+   * lr_batch_write_transforms extrapolates to. The cost is proportional to the number of bodies.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH.
+   */
+  lr_batch_get_bounds(world: number, batch: number, low: number, high: number): number;
+  /**
+   * Writes the transforms of a batch's first `count` bodies, or of all if there are fewer, in the order of its view. Draw
+   * a mesh whose origin is the centre of mass (lr_asset_info.center_of_mass). Bodies of a waiting batch
+   * (lr_batch_set_rate) are extrapolated to the world's time.
+   * An instance buffer that still holds the last write needs no rewrite of sleeping bodies. While lr_batch_view.revision
+   * is unchanged, `count` may be the greater of the old and the new awake_count; otherwise write all bodies. Remember
+   * both numbers per buffer. docs/reference/bodies.md.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
    * LR_ERROR_INVALID_ARGUMENT.
    */
@@ -1326,201 +1535,250 @@ export interface RawFunctions {
    */
   lr_body_create(world: number, batch: number, descs: number, count: number, out_ids: number): number;
   /**
-   * Destroys `count` bodies of any batches, all or none: if one of them is stale, or given twice, nothing is destroyed. What lay on
-   * them wakes.
+   * Destroys `count` bodies of any batches, all or none: a stale or repeated id fails the call. Wakes the bodies that lay
+   * on them.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY.
    */
   lr_body_destroy(world: number, bodies: number, count: number): number;
+  /**
+   * Returns 1 if the body exists in this world, else 0. Never an error: a null world gives 0, and so does a call
+   * that lr_world_desc.checks refuses. Not recorded.
+   */
+  lr_body_is_valid(world: number, body: bigint): number;
   lr_body_state_init(state: number, struct_size: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE. */
+  /**
+   * Reads the state of a body.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE.
+   */
   lr_body_get_state(world: number, body: bigint, state: number): number;
   /**
-   * Sets everything but the key, and wakes the body. The quaternion is normalised. Positions up to 1e9 m, velocities up to
-   * 1e6 m/s and rad/s are taken, here and by lr_body_create. For many bodies a frame, prefer forces and wind: this breaks
-   * the physics by design.
+   * Sets everything but the noise seed, and wakes the body. The quaternion is normalised. Limits, also of lr_body_create:
+   * positions up to 1e9 m, velocities up to 1e6 m/s and rad/s. To steer bodies every frame, prefer forces and wind:
+   * setting the state bypasses physics.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
   lr_body_set_state(world: number, body: bigint, state: number): number;
   /**
-   * Puts bodies of any batches to rest, or wakes them, all or none; some may be so already, or be given twice. A body at
-   * rest does not move, whatever acts on it, and costs a step nothing. Its velocities and the forces on it end. It wakes
-   *  - by this function, lr_world_wake_box, and lr_body_set_state,
-   *  - by a force, impulse or velocity on it that is not zero (lr_body_add_force, lr_batch_add_forces),
-   *  - by a change of lr_batch_set_force, lr_world_set_gravity or lr_batch_set_pair_contact, with all others that it is about,
-   *  - when it begins anew by its batch's rules,
-   *  - by contact: colliders, wind. docs/reference/bodies.md.
-   * It grows older, and the rules of its batch are for it too: they look at bodies at rest in every 16th step of the batch.
-   * Bodies that wake and come to rest change indices in the view, not ids. Part of snapshots. The first body at rest of a
-   * batch takes up to 25 bytes for each of the batch's capacity.
+   * Puts bodies of any batches to sleep or wakes them, all or none. Bodies may already be in that state, and ids may
+   * repeat. A sleeping body does not move, whatever acts on it, and adds no cost to a step. Its velocities and pending
+   * forces are cleared. It still ages, and its batch's rules still apply: they check sleeping bodies in every 16th step
+   * of the batch. Falling asleep and waking change a body's index in the view, not its id. Part of snapshots. A batch's
+   * first sleeping body allocates up to 25 bytes for each body of the batch's capacity. A body is woken by
+   *  - this function, lr_world_wake_box and lr_body_set_state;
+   *  - a force, impulse or velocity other than zero (lr_body_add_force, lr_batch_add_forces);
+   *  - a change by lr_batch_set_force, lr_world_set_gravity or lr_batch_set_body_contact that concerns it;
+   *  - a respawn by its batch's rules;
+   *  - contact with colliders or other bodies, and wind: docs/reference/bodies.md.
    * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_INVALID_ARGUMENT,
    * LR_ERROR_OUT_OF_MEMORY.
    */
-  lr_body_set_rest(world: number, bodies: number, count: number, rest: number): number;
+  lr_body_set_sleep(world: number, bodies: number, count: number, sleep_state: number): number;
   /**
-   * Wakes all bodies at rest that reach into a box, each taken to be a cube that it can turn in: for what the world does not
-   * know of, as footsteps and explosions.
+   * Wakes all sleeping bodies that touch a box, for events that the world does not know about, such as footsteps and
+   * explosions. Each body counts as the cube that contains it in any orientation. The cost depends on the bodies near the
+   * box alone.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
    */
   lr_world_wake_box(world: number, low: number, high: number, woken: number): number;
   lr_body_force_init(force: number, struct_size: number): number;
   /**
-   * Puts `count` forces on bodies of any batches, all or none; a body may be there more than once. One of them may
-   * give its body up to 1e9 m/s^2, torques as much over its length; an impulse up to 1e6 m/s and rad/s. Pending forces
-   * are part of snapshots and of the world's hash. The first force or acceleration on a body of a batch takes 96 bytes
-   * for each of the batch's capacity.
+   * Applies `count` forces to bodies of any batches, all or none. A body may occur more than once. Each element may give
+   * its body at most 1e9 m/s^2 (torques: 1e9 m/s^2 over its length), an impulse at most 1e6 m/s and rad/s. Pending forces
+   * are part of snapshots and of the world's hash. The first force or acceleration on a body of a batch allocates 96
+   * bytes for each body of the batch's capacity.
    * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_body_add_force(world: number, forces: number, count: number): number;
   lr_force_arrays_init(arrays: number, struct_size: number): number;
   /**
+   * Applies forces to many bodies of a batch; limits, snapshots and memory as for lr_body_add_force.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (some of three pointers), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE,
-   * LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also first + count over the batch's bodies),
+   * LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also if first + count exceeds the batch's bodies),
    * LR_ERROR_OUT_OF_MEMORY.
    */
   lr_batch_add_forces(world: number, batch: number, arrays: number): number;
   lr_batch_force_init(force: number, struct_size: number): number;
   /**
-   * From the next step on, until changed; copied. Null ends it. A change wakes the batch's bodies. Part of snapshots.
+   * Sets the forces on a batch from the next step on. The struct is copied; null clears them. A change wakes the batch's
+   * sleeping bodies. Part of snapshots.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
   lr_batch_set_force(world: number, batch: number, force: number): number;
+  /**
+   * Reads the forces on every body of a batch.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_batch_get_force(world: number, batch: number, force: number): number;
   lr_collider_desc_init(desc: number, struct_size: number): number;
   /**
-   * Creates `count` colliders, all or none. They are there from the next step on. Hulls, heightfields and meshes that are equal
+   * Creates `count` colliders, all or none, which collide from the next step on. Equal hulls, heightfields and meshes
    * share one copy of their data.
-   * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT (also arrays that the kind needs), LR_ERROR_STRUCT_SIZE,
-   * LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also a hull that is flat: thinner than 1e-4 of its largest extent; a mesh
-   * with an index out of range, or no triangle with an area), LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
+   * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT (also for arrays that the kind needs), LR_ERROR_STRUCT_SIZE,
+   * LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for a flat hull, thinner than 1e-4 of its largest extent, and
+   * for a mesh with an index out of range or no triangle with an area), LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_collider_create(world: number, descs: number, count: number, out_ids: number): number;
   /**
-   * Destroys `count` colliders, all or none: if one of them is stale, or given twice, nothing is destroyed.
+   * Destroys `count` colliders, all or none: a stale or repeated handle fails the call.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER.
    */
   lr_collider_destroy(world: number, colliders: number, count: number): number;
+  /** Returns 1 if the collider exists in this world, else 0. Never an error: see lr_body_is_valid. */
+  lr_collider_is_valid(world: number, collider: bigint): number;
   lr_collider_motion_init(motion: number, struct_size: number): number;
   /**
-   * Moves `count` colliders, all or none, in this order: of several motions of one collider the last holds. Planes that turn
-   * keep all bodies of the world from the fast path while they do.
+   * Moves `count` colliders, all or none, in order: the last motion of a collider wins. While a plane rotates, no body of
+   * the world can use the fast path.
    * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_STALE_COLLIDER, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_collider_move(world: number, motions: number, count: number): number;
   lr_collider_state_init(state: number, struct_size: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE. */
-  lr_collider_get_state(world: number, collider: bigint, state: number): number;
-  lr_collider_surface_init(surface: number, struct_size: number): number;
   /**
-   * Gives `count` colliders the same surface, all or none, from the next step on.
+   * Reads the state of a collider.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_collider_get_state(world: number, collider: bigint, state: number): number;
+  lr_material_init(material: number, struct_size: number): number;
+  /**
+   * Sets one material for `count` colliders, all or none, from the next step on.
    * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
-  lr_collider_set_surface(world: number, colliders: number, count: number, surface: number): number;
+  lr_collider_set_material(world: number, colliders: number, count: number, material: number): number;
   lr_batch_contact_init(contact: number, struct_size: number): number;
   /**
-   * From the next step on; copied. Null is what a batch has initially. Wakes the batch's bodies at rest. Part of snapshots.
+   * Sets how a batch collides from the next step on. The struct is copied; null restores the defaults. Wakes the batch's
+   * sleeping bodies. Part of snapshots.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
   lr_batch_set_contact(world: number, batch: number, contact: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
+  /**
+   * Reads how a batch collides.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+   */
   lr_batch_get_contact(world: number, batch: number, contact: number): number;
   /**
-   * Whether bodies of `a` and of `b` meet each other, from the next step on; their order does not matter, and a == b are the
-   * bodies of one batch among themselves. Initially none do. Friction, restitution and rolling resistance are those of
-   * lr_batch_contact: of a pair, friction is the geometric mean of both and restitution the larger. Layers are for colliders alone.
-   * Bodies of batches that are stepped at different rates (lr_batch_set_rate), or wait for a budget, meet only while one of both is
-   * at rest. A change wakes the bodies at rest of both batches, and the end of one batch those of the other. Part of snapshots.
-   * The first pair of a batch takes 28 bytes for each of its capacity, and up to 75 more unless there have been colliders.
-   * docs/maintainers/contact.md
+   * Turns body contact on or off from the next step on: collisions between bodies of `a` and bodies of `b`, in either
+   * order. Pass the same batch twice for collisions within it. Off by default. Contacts use friction, restitution and
+   * rolling resistance of lr_batch_contact, combined as there; layers apply to colliders only. Bodies of batches stepped
+   * at different rates (lr_batch_set_rate), or waiting for the budget, collide only while one of the two is asleep. A
+   * change wakes the sleeping bodies of both batches. Part of snapshots. A batch's first pair allocates 28 bytes for each
+   * body of its capacity, and up to 75 more if the world has never had colliders. docs/maintainers/contact.md.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH (either), LR_ERROR_INVALID_ARGUMENT (enabled),
    * LR_ERROR_OUT_OF_MEMORY.
    */
-  lr_batch_set_pair_contact(world: number, a: number, b: number, enabled: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH (either). */
-  lr_batch_get_pair_contact(world: number, a: number, b: number, enabled: number): number;
+  lr_batch_set_body_contact(world: number, a: number, b: number, enabled: number): number;
   /**
-   * Has events kept, at most `capacity` of a step, from now on: contacts that there are already do not begin again.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits; no bit but a capacity),
+   * Reads whether bodies of two batches collide.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH (either).
+   */
+  lr_batch_get_body_contact(world: number, a: number, b: number, enabled: number): number;
+  /**
+   * Enables events; at most `capacity` are stored per step. Contacts that already exist do not begin again. capacity 0
+   * disables events. All memory is allocated here and by lr_batch_create, none in steps: 64 bytes per event, and 233 for
+   * each body of a batch's capacity. Neither part of snapshots nor of the world's hash.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits, or no bits with a capacity),
    * LR_ERROR_OUT_OF_MEMORY.
    */
-  lr_world_set_contact_events(world: number, capacity: number, kinds: number): number;
-  lr_contact_event_list_init(list: number, struct_size: number): number;
+  lr_world_set_events(world: number, capacity: number, kinds: number): number;
+  lr_event_list_init(list: number, struct_size: number): number;
   /**
-   * Valid until the next call that is not a query; empty after lr_world_snapshot_restore. In order of batches (their place in the
-   * world's table), then of the bodies' keys, then of kinds, then of colliders' slots: independent of workers, processors and where
-   * bodies lie in memory. Bodies that share a key are in order of their slots.
-   * Contact is looked at after each substep, and ends only at the end of a step: what bounces within one begins once. What touches
-   * and leaves within a step begins and ends in it. A body at rest still touches what it lies on. Of a body that ends there is one
-   * LR_BODY_KILLED and nothing else, but LR_BODY_FAULTED where that is why; of those destroyed by lr_body_destroy there is nothing. At
-   * most four colliders of a body count, those that press it most; other bodies that it touches count as one of the four, and neither
-   * begin nor end. A body that comes to rest on other bodies has landed.
+   * Gets the events of the last step. Valid until the next call that is not a query; empty after
+   * lr_world_snapshot_restore. Sorted by batch (its place in the world's table), noise seed, kind and collider slot, so
+   * the order does not depend on workers, processor or memory. Bodies with the same noise seed are sorted by slot.
+   * Contacts are checked after each substep but end only at the end of a step: a body that bounces within a step begins
+   * one contact, and one that touches and leaves begins and ends it. A sleeping body still touches its support. A body
+   * that ends has one LR_EVENT_KILLED or LR_EVENT_RESPAWNED, and before it at most LR_EVENT_SPAWNED, after it at most
+   * LR_EVENT_DIVERGED. lr_body_destroy and lr_batch_destroy cause no event. A body has at most four contacts, those that
+   * press it most. Contact with other bodies takes one of the four and causes no events, but a body that falls asleep on
+   * other bodies has landed.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
    */
-  lr_world_get_contact_events(world: number, list: number): number;
+  lr_world_get_events(world: number, list: number): number;
   lr_ray_init(ray: number, struct_size: number): number;
   /**
-   * What each ray hits first. Bodies are what can touch colliders of them: the hull of their asset, or an ellipsoid (docs/maintainers/contact.md);
-   * those of batches that wait (lr_batch_set_rate) are where they were stepped last. Planes and heightfields are solid below their surface,
-   * meshes are met from both sides. Colliders are where the last step or lr_collider_move has put them. Of equal distances bodies come
-   * before colliders, then the order is that of batches and keys, or of colliders' slots.
-   * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
-   * LR_ERROR_STALE_BATCH: then no hit is written.
+   * Finds the first hit of each ray. Bodies have their contact shape, the hull of their asset or an ellipsoid
+   * (docs/maintainers/contact.md); bodies of waiting batches (lr_batch_set_rate) are where they were last stepped. Planes
+   * and heightfields are solid below their surface; meshes are hit from both sides. Colliders are where the last step or
+   * lr_collider_move put them. Hits at equal distances are sorted: bodies before colliders, then by batch and noise seed
+   * or by collider slot.
+   * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_STALE_BATCH.
    */
   lr_world_ray_cast(world: number, rays: number, count: number, hits: number): number;
   lr_overlap_desc_init(desc: number, struct_size: number): number;
   /**
-   * All bodies of which a part is in a sphere or box, in order of batches, then keys, then slots. They are the same as for rays.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_STALE_BATCH,
-   * LR_ERROR_BUFFER_TOO_SMALL: *count is set, and `bodies` holds no meaning.
+   * Finds all bodies that overlap a sphere or box, sorted by batch, noise seed and slot. Shapes and places of bodies are
+   * as for rays.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
+   * LR_ERROR_STALE_BATCH, LR_ERROR_BUFFER_TOO_SMALL: *count is set, and the contents of `bodies` are undefined.
    */
   lr_world_overlap(world: number, desc: number, bodies: number, capacity: number, count: number): number;
   lr_batch_rules_init(rules: number, struct_size: number): number;
   /**
-   * Bodies are judged at the end of each step, those at rest (lr_body_set_rest) in one of 16 of their batch. Copied; null
-   * ends the rules. Part of snapshots. The first rules or emitter of a batch take 24 bytes for each of its capacity; later
-   * calls, say to move a volume along with a camera, none.
+   * Sets the rules of a batch. Awake bodies are checked at the end of each step, sleeping ones in every 16th step of
+   * their batch. The struct is copied; null removes the rules. Part of snapshots. A batch's first rules or emitter
+   * allocate 8 bytes for each body of its capacity; later calls, such as moving a volume along with a camera, allocate
+   * nothing.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT (also LR_END_RESPAWN without an emitter), LR_ERROR_OUT_OF_MEMORY.
    */
   lr_batch_set_rules(world: number, batch: number, rules: number): number;
   /**
-   * What becomes of a body that has left physics: forces beyond all measure, a scheme that blows up, a collider that shoots it out of
-   * the world. Every body is judged in each step, and after impulses: a number that is not finite, a coordinate over 1e10 m, a velocity
-   * over 2e6 m/s or 1e9 rad/s, or an orientation that is none must not be seen. At the end of the step it is told by LR_BODY_FAULTED, counted
-   * in lr_batch_events, and logged once for all; others are not touched by it. docs/reference/bodies.md
-   * A body that is held has the position and orientation of the beginning of that step or substep, and no velocity. Nothing moves or
-   * touches it, it moves and touches nothing, forces on it are taken and have no effect; it grows older, and rules may end it.
-   * lr_body_set_state sets it free, and lr_body_set_rest puts it to rest like any other. lr_body_state.resting tells.
-   * Initially LR_FAULT_AUTO. From the next step on, also for the others; those that are held stay so. Part of snapshots and hash.
+   * Reads the rules of a batch.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_batch_get_rules(world: number, batch: number, rules: number, present: number): number;
+  /**
+   * Sets how a batch treats diverged bodies: those with a number that is not finite, a coordinate over 1e10 m, a velocity
+   * over 2e6 m/s or 1e9 rad/s, or an invalid orientation. Bodies diverge through extreme forces, an unstable integrator,
+   * or a collider that shoots them out of the world. Every body is checked in each step and after impulses, so such
+   * values are never visible and never affect other bodies. At the end of the step the body causes LR_EVENT_DIVERGED and
+   * counts in lr_batch_counts; one message is logged for all. docs/reference/bodies.md
+   * A held body stays at its position and orientation from the beginning of that step or substep, without velocity. It
+   * collides with nothing, and forces on it are accepted without effect. It ages, and rules can end it. lr_body_set_state
+   * frees it, lr_body_set_sleep can put it to sleep, and lr_body_state.sleep_state shows that it is held.
+   * Takes effect at the next step; bodies already held stay held. Part of snapshots and of the world's hash.
+   * LR_DIVERGENCE_REMOVE allocates as lr_batch_set_rules does.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
    */
-  lr_batch_set_fault_policy(world: number, batch: number, policy: number): number;
-  /** LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH. */
-  lr_batch_get_fault_policy(world: number, batch: number, policy: number): number;
+  lr_batch_set_divergence_policy(world: number, batch: number, policy: number): number;
+  /**
+   * Reads how a batch treats diverged bodies.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH.
+   */
+  lr_batch_get_divergence_policy(world: number, batch: number, policy: number): number;
   lr_emitter_desc_init(desc: number, struct_size: number): number;
   /**
-   * Bodies are born at the end of each step, after others have ended, up to the batch's capacity; those that find no room
-   * are not born later. Their keys are the world's next. Copied; another emitter carries on with the fraction of a body
-   * that is due and with the time since the last burst; null ends it. Part of snapshots. Memory: as lr_batch_set_rules.
+   * Sets the emitter of a batch. Bodies spawn at the end of each step, after rules have ended others, up to the batch's
+   * capacity; spawns beyond it are dropped, not postponed. New bodies take the world's next noise seeds, and 0 as `user`.
+   * The struct is copied; null removes the emitter. A replacement keeps the pending fraction of a spawn and the time since
+   * the last burst. Part of snapshots. Allocates as lr_batch_set_rules does.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT (also null while the rules respawn), LR_ERROR_OUT_OF_MEMORY.
    */
   lr_batch_set_emitter(world: number, batch: number, desc: number): number;
   /**
-   * Bears `count` bodies now, all or none.
+   * Reads the emitter of a batch.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_batch_get_emitter(world: number, batch: number, desc: number, present: number): number;
+  /**
+   * Spawns `count` bodies now, all or none.
    * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT (no emitter),
    * LR_ERROR_CAPACITY.
    */
-  lr_batch_emit(world: number, batch: number, count: number, out_ids: number): number;
-  lr_batch_events_init(events: number, struct_size: number): number;
+  lr_batch_spawn(world: number, batch: number, count: number, out_ids: number): number;
+  lr_batch_counts_init(counts: number, struct_size: number): number;
   /**
-   * Lists are valid until the next call that is not a query. All but faults is 0 and null for a batch that never had rules or an
-   * emitter. Totals are part of snapshots; after a restore there are no events of the last step.
+   * Reads the counts of a batch. One that never had rules or an emitter counts only diverged bodies; the rest is 0.
+   * Totals are part of snapshots; after a restore the counts of the last step are 0.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
    */
-  lr_batch_get_events(world: number, batch: number, events: number): number;
+  lr_batch_get_counts(world: number, batch: number, counts: number): number;
 }

@@ -45,7 +45,7 @@ lr_world* ULangevinBatchComponent::LibraryWorld() const {
 }
 
 bool ULangevinBatchComponent::BeginBatch() {
-    if (Batch != 0) return true;
+    if (Batch.id != 0) return true;
     const UWorld* Level = GetWorld();
     Subsystem = Level != nullptr ? Level->GetSubsystem<ULangevinWorldSubsystem>() : nullptr;
     lr_world* World = LibraryWorld();
@@ -79,7 +79,7 @@ bool ULangevinBatchComponent::BeginBatch() {
                        ApplyRules() && ApplyContact();
     if (!bGood) {
         lr_batch_destroy(World, Batch);
-        Batch = 0;
+        Batch = {};
         return false;
     }
     ClearInstances();
@@ -91,13 +91,17 @@ bool ULangevinBatchComponent::BeginBatch() {
 }
 
 void ULangevinBatchComponent::EndBatch() {
-    if (Batch == 0) return;
+    if (Batch.id == 0) return;
     if (lr_world* World = LibraryWorld()) Check(lr_batch_destroy(World, Batch), *GetPathName());
-    Batch = 0;
+    Batch = {};
     Snapshot.Reset();
     if (Subsystem != nullptr) Subsystem->UnregisterBatch(*this);
     Subsystem = nullptr;
     ClearInstances();
+}
+
+void ULangevinBatchComponent::NameBatch(const lr_event& From, FLangevinEvent& Event) {
+    if (GetLibraryBatch() == From.batch) Event.Batch = this;
 }
 
 bool ULangevinBatchComponent::ApplyEmitter() {
@@ -146,7 +150,7 @@ bool ULangevinBatchComponent::ApplyContact() {
     if (!bCollide) Contact.layers = 0;
     return Check(lr_batch_set_contact(LibraryWorld(), Batch, &Contact), TEXT("Contact")) &&
            (!bCollideWithEachOther ||
-            Check(lr_batch_set_pair_contact(LibraryWorld(), Batch, Batch, 1), TEXT("Contact of bodies")));
+            Check(lr_batch_set_body_contact(LibraryWorld(), Batch, Batch, 1), TEXT("Contact of bodies")));
 }
 
 void ULangevinBatchComponent::PrepareStep() {
@@ -156,7 +160,7 @@ void ULangevinBatchComponent::PrepareStep() {
 
 TArray<FLangevinBody> ULangevinBatchComponent::SpawnBodies(const TArray<FTransform>& InTransforms, FVector Velocity) {
     TArray<FLangevinBody> Bodies;
-    if (Batch == 0 || InTransforms.Num() == 0) return Bodies;
+    if (Batch.id == 0 || InTransforms.Num() == 0) return Bodies;
     TArray<lr_body_desc> Descs;
     for (const FTransform& Transform : InTransforms) {
         lr_body_desc Desc;
@@ -176,22 +180,22 @@ TArray<FLangevinBody> ULangevinBatchComponent::SpawnBodies(const TArray<FTransfo
     Snapshot.Reset();
     for (const lr_body Id : Ids) {
         FLangevinBody Body;
-        Body.Id = static_cast<int64>(Id);
+        Body.Id = static_cast<int64>(Id.id);
         Bodies.Add(Body);
     }
     return Bodies;
 }
 
 bool ULangevinBatchComponent::EmitBodies(int32 Count) {
-    if (Batch == 0 || Count < 0) return false;
+    if (Batch.id == 0 || Count < 0) return false;
     Snapshot.Reset();
-    return Check(lr_batch_emit(LibraryWorld(), Batch, static_cast<uint32>(Count), nullptr), TEXT("EmitBodies"));
+    return Check(lr_batch_spawn(LibraryWorld(), Batch, static_cast<uint32>(Count), nullptr), TEXT("EmitBodies"));
 }
 
 bool ULangevinBatchComponent::DestroyBodies(const TArray<FLangevinBody>& Bodies) {
-    if (Batch == 0) return false;
+    if (Batch.id == 0) return false;
     TArray<lr_body> Ids;
-    for (const FLangevinBody& Body : Bodies) Ids.Add(static_cast<lr_body>(Body.Id));
+    for (const FLangevinBody& Body : Bodies) Ids.Add(lr_body{static_cast<uint64_t>(Body.Id)});
     Snapshot.Reset();
     return Check(lr_body_destroy(LibraryWorld(), Ids.GetData(), static_cast<uint32>(Ids.Num())), TEXT("DestroyBodies"));
 }
@@ -200,7 +204,8 @@ bool ULangevinBatchComponent::GetBodyState(FLangevinBody Body, FTransform& Trans
                                            bool& bResting) const {
     lr_body_state State = {};
     State.struct_size = sizeof(State);
-    if (Batch == 0 || lr_body_get_state(LibraryWorld(), static_cast<lr_body>(Body.Id), &State) != LR_OK) return false;
+    if (Batch.id == 0 || lr_body_get_state(LibraryWorld(), lr_body{static_cast<uint64_t>(Body.Id)}, &State) != LR_OK)
+        return false;
     const float Record[8] = {State.position[0],    State.position[1],    State.position[2],    State.orientation[0],
                              State.orientation[1], State.orientation[2], State.orientation[3], State.scale};
     const LangevinConversion::FPose Pose =
@@ -208,17 +213,17 @@ bool ULangevinBatchComponent::GetBodyState(FLangevinBody Body, FTransform& Trans
     Transform = FTransform(To(Pose.Rotation), To(Pose.Location), FVector(Pose.Scale));
     Velocity = To(LangevinConversion::VectorToUnreal(From(State.linear_velocity)));
     Spin = To(LangevinConversion::MirrorSpin(From(State.angular_velocity)));
-    bResting = State.resting == LR_REST_RESTING;
+    bResting = State.sleep_state == LR_SLEEP_ASLEEP;
     return true;
 }
 
 bool ULangevinBatchComponent::AddImpulseToBody(FLangevinBody Body, FVector Impulse, FVector Location,
                                                bool bAtLocation) {
-    if (Batch == 0) return false;
+    if (Batch.id == 0) return false;
     lr_body_force Force;
     lr_body_force_init(&Force, sizeof(Force));
     Force.mode = LR_FORCE_MODE_IMPULSE;
-    Force.body = static_cast<lr_body>(Body.Id);
+    Force.body = lr_body{static_cast<uint64_t>(Body.Id)};
     Store(Force.force, LangevinConversion::ForceToLangevin(From(Impulse)));
     if (bAtLocation) {
         Force.flags = LR_FORCE_AT_POINT;
@@ -228,7 +233,7 @@ bool ULangevinBatchComponent::AddImpulseToBody(FLangevinBody Body, FVector Impul
 }
 
 bool ULangevinBatchComponent::SetAcceleration(FVector Acceleration) {
-    if (Batch == 0) return false;
+    if (Batch.id == 0) return false;
     lr_batch_force Force;
     lr_batch_force_init(&Force, sizeof(Force));
     Store(Force.acceleration, LangevinConversion::VectorToLangevin(From(Acceleration)));
@@ -238,12 +243,14 @@ bool ULangevinBatchComponent::SetAcceleration(FVector Acceleration) {
 int32 ULangevinBatchComponent::GetBodyCount() const {
     lr_batch_view View = {};
     View.struct_size = sizeof(View);
-    return Batch != 0 && lr_batch_get_view(LibraryWorld(), Batch, &View) == LR_OK ? static_cast<int32>(View.count) : 0;
+    return Batch.id != 0 && lr_batch_get_view(LibraryWorld(), Batch, &View) == LR_OK ? static_cast<int32>(View.count)
+                                                                                     : 0;
 }
 
 int32 ULangevinBatchComponent::GetAwakeCount() const {
     lr_batch_view View = {};
     View.struct_size = sizeof(View);
-    return Batch != 0 && lr_batch_get_view(LibraryWorld(), Batch, &View) == LR_OK ? static_cast<int32>(View.awake_count)
-                                                                                  : 0;
+    return Batch.id != 0 && lr_batch_get_view(LibraryWorld(), Batch, &View) == LR_OK
+               ? static_cast<int32>(View.awake_count)
+               : 0;
 }

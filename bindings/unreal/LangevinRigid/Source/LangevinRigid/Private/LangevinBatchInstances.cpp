@@ -35,7 +35,7 @@ void ULangevinBatchComponent::WriteInstances(double AheadSeconds) {
     lr_world* World = LibraryWorld();
     lr_batch_view View = {};
     View.struct_size = sizeof(View);
-    if (World == nullptr || Batch == 0 || lr_batch_get_view(World, Batch, &View) != LR_OK) return;
+    if (World == nullptr || Batch.id == 0 || lr_batch_get_view(World, Batch, &View) != LR_OK) return;
 
     const int32 Count = static_cast<int32>(View.count);
     const int32 Awake = static_cast<int32>(View.awake_count);
@@ -111,7 +111,7 @@ void ULangevinBatchComponent::GrowBounds(int32 First, int32 Count, bool bAnew) {
 
 // Of what was written last: the engine's own goes through all instances every time.
 FBoxSphereBounds ULangevinBatchComponent::CalcBounds(const FTransform& LocalToWorld) const {
-    if (Batch == 0 || !BodyBounds.IsValid || GetInstanceCount() == 0) return Super::CalcBounds(LocalToWorld);
+    if (Batch.id == 0 || !BodyBounds.IsValid || GetInstanceCount() == 0) return Super::CalcBounds(LocalToWorld);
     const FBox Local = BodyBounds.TransformBy(WrittenFrame.Inverse());
     return FBoxSphereBounds(Local.TransformBy(LocalToWorld));
 }
@@ -119,7 +119,7 @@ FBoxSphereBounds ULangevinBatchComponent::CalcBounds(const FTransform& LocalToWo
 TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> ULangevinBatchComponent::GetSnapshot() const {
     lr_batch_view View = {};
     View.struct_size = sizeof(View);
-    if (Batch == 0 || lr_batch_get_view(LibraryWorld(), Batch, &View) != LR_OK) return nullptr;
+    if (Batch.id == 0 || lr_batch_get_view(LibraryWorld(), Batch, &View) != LR_OK) return nullptr;
     if (Snapshot.IsValid() && Snapshot->Frame == StepCount) return Snapshot;
     const TSharedRef<FLangevinSnapshot, ESPMode::ThreadSafe> Taken =
         MakeShared<FLangevinSnapshot, ESPMode::ThreadSafe>();

@@ -36,7 +36,7 @@ public:
 
 private:
     struct FPart {
-        lr_collider Collider = 0;
+        lr_collider Collider{};
         FTransform Local;
         bool bUpright = false;
     };

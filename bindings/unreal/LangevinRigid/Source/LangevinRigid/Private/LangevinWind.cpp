@@ -24,13 +24,11 @@ FLangevinWind::~FLangevinWind() {
 
 void FLangevinWind::AddTurbulence() {
     if (Settings.TurbulenceSpeed <= 0.0f) return;
-    lr_wind_source_desc Desc;
-    lr_wind_source_desc_init(&Desc, sizeof(Desc));
-    Desc.kind = LR_WIND_SOURCE_TURBULENCE;
-    Desc.speed = Settings.TurbulenceSpeed;
-    Desc.size = static_cast<float>(LangevinConversion::LengthToMetres(Settings.TurbulenceSize));
-    lr_wind_source Source = 0;
-    LangevinHost::Check(lr_world_add_wind(World, &Desc, &Source), TEXT("Turbulence"));
+    lr_turbulence_desc Desc;
+    lr_turbulence_desc_init(&Desc, sizeof(Desc));
+    Desc.rms = Settings.TurbulenceSpeed;
+    Desc.integral_length = static_cast<float>(LangevinConversion::LengthToMetres(Settings.TurbulenceSize));
+    LangevinHost::Check(lr_world_add_turbulence(World, &Desc, nullptr), TEXT("Turbulence"));
 }
 
 void FLangevinWind::Find(const UWorld& Level) {
@@ -68,10 +66,9 @@ void FLangevinWind::Update(const UWorld& Level, float DeltaSeconds) {
             GustSum += Forward * (Speed * 0.5f * (Source->MinGustAmount + Source->MaxGustAmount));
         }
     }
-    lr_wind_desc Desc;
-    lr_wind_desc_init(&Desc, sizeof(Desc));
-    LangevinTypes::Store(Desc.velocity, LangevinConversion::MirrorDirection(LangevinTypes::From(Uniform)));
-    LangevinHost::Check(lr_world_set_wind(World, &Desc), TEXT("Wind"));
+    float Wind[3];
+    LangevinTypes::Store(Wind, LangevinConversion::MirrorDirection(LangevinTypes::From(Uniform)));
+    LangevinHost::Check(lr_world_set_uniform_wind(World, Wind[0], Wind[1], Wind[2]), TEXT("Wind"));
     SetGusts(GustSum.GetSafeNormal(), static_cast<float>(GustSum.Size()));
 
     Field = {Points.GetData(), Points.Num()};
@@ -83,17 +80,16 @@ void FLangevinWind::SetGusts(const FVector& Direction, float Speed) {
     GustSpeed = Speed;
     GustDirection = Direction;
     if (Speed <= 0.0f) {
-        if (Gusts != 0) LangevinHost::Check(lr_world_remove_wind(World, Gusts), TEXT("Gusts"));
-        Gusts = 0;
+        if (Gusts.id != 0) LangevinHost::Check(lr_world_remove_wind(World, Gusts), TEXT("Gusts"));
+        Gusts = {};
         return;
     }
-    lr_wind_source_desc Desc;
-    lr_wind_source_desc_init(&Desc, sizeof(Desc));
-    Desc.kind = LR_WIND_SOURCE_GUSTS;
-    Desc.speed = Speed;
-    Desc.spread = 0.2f;
+    lr_gusts_desc Desc;
+    lr_gusts_desc_init(&Desc, sizeof(Desc));
+    Desc.rms = Speed;
+    Desc.angle_rms = 0.2f;
     LangevinTypes::Store(Desc.direction, LangevinConversion::MirrorDirection(LangevinTypes::From(Direction)));
-    LangevinHost::Check(Gusts == 0 ? lr_world_add_wind(World, &Desc, &Gusts)
-                                   : lr_world_update_wind(World, Gusts, &Desc),
+    LangevinHost::Check(Gusts.id == 0 ? lr_world_add_gusts(World, &Desc, &Gusts)
+                                      : lr_world_update_gusts(World, Gusts, &Desc),
                         TEXT("Gusts"));
 }

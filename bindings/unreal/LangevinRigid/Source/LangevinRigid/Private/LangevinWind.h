@@ -32,7 +32,7 @@ private:
     FVector Extra = FVector::ZeroVector;
     TArray<TWeakObjectPtr<UWindDirectionalSourceComponent>> Sources;
     float UntilSearch = 0.0f;
-    lr_wind_source Gusts = 0;
+    lr_wind_source Gusts{};
     FVector GustDirection = FVector::ZeroVector;
     float GustSpeed = 0.0f;
     TArray<FLangevinPointWind> Points;

@@ -4,7 +4,7 @@
 #include "Components/PrimitiveComponent.h"
 #include "Engine/Level.h"
 #include "Engine/World.h"
-#include "LangevinBatchComponent.h"
+#include "LangevinBatchCalls.h"
 #include "LangevinColliders.h"
 #include "LangevinConversion.h"
 #include "LangevinHost.h"
@@ -52,8 +52,8 @@ void ULangevinWorldSubsystem::Initialize(FSubsystemCollectionBase& Collection) {
     if (!Check(lr_world_create(&Desc, &World), TEXT("A world"))) return;
 
     if (Settings.Budget > 0) Check(lr_world_set_budget(World, static_cast<uint64>(Settings.Budget)), TEXT("A budget"));
-    if (Settings.MaxContactEvents > 0) {
-        Check(lr_world_set_contact_events(World, static_cast<uint32>(Settings.MaxContactEvents), LR_EVENTS_ALL),
+    if (Settings.MaxEvents > 0) {
+        Check(lr_world_set_events(World, static_cast<uint32>(Settings.MaxEvents), LR_EVENTS_ALL),
               TEXT("Contact events"));
     }
     Colliders = MakeUnique<FLangevinColliders>(World, Origin, Settings);
@@ -68,10 +68,8 @@ void ULangevinWorldSubsystem::Initialize(FSubsystemCollectionBase& Collection) {
 void ULangevinWorldSubsystem::Deinitialize() {
     FWorldDelegates::LevelAddedToWorld.Remove(LevelAdded);
     FWorldDelegates::LevelRemovedFromWorld.Remove(LevelRemoved);
-    const TArray<TObjectPtr<ULangevinBatchComponent>> Left = Batches;
-    for (ULangevinBatchComponent* Batch : Left) {
-        if (Batch != nullptr) Batch->EndBatch();
-    }
+    const TArray<FLangevinBatchCalls*> Left = Batches;
+    for (FLangevinBatchCalls* Batch : Left) Batch->EndBatch();
     Batches.Empty();
     Wind.Reset();
     Colliders.Reset();
@@ -137,18 +135,14 @@ void ULangevinWorldSubsystem::Tick(float DeltaTime) {
         if (Settings.bSmoothFixedSteps) Ahead = Due;
     }
     SCOPE_CYCLE_COUNTER(STAT_LangevinWrite);
-    for (ULangevinBatchComponent* Batch : Batches) {
-        if (Batch != nullptr) Batch->WriteInstances(Ahead);
-    }
+    for (FLangevinBatchCalls* Batch : Batches) Batch->WriteInstances(Ahead);
 }
 
 void ULangevinWorldSubsystem::Step(float Seconds) {
     SCOPE_CYCLE_COUNTER(STAT_LangevinStep);
     Colliders->Update();
     Wind->Update(*GetWorld(), Seconds);
-    for (ULangevinBatchComponent* Batch : Batches) {
-        if (Batch != nullptr) Batch->PrepareStep();
-    }
+    for (FLangevinBatchCalls* Batch : Batches) Batch->PrepareStep();
     const float Longest = GetDefault<ULangevinSettings>()->LongestSubstep;
     const int32 Substeps = FMath::Clamp(FMath::CeilToInt32(Seconds / Longest - 1e-3f), 1, 1024);
     const lr_status Status = lr_world_step(World, Seconds, static_cast<uint32>(Substeps));
@@ -157,20 +151,19 @@ void ULangevinWorldSubsystem::Step(float Seconds) {
 }
 
 void ULangevinWorldSubsystem::TellEvents() {
-    lr_contact_event_list List = {};
+    lr_event_list List = {};
     List.struct_size = sizeof(List);
-    if (lr_world_get_contact_events(World, &List) != LR_OK || List.count == 0) return;
-    TArray<FLangevinContactEvent> Events;
+    if (lr_world_get_events(World, &List) != LR_OK || List.count == 0) return;
+    TArray<FLangevinEvent> Events;
     Events.Reserve(static_cast<int32>(List.count));
     for (uint32 Index = 0; Index < List.count; ++Index) {
-        const lr_contact_event& From = List.events[Index];
-        FLangevinContactEvent Event;
-        Event.Kind = static_cast<ELangevinContact>(From.kind);
-        Event.Body.Id = static_cast<int64>(From.body);
-        for (ULangevinBatchComponent* Batch : Batches) {
-            if (Batch != nullptr && Batch->GetLibraryBatch() == From.batch) Event.Batch = Batch;
-        }
-        if (From.collider != 0) Event.Other = Colliders->Find(From.collider);
+        const lr_event& From = List.events[Index];
+        FLangevinEvent Event;
+        Event.Kind = static_cast<ELangevinEvent>(From.kind);
+        Event.Body.Id = static_cast<int64>(From.body.id);
+        Event.User = static_cast<int64>(From.user);
+        for (FLangevinBatchCalls* Batch : Batches) Batch->NameBatch(From, Event);
+        if (From.collider.id != 0) Event.Other = Colliders->Find(From.collider);
         Event.Location = LangevinTypes::To(
             LangevinConversion::PositionToUnreal(LangevinTypes::From(From.position), LangevinTypes::From(Origin)));
         Event.Normal = LangevinTypes::To(LangevinConversion::MirrorDirection(LangevinTypes::From(From.normal)));
@@ -179,7 +172,7 @@ void ULangevinWorldSubsystem::TellEvents() {
         Events.Add(Event);
     }
     // Listeners may create and destroy bodies: the list of the library is not looked at again.
-    OnContactEvents.Broadcast(Events);
+    OnEvents.Broadcast(Events);
 }
 
 void ULangevinWorldSubsystem::SetPaused(bool bInPaused) {
@@ -242,9 +235,7 @@ bool ULangevinWorldSubsystem::RestoreState(const TArray<uint8>& State) {
         return false;
     }
     Due = 0.0;
-    for (ULangevinBatchComponent* Batch : Batches) {
-        if (Batch != nullptr) Batch->WriteAllInstances();
-    }
+    for (FLangevinBatchCalls* Batch : Batches) Batch->WriteAllInstances();
     return true;
 }
 
@@ -283,10 +274,10 @@ uint64 ULangevinWorldSubsystem::GetLaunchedTasks() const {
     return Jobs.IsValid() ? Jobs->GetLaunched() : 0;
 }
 
-void ULangevinWorldSubsystem::RegisterBatch(ULangevinBatchComponent& Batch) {
+void ULangevinWorldSubsystem::RegisterBatch(FLangevinBatchCalls& Batch) {
     Batches.AddUnique(&Batch);
 }
 
-void ULangevinWorldSubsystem::UnregisterBatch(ULangevinBatchComponent& Batch) {
+void ULangevinWorldSubsystem::UnregisterBatch(FLangevinBatchCalls& Batch) {
     Batches.Remove(&Batch);
 }

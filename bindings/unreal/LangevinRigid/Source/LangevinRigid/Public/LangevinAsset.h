@@ -9,7 +9,7 @@
 struct lr_asset;
 class UAssetImportData;
 
-/** What lr_bake made of a mesh: the bytes of a .lrb file. Drag one into the content browser. */
+/** An asset made by lr_bake: the bytes of a .lrb file. Drag one into the content browser. */
 UCLASS(BlueprintType, HideCategories = Object)
 class LANGEVINRIGID_API ULangevinAsset : public UObject {
     GENERATED_BODY()
@@ -52,7 +52,7 @@ public:
     UPROPERTY(VisibleAnywhere, BlueprintReadOnly, Transient, Category = "Body")
     FVector CenterOfMass = FVector::ZeroVector;
 
-    /** cm/s, about how fast it falls in its fluid. */
+    /** cm/s, approximate fall speed in its fluid. */
     UPROPERTY(VisibleAnywhere, BlueprintReadOnly, Transient, Category = "Body")
     float FallSpeed = 0.0f;
 

@@ -3,18 +3,20 @@
 
 #include "Components/InstancedStaticMeshComponent.h"
 #include "CoreMinimal.h"
+#include "LangevinBatchCalls.h"
 #include "LangevinEvents.h"
 #include "Templates/SharedPointer.h"
+
+#include <langevin_rigid.h>
 
 #include "LangevinBatchComponent.generated.h"
 
 class ULangevinAsset;
 class ULangevinWorldSubsystem;
-struct lr_world;
 
 UENUM(BlueprintType)
 enum class ELangevinLoads : uint8 {
-    /** What the library's version takes for the best. */
+    /** The library's default. */
     Default = 0,
     /** Gravity, buoyancy and added mass only. */
     None = 1,
@@ -33,7 +35,7 @@ enum class ELangevinEmitterShape : uint8 {
     Disc = 3,
 };
 
-/** What a batch's bodies are doing, as it was when it was taken: for other threads, such as Niagara's. */
+/** A copy of the state of a batch's bodies, for other threads such as Niagara's. */
 struct LANGEVINRIGID_API FLangevinSnapshot {
     TArray<FVector> Locations;    // cm, world: centres of mass
     TArray<FQuat4f> Rotations;    // of the mesh
@@ -52,17 +54,17 @@ struct LANGEVINRIGID_API FLangevinSnapshot {
  * press play. Instances are written by the subsystem; do not add or remove them by hand.
  */
 UCLASS(ClassGroup = "Langevin Rigid", meta = (BlueprintSpawnableComponent))
-class LANGEVINRIGID_API ULangevinBatchComponent : public UInstancedStaticMeshComponent {
+class LANGEVINRIGID_API ULangevinBatchComponent : public UInstancedStaticMeshComponent, public FLangevinBatchCalls {
     GENERATED_BODY()
 
 public:
     ULangevinBatchComponent(const FObjectInitializer& ObjectInitializer);
 
-    /** What falls: a .lrb file in the content browser. */
+    /** The falling body: a .lrb file in the content browser. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid")
     TObjectPtr<ULangevinAsset> Asset;
 
-    /** The most bodies at a time; memory for all is taken when play begins. */
+    /** The most bodies at a time; memory for all is allocated when play begins. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", meta = (ClampMin = "1"))
     int32 Capacity = 1000;
 
@@ -73,7 +75,7 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", AdvancedDisplay)
     ELangevinLoads Loads = ELangevinLoads::Default;
 
-    /** Stepped once where others are stepped so often; for what is far away. */
+    /** Level of detail: takes one substep where others take this many; for distant batches. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", AdvancedDisplay,
               meta = (ClampMin = "1", ClampMax = "1024"))
     int32 RateDivisor = 1;
@@ -81,19 +83,19 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
     ELangevinEmitterShape EmitterShape = ELangevinEmitterShape::Box;
 
-    /** cm, half extents along the component's axes, which the emitter moves and turns with. */
+    /** cm, half extents along the component's axes; the emitter moves and rotates with the component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
     FVector EmitterExtent = FVector(100.0, 100.0, 100.0);
 
-    /** Births a second. */
+    /** Spawns per second. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter", meta = (ClampMin = "0.0"))
     float EmitterRate = 0.0f;
 
-    /** cm/s, world, at birth. */
+    /** cm/s, world, at spawning. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
     FVector InitialVelocity = FVector::ZeroVector;
 
-    /** rad/s, at birth, about any axis. */
+    /** rad/s, at spawning, about a random axis. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter", meta = (ClampMin = "0.0"))
     float InitialSpin = 0.0f;
 
@@ -101,11 +103,11 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
     FVector2D ScaleRange = FVector2D(1.0, 1.0);
 
-    /** s; 0: for ever. */
+    /** s; 0: no limit. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends", meta = (ClampMin = "0.0"))
     float MaxAge = 0.0f;
 
-    /** Bodies end that fall below KillHeight. */
+    /** Ends bodies that fall below KillHeight. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends")
     bool bKillBelow = false;
 
@@ -113,14 +115,14 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends", meta = (EditCondition = "bKillBelow"))
     double KillHeight = -10000.0;
 
-    /** What ends begins anew in the emitter: a storm that never stops. */
+    /** Ended bodies respawn in the emitter: a storm that never stops. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends")
     bool bRespawn = false;
 
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Contact")
     bool bCollide = true;
 
-    /** Bodies of this batch meet each other and lie on each other in heaps. Costs much more. */
+    /** Body contact within this batch: heaps. Costs much more. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Contact")
     bool bCollideWithEachOther = false;
 
@@ -130,7 +132,7 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Contact", meta = (ClampMin = "0.0", ClampMax = "1.0"))
     float Restitution = 0.1f;
 
-    /** Factors on the loads, for art. */
+    /** Factors on the loads, for artistic control. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Art", meta = (ClampMin = "0.0", ClampMax = "100.0"))
     float DragGain = 1.0f;
 
@@ -140,26 +142,26 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Art", meta = (ClampMin = "0.0", ClampMax = "100.0"))
     float TurbulenceGain = 1.0f;
 
-    /** Makes the batch now, if it is not there yet; BeginPlay does. For components whose asset is set later. */
+    /** Creates the batch now if it does not exist. BeginPlay calls it; call it if the asset is set later. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool BeginBatch();
 
-    /** Ends the batch with all its bodies. */
+    /** Destroys the batch with all its bodies. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
-    void EndBatch();
+    virtual void EndBatch() override;
 
-    /** Bodies at these places of the mesh, all or none. */
+    /** Creates bodies at these transforms of the mesh, all or none. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     TArray<FLangevinBody> SpawnBodies(const TArray<FTransform>& Transforms, FVector Velocity);
 
-    /** Bodies from the emitter, all or none. */
+    /** Spawns bodies by the emitter, all or none. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool EmitBodies(int32 Count);
 
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool DestroyBodies(const TArray<FLangevinBody>& Bodies);
 
-    /** Transform: of the mesh, world. cm/s and rad/s, world. False for a body that is no more. */
+    /** Transform: of the mesh, world. cm/s and rad/s, world. False if the body no longer exists. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool GetBodyState(FLangevinBody Body, FTransform& Transform, FVector& Velocity, FVector& Spin,
                       bool& bResting) const;
@@ -175,27 +177,28 @@ public:
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid")
     int32 GetBodyCount() const;
 
-    /** Those that are not at rest. */
+    /** Number of awake bodies. */
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid")
     int32 GetAwakeCount() const;
 
-    /** The state of all bodies, copied once a step however often it is asked for. Null without a batch. Game thread. */
+    /** The state of all bodies, copied at most once per step. Null without a batch. Game thread. */
     TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> GetSnapshot() const;
 
-    /** lr_batch for langevin_rigid.h; 0 without a batch. */
-    uint32 GetLibraryBatch() const { return Batch; }
+    /** For functions of langevin_rigid.h; its id is 0 without a batch. */
+    lr_batch GetLibraryBatch() const { return Batch; }
 
-    /** Instances that the last write touched. */
+    /** Instances written by the last update. */
     int32 GetLastWritten() const { return LastWritten; }
 
     virtual void BeginPlay() override;
     virtual void EndPlay(const EEndPlayReason::Type EndPlayReason) override;
     virtual FBoxSphereBounds CalcBounds(const FTransform& LocalToWorld) const override;
 
-    /** The subsystem's: before a step, and after one. */
-    void PrepareStep();
-    void WriteInstances(double AheadSeconds);
-    void WriteAllInstances();
+    /** Called by the subsystem before and after a step. */
+    virtual void PrepareStep() override;
+    virtual void WriteInstances(double AheadSeconds) override;
+    virtual void WriteAllInstances() override;
+    virtual void NameBatch(const lr_event& From, FLangevinEvent& Event) override;
 
 private:
     lr_world* LibraryWorld() const;
@@ -208,7 +211,7 @@ private:
     UPROPERTY(Transient)
     TObjectPtr<ULangevinWorldSubsystem> Subsystem;
 
-    uint32 Batch = 0;
+    lr_batch Batch = {};
     FTransform EmitterPlace;
     FVector MeshOrigin = FVector::ZeroVector;
     TArray<float> Records;

@@ -16,7 +16,7 @@ struct FVec {
     double X = 0.0, Y = 0.0, Z = 0.0;
 };
 
-/** Unit quaternion: turns vectors by v' = q v q*, the same algebra in both frames. */
+/** Unit quaternion: rotates vectors by v' = q v q*, the same algebra in both frames. */
 struct FRotation {
     double X = 0.0, Y = 0.0, Z = 0.0, W = 1.0;
 };
@@ -96,7 +96,7 @@ inline FRotation UprightToLangevin(const FRotation& Q) {
     return Multiply(MirrorRotation(Q), {Half, 0.0, 0.0, Half});
 }
 
-/** The rotation that turns the library's y to a unit normal, for planes. */
+/** The rotation from the library's y axis to a unit normal, for planes. */
 inline FRotation RotationFromYTo(const FVec& Normal) {
     if (Normal.Y < -0.999999) return {1.0, 0.0, 0.0, 0.0};
     const FRotation Q{Normal.Z, 0.0, -Normal.X, 1.0 + Normal.Y};

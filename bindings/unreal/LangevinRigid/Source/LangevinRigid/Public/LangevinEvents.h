@@ -8,7 +8,7 @@
 class ULangevinBatchComponent;
 class UPrimitiveComponent;
 
-/** One body: a value that stays the same as long as it lives, and is recognised when it no longer does. */
+/** A body handle: fixed while the body lives, and detected as stale afterwards. */
 USTRUCT(BlueprintType)
 struct LANGEVINRIGID_API FLangevinBody {
     GENERATED_BODY()
@@ -18,35 +18,43 @@ struct LANGEVINRIGID_API FLangevinBody {
 };
 
 UENUM(BlueprintType)
-enum class ELangevinContact : uint8 {
+enum class ELangevinEvent : uint8 {
     None = 0,
-    /** A body touches a collider that it did not touch before. */
-    Begin = 1,
-    End = 2,
-    /** It has come to rest. */
-    Landed = 3,
-    /** It has left rest. */
-    Woke = 4,
-    /** The rules of its batch have ended it, or let it begin anew. */
-    Ended = 5,
-    /** It has left physics, and is held where it was, or has ended for it: then there is Ended too. */
-    Faulted = 6,
+    /** An emitter added the body. */
+    Spawned = 1,
+    /** It touches a collider that it did not touch before. */
+    Hit = 2,
+    /** It no longer touches the collider. */
+    Lifted = 3,
+    /** It fell asleep by itself. */
+    Landed = 4,
+    Woke = 5,
+    /** The rules of its batch destroyed it. */
+    Ended = 6,
+    /** The rules of its batch ended it, and it restarted. */
+    Respawned = 7,
+    /** It diverged, and is held where it was or has ended; then there is Ended or Respawned too. */
+    Diverged = 8,
 };
 
 USTRUCT(BlueprintType)
-struct LANGEVINRIGID_API FLangevinContactEvent {
+struct LANGEVINRIGID_API FLangevinEvent {
     GENERATED_BODY()
 
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
-    ELangevinContact Kind = ELangevinContact::None;
+    ELangevinEvent Kind = ELangevinEvent::None;
 
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     FLangevinBody Body;
 
+    /** The number that the program gave to the body. */
+    UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
+    int64 User = 0;
+
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     TObjectPtr<ULangevinBatchComponent> Batch;
 
-    /** What was touched; null for planes, and where nothing was. */
+    /** The component touched; null for planes and if there is none. */
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     TObjectPtr<UPrimitiveComponent> Other;
 
@@ -54,11 +62,11 @@ struct LANGEVINRIGID_API FLangevinContactEvent {
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     FVector Location = FVector::ZeroVector;
 
-    /** From what was touched to the body. */
+    /** From the collider to the body. */
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     FVector Normal = FVector::ZeroVector;
 
-    /** cm/s, at which they met. */
+    /** cm/s, approach speed. */
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     float Speed = 0.0f;
 
@@ -67,5 +75,5 @@ struct LANGEVINRIGID_API FLangevinContactEvent {
     float Impulse = 0.0f;
 };
 
-/** All of a step at once: thousands of leaves land in a frame. */
-DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FLangevinContactEvents, const TArray<FLangevinContactEvent>&, Events);
+/** All events of a step at once: thousands of leaves may land in a frame. */
+DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FLangevinEvents, const TArray<FLangevinEvent>&, Events);

@@ -8,13 +8,13 @@
 
 UENUM(BlueprintType)
 enum class ELangevinStepping : uint8 {
-    /** One step a frame, as long as the frame. */
+    /** One step per frame, as long as the frame. */
     Frame,
-    /** Steps of FixedStep, as many as have come due: the same motion at any frame rate, and in replays. */
+    /** Steps of FixedStep, as many as are due: the same motion at any frame rate, and in replays. */
     Fixed,
 };
 
-/** Project Settings > Plugins > Langevin Rigid. Read when a world begins. */
+/** Project Settings > Plugins > Langevin Rigid. Read when a world is created. */
 UCLASS(Config = Game, DefaultConfig, meta = (DisplayName = "Langevin Rigid"))
 class LANGEVINRIGID_API ULangevinSettings : public UDeveloperSettings {
     GENERATED_BODY()
@@ -25,31 +25,31 @@ public:
     UPROPERTY(Config, EditAnywhere, Category = "Time")
     ELangevinStepping Stepping = ELangevinStepping::Frame;
 
-    /** s, of one step where Stepping is Fixed. */
+    /** s, length of a step if Stepping is Fixed. */
     UPROPERTY(Config, EditAnywhere, Category = "Time", meta = (ClampMin = "0.001", ClampMax = "0.1"))
     float FixedStep = 1.0f / 60.0f;
 
-    /** Steps in a frame at most; time beyond them is lost, so that a slow frame does not make the next one slower. */
+    /** The most steps per frame; further time is lost, so that a slow frame does not slow down the next. */
     UPROPERTY(Config, EditAnywhere, Category = "Time", meta = (ClampMin = "1", ClampMax = "32"))
     int32 MaxStepsPerFrame = 4;
 
-    /** s: a step is cut into substeps no longer than this. 1/120 suits leaves of some centimetres, 1/240 petals and confetti. */
+    /** s: a step is divided into substeps no longer than this. 1/120 suits leaves of some centimetres, 1/240 petals and confetti. */
     UPROPERTY(Config, EditAnywhere, Category = "Time", meta = (ClampMin = "0.0005", ClampMax = "0.1"))
     float LongestSubstep = 1.0f / 120.0f;
 
-    /** s: longer frames are taken to be this long. */
+    /** s: longer frames count as this long. */
     UPROPERTY(Config, EditAnywhere, Category = "Time", meta = (ClampMin = "0.01", ClampMax = "1.0"))
     float LongestFrame = 0.1f;
 
-    /** Between fixed steps, draw bodies moved on with their velocities. */
+    /** Extrapolate bodies by their velocities between fixed steps. */
     UPROPERTY(Config, EditAnywhere, Category = "Time")
     bool bSmoothFixedSteps = true;
 
-    /** Of all that is random. The same seed gives the same fall. */
+    /** Seed of all noise. The same seed gives the same fall. */
     UPROPERTY(Config, EditAnywhere, Category = "Simulation")
     int64 Seed = 0;
 
-    /** Step on the engine's worker threads. Results are the same either way. */
+    /** Step on the engine's worker threads. Results do not change. */
     UPROPERTY(Config, EditAnywhere, Category = "Simulation")
     bool bUseEngineTasks = true;
 
@@ -57,7 +57,7 @@ public:
     UPROPERTY(Config, EditAnywhere, Category = "Simulation")
     FVector Origin = FVector::ZeroVector;
 
-    /** Substeps of single bodies that a step may take; batches take longer substeps and turns where they want more. 0: no bound. */
+    /** The most substeps of single bodies per step; beyond it batches take longer substeps and turns. 0: no limit. */
     UPROPERTY(Config, EditAnywhere, Category = "Simulation", meta = (ClampMin = "0"))
     int32 Budget = 0;
 
@@ -73,13 +73,13 @@ public:
     UPROPERTY(Config, EditAnywhere, Category = "Collision")
     bool bUseComplexCollision = true;
 
-    /** Components that carry this tag are left out. */
+    /** Components with this tag are ignored. */
     UPROPERTY(Config, EditAnywhere, Category = "Collision")
     FName IgnoreTag = FName(TEXT("LangevinIgnore"));
 
-    /** Contacts and landings of a step that are told to OnContactEvents; 0: none, which saves memory. */
+    /** The most events per step passed to OnEvents; 0: none, which saves memory. */
     UPROPERTY(Config, EditAnywhere, Category = "Collision", meta = (ClampMin = "0"))
-    int32 MaxContactEvents = 0;
+    int32 MaxEvents = 0;
 
     /** Directional wind sources of the level blow on bodies. */
     UPROPERTY(Config, EditAnywhere, Category = "Wind")

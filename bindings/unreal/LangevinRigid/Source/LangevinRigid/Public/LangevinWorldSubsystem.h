@@ -8,11 +8,11 @@
 
 #include "LangevinWorldSubsystem.generated.h"
 
+class FLangevinBatchCalls;
 class FLangevinColliders;
 class FLangevinJobs;
 class FLangevinRecording;
 class FLangevinWind;
-class ULangevinBatchComponent;
 class ULevel;
 class UPrimitiveComponent;
 struct lr_world;
@@ -34,27 +34,27 @@ public:
     virtual void Tick(float DeltaTime) override;
     virtual TStatId GetStatId() const override;
 
-    /** Contacts, landings and ends of each step; Max Contact Events of the project settings says how many. */
+    /** Contacts, landings and ends of each step; Max Events of the project settings says how many. */
     UPROPERTY(BlueprintAssignable, Category = "Langevin Rigid")
-    FLangevinContactEvents OnContactEvents;
+    FLangevinEvents OnEvents;
 
-    /** Stops time for all bodies, and nothing else. */
+    /** Pauses all bodies, and nothing else. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     void SetPaused(bool bInPaused);
 
-    /** Wind besides that of the level's sources. cm/s. */
+    /** Wind in addition to the level's sources. cm/s. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Wind")
     void SetWind(FVector Velocity);
 
-    /** The velocity of the air at a point, of all that blows there. cm/s. */
+    /** The velocity of the air at a point, from all sources. cm/s. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Wind")
     FVector SampleWind(FVector Location) const;
 
-    /** All behind the plane is solid, without bounds. */
+    /** Everything behind the plane is solid, without bounds. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Collision")
     bool AddPlane(FVector Point, FVector Normal, float Friction = 0.5f, float Restitution = 0.2f);
 
-    /** Bodies meet the collision of this component; where it moves, give bFollow. Returns the number of its parts. */
+    /** Adds this component's collision; set bFollow if it moves. Returns the number of its parts. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Collision")
     int32 AddCollider(UPrimitiveComponent* Component, bool bFollow);
 
@@ -64,7 +64,7 @@ public:
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid|Collision")
     int32 GetColliderCount() const;
 
-    /** Wakes bodies at rest in a box: footsteps, explosions. Returns how many. */
+    /** Wakes sleeping bodies in a box: footsteps, explosions. Returns how many. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     int32 WakeBox(FVector Min, FVector Max);
 
@@ -72,11 +72,11 @@ public:
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
     bool SaveState(TArray<uint8>& State) const;
 
-    /** Puts a state back. Its batches must be there, created in the same order from the same assets. */
+    /** Restores a state. Its batches must exist, created in the same order from the same assets. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
     bool RestoreState(const TArray<uint8>& State);
 
-    /** Equal where the state is: to find where two machines part. */
+    /** Equal for equal states: finds where two machines diverge. */
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid|State")
     int64 GetStateHash() const;
 
@@ -85,7 +85,7 @@ public:
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
     bool StartRecording(const FString& Filename);
 
-    /** False where none is under way, or the file could not take all of it. */
+    /** False if there is no recording, or if the file could not be written completely. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
     bool StopRecording();
 
@@ -101,11 +101,11 @@ public:
 
     FVector GetOrigin() const { return Origin; }
 
-    /** Tasks that steps have given to the engine so far. */
+    /** Number of tasks passed to the engine so far. */
     uint64 GetLaunchedTasks() const;
 
-    void RegisterBatch(ULangevinBatchComponent& Batch);
-    void UnregisterBatch(ULangevinBatchComponent& Batch);
+    void RegisterBatch(FLangevinBatchCalls& Batch);
+    void UnregisterBatch(FLangevinBatchCalls& Batch);
 
 protected:
     virtual bool DoesSupportWorldType(const EWorldType::Type WorldType) const override;
@@ -128,6 +128,6 @@ private:
     FDelegateHandle LevelAdded;
     FDelegateHandle LevelRemoved;
 
-    UPROPERTY(Transient)
-    TArray<TObjectPtr<ULangevinBatchComponent>> Batches;
+    // Actors keep their components; these leave by UnregisterBatch when their play ends.
+    TArray<FLangevinBatchCalls*> Batches;
 };

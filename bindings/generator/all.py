@@ -1,0 +1,15 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Writes everything that follows from the public header.
+
+    all.py [--check]     --check writes nothing, and fails where a file is not what it would write
+"""
+import sys
+
+import csharp
+import javascript
+import python
+import runtime
+
+if __name__ == "__main__":
+    sys.exit(not all([generator.main() for generator in (runtime, csharp, python, javascript)]))

@@ -1,0 +1,61 @@
+// Structs of the ABI from what they are in the library, and back.
+#pragma once
+
+#include "api/check_arguments.h"
+#include "asset/asset_data.h"
+#include "collision/collider_contact_group.h"
+#include "langevin_rigid.h"
+
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+
+namespace lr::api {
+
+// Calls `each` with every number of the one beside that of the other: pairs of scalars and of arrays.
+template <class Data, class Struct, class Each> void pair_up(Data& data, Struct& at, Each each) {
+    each(data.axes, at.axes);
+#define LR_PAIR(name, ...) each(data.name, at.name);
+    LR_AERODYNAMIC_VECTORS(LR_PAIR)
+    LR_AERODYNAMIC_NUMBERS(LR_PAIR)
+#undef LR_PAIR
+}
+
+template <class From, class To> void copy_numbers(const From& from, To& to) {
+    if constexpr (std::is_arithmetic_v<To>)
+        to = from;
+    else
+        std::copy(std::begin(from), std::end(from), std::begin(to));
+}
+
+// All but struct_size, which is left to the caller.
+inline lr_aerodynamics to_struct(const AerodynamicData& from) {
+    lr_aerodynamics to{};
+    pair_up(from, to, [](const auto& data, auto& at) { copy_numbers(data, at); });
+    return to;
+}
+
+// Ranges are checked by wrong_in afterwards.
+inline lr_status read_loads(const lr_aerodynamics* from, AerodynamicData& out) {
+    lr_aerodynamics a;
+    const lr_status status = read_struct(from, a);
+    if (status != LR_OK) return status;
+    bool all_finite = true;
+    pair_up(out, a, [&](auto& data, const auto& at) {
+        all_finite = all_finite && finite(at);
+        copy_numbers(at, data);
+    });
+    if (!all_finite) return LR_ERROR_NOT_FINITE;
+    return a.reserved == 0 ? LR_OK : LR_ERROR_INVALID_ARGUMENT;
+}
+
+// A setting that may not be there; in its place come initial values.
+template <Sized S> void read_back(const S* from, lr_status (*init)(S*, uint32_t), S& out, int32_t& present) {
+    present = from ? 1 : 0;
+    if (from)
+        out = *from;
+    else
+        init(&out, sizeof out);
+}
+
+} // namespace lr::api

@@ -1,0 +1,162 @@
+// Wind and water: the uniform wind, its sources, the surface, and the caller's own fields.
+#include "api/checked_call.h"
+#include "api/struct_conversion.h"
+#include "environment/water.h"
+#include "environment/wind_source.h"
+#include "world/step/step_in_wind.h"
+
+namespace lr::api {
+namespace {
+
+// `kept`: samples need not be given.
+Outcome check(const SourceDesc& d, bool kept) {
+    const Outcome outcome = check_wind_source(d);
+    if (outcome.refused() || d.kind != SourceDesc::grid) return outcome;
+    if (!d.samples) return kept ? LR_OK : LR_ERROR_NULL_ARGUMENT;
+    for (uint64_t i = 0, count = sample_count(d); i < count; ++i) {
+        if (!std::isfinite(d.samples[i])) return LR_ERROR_NOT_FINITE;
+        if (!in_range(d.samples[i], -most_wind, most_wind)) return invalid("a sample is over 1000 m/s");
+    }
+    return {};
+}
+
+lr_status add_source(lr_world* world, const char* name, const SourceOf& desc, lr_wind_source* out) {
+    if (out) *out = {};
+    lr_wind_source unasked{};
+    const auto add = [](lr_world& w, const SourceDesc& d, lr_wind_source& handle) -> Outcome {
+        if (const Outcome outcome = check(d, false); outcome.refused()) return outcome;
+        return accepted(w) ? w.wind.add(d, w.time, w.seed, handle) : LR_ERROR_OUT_OF_MEMORY;
+    };
+    return change(world, name, args(desc, Required(out ? out : &unasked)), add);
+}
+
+bool is_other(const lr_world& w, Wind at, const SourceType& type) {
+    return type_of(w.wind.find(at.source)->desc) != &type;
+}
+constexpr const char* other_kind = "the source is of another kind";
+
+lr_status update_source(lr_world* world, const char* name, lr_wind_source source, const SourceOf& desc) {
+    const auto update = [&](lr_world& w, Wind at, const SourceDesc& d) -> Outcome {
+        if (is_other(w, at, desc.type)) return invalid(other_kind);
+        const Outcome outcome = check(d, true);
+        return outcome.refused() ? outcome : w.wind.update(at.source, d, w.time, w.seed);
+    };
+    return change(world, name, args(source, desc), update);
+}
+
+lr_status get_source(const lr_world* world, const char* name, lr_wind_source source, const SourceType& type,
+                     void* out) {
+    const auto get = [&](const lr_world& w, Wind at) -> Outcome {
+        if (const lr_status status = check_size(out, type.size); status != LR_OK) return status;
+        if (is_other(w, at, type)) return invalid(other_kind);
+        desc_of(type, w.wind.find(at.source)->desc, out);
+        return {};
+    };
+    return query(world, name, args(source), get);
+}
+
+// field(world): the one that the caller answers for.
+template <class Function, class Field>
+lr_status set_callback(lr_world* world, const char* function, Function callback, void* user, const Field& field) {
+    const auto set = [&](lr_world& w, uint32_t) {
+        field(w).set_callback(callback, user);
+        if (w.recorder) w.recorder->listen(w);
+    };
+    return change(world, function, args(callback ? 1u : 0u), set);
+}
+
+} // namespace
+} // namespace lr::api
+
+using namespace lr;
+using namespace lr::api;
+
+extern "C" {
+
+lr_status lr_world_set_uniform_wind(lr_world* world, float x, float y, float z) {
+    const auto set = [](lr_world& w, float vx, float vy, float vz) -> Outcome {
+        const float velocity[3] = {vx, vy, vz};
+        if (!finite(velocity)) return LR_ERROR_NOT_FINITE;
+        if (const char* why = wrong_wind(velocity)) return invalid(why);
+        std::copy(velocity, velocity + 3, w.wind.uniform.wind);
+        return {};
+    };
+    return change(world, __func__, args(x, y, z), set);
+}
+
+lr_status lr_world_get_uniform_wind(const lr_world* world, float* velocity) {
+    const auto get = [](const lr_world& w, float& first) { std::copy_n(w.wind.uniform.wind, 3, &first); };
+    return query(world, __func__, args(Required(velocity)), get);
+}
+
+// NOLINTBEGIN(bugprone-macro-parentheses): a type
+#define LR_SOURCE(name, ...)                                                                                           \
+    lr_status lr_world_add_##name(lr_world* world, const lr_##name##_desc* desc, lr_wind_source* out) {                \
+        return add_source(world, __func__, {source_type::name, desc}, out);                                            \
+    }                                                                                                                  \
+    lr_status lr_world_update_##name(lr_world* world, lr_wind_source source, const lr_##name##_desc* desc) {           \
+        return update_source(world, __func__, source, {source_type::name, desc});                                      \
+    }                                                                                                                  \
+    lr_status lr_world_get_##name(const lr_world* world, lr_wind_source source, lr_##name##_desc* desc) {              \
+        return get_source(world, __func__, source, source_type::name, desc);                                           \
+    }
+LR_WIND_SOURCES(LR_SOURCE)
+#undef LR_SOURCE
+// NOLINTEND(bugprone-macro-parentheses)
+
+lr_status lr_world_remove_wind(lr_world* world, lr_wind_source source) {
+    const auto remove = [](lr_world& w, Wind at) { w.wind.remove(at.source); };
+    return change(world, __func__, args(source), remove);
+}
+
+int32_t lr_wind_source_is_valid(const lr_world* world, lr_wind_source source) {
+    return is_valid<Wind>(world, "lr_wind_source_is_valid", source);
+}
+
+lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user) {
+    return set_callback(
+        world, __func__, callback, user, [](lr_world & w) -> auto& { return w.wind; });
+}
+
+lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities) {
+    const auto sample = [&](const lr_world& w) -> Outcome {
+        if (count == 0) return {};
+        if (!positions || !velocities) return LR_ERROR_NULL_ARGUMENT;
+        for (uint64_t i = 0; i < uint64_t{3} * count; ++i) {
+            if (!std::isfinite(positions[i])) return LR_ERROR_NOT_FINITE;
+            if (!in_range(positions[i], -most_place, most_place)) return invalid("position is over 1e9 m");
+        }
+        w.sample_wind(positions, count, velocities);
+        return {};
+    };
+    return query(world, __func__, args(), sample);
+}
+
+lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc) {
+    const auto set = [](lr_world& w, const lr_water_desc* d) -> Outcome {
+        if (!d) {
+            w.surface.clear();
+            return {};
+        }
+        if (const Outcome outcome = check_water(*d); outcome.refused()) return outcome;
+        w.surface.set(*d, w.gravity);
+        return {};
+    };
+    return change(world, __func__, args(desc), set);
+}
+
+lr_status lr_world_get_water(const lr_world* world, lr_water_desc* desc, int32_t* present) {
+    const auto get = [](const lr_world& w, lr_water_desc& out, int32_t& there) {
+        read_back(w.surface.present() ? &w.surface.desc() : nullptr, lr_water_desc_init, out, there);
+    };
+    return query(world, __func__, args(desc, Required(present)), get);
+}
+
+lr_status lr_world_set_water_callback(lr_world* world, lr_water_fn callback, void* user) {
+    const auto surface = [](lr_world & w) -> auto& {
+        return w.surface;
+    };
+    return set_callback(world, __func__, callback, user, surface);
+}
+
+} // extern "C"

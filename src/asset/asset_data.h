@@ -1,0 +1,133 @@
+// What an asset file says, as plain data: the one thing that the baker makes and the runtime reads.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lr {
+
+inline constexpr uint32_t asset_format_version = 1;
+
+// Non-dimensional k-epsilon samples: t* = t u0/l, chi* = chi l/u0, epsilon* = epsilon l/u0^3.
+struct TurbulenceData {
+    double dt = 1.0;
+    std::vector<double> chi;
+    std::vector<double> epsilon;
+    uint32_t stationary = 0;
+    double c0 = 6.5;
+    double intensity = 1.0;
+    std::array<uint32_t, 3> cells{0, 0, 0};
+    uint32_t loop_begin = 0, loop_end = 0; // samples [begin, end) repeat; equal: no loop
+    bool wake = false;                     // made with the body in the stream
+    bool settled = true;                   // stationary point or loop reached
+    std::array<double, 3> domain{};        // of the grid, in d; zero: not known
+    double max_divergence = 0.0;           // largest |div u| d/u0 left in the mean flow
+};
+
+// Its numbers: X(name, least, most).
+#define LR_TURBULENCE_NUMBERS(X)                                                                                       \
+    X(dt, 1e-9, 1e9)                                                                                                   \
+    X(c0, 0.0, 100.0)                                                                                                  \
+    X(intensity, 0.0, 100.0)                                                                                           \
+    X(max_divergence, 0.0, 1e12)                                                                                       \
+    X(stationary, 0, 65535) X(loop_begin, 0, 65536) X(loop_end, 0, 65536) X(wake, 0, 1) X(settled, 0, 1)
+
+// Quasi-steady loads at scale 1, docs/maintainers/physics.md section 5. All are about `center`, along `axes`, and turn with the
+// body; s: speed through the fluid, (i, j, k) cyclic.
+struct AerodynamicData {
+    std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: unit vectors in the body frame, right-handed
+    // Drag opposes v_r: rho sum_i (v_i/s)^2 [1/2 (drag_i + drag_blunt_i Re/(Re + 8710)) s + layer_i sqrt(nu s) +
+    // stokes_i nu] v_r, Re = s d/nu.
+    std::array<double, 3> drag{};        // m^2, C_D times area
+    std::array<double, 3> drag_blunt{};  // m^2
+    std::array<double, 3> drag_layer{};  // m^(3/2)
+    std::array<double, 3> drag_stokes{}; // m
+    // Lift rho Gamma x v_r, Gamma_k = spin_lift_k w_k - lift_k v_i v_j/s.
+    std::array<double, 3> lift{};      // m^2, positive where j is the thinner direction
+    std::array<double, 3> spin_lift{}; // m^3
+    // Moment of that lift about the centre: rho lift_moment_k v_i v_j; negative of the share of the Munk moment that
+    // separated flow does not make.
+    std::array<double, 3> lift_moment{}; // m^3
+    // Stall: sigma = sum_i broadside_i (v_i/s)^2 takes lift_stall sigma off `lift` and adds lift_moment_stalled_k sigma.
+    std::array<double, 3> broadside{};
+    double lift_stall = 0.0;
+    std::array<double, 3> lift_moment_stalled{}; // m^3
+    // Spin drag -rho [spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu] w_k.
+    std::array<double, 3> spin_drag{};        // m^5
+    std::array<double, 3> spin_drag_stream{}; // m^4
+    std::array<double, 3> spin_drag_stokes{}; // m^3
+    // Roll damping -rho g_k (g . w)/s, g_k = sqrt(roll_damping_k) v_k: of the part of the spin about the stream.
+    std::array<double, 3> roll_damping{}; // m^4
+    // Velocity of the fluid in the body's own wake: per axis intensity times s Re/(Re + wake_reynolds), correlated over
+    // length/s. Below some hundreds wakes are laminar.
+    double intensity = 0.0;
+    double wake_reynolds = 0.0;
+    double length = 1.0;            // m
+    std::array<double, 3> center{}; // m, from the centre of buoyancy, body frame
+};
+
+// Its coefficients, for all that goes through them one by one. Vectors: X(name, least, most, power), the limits in lengths d to that
+// power. Folded and bristling surfaces have many times the area of their silhouette.
+#define LR_AERODYNAMIC_VECTORS(X)                                                                                      \
+    X(drag, 0.0, 1e6, 2.0)                                                                                             \
+    X(drag_blunt, 0.0, 1e6, 2.0)                                                                                       \
+    X(drag_layer, 0.0, 1e6, 1.5)                                                                                       \
+    X(drag_stokes, 0.0, 1e6, 1.0)                                                                                      \
+    X(lift, -1e6, 1e6, 2.0)                                                                                            \
+    X(spin_lift, -1e6, 1e6, 3.0)                                                                                       \
+    X(lift_moment, -1e6, 1e6, 3.0)                                                                                     \
+    X(spin_drag, 0.0, 1e6, 5.0)                                                                                        \
+    X(spin_drag_stream, 0.0, 1e6, 4.0)                                                                                 \
+    X(spin_drag_stokes, 0.0, 1e6, 3.0)                                                                                 \
+    X(broadside, 0.0, 1.0, 0.0)                                                                                        \
+    X(lift_moment_stalled, -1e6, 1e6, 3.0)                                                                             \
+    X(roll_damping, 0.0, 1e6, 4.0)                                                                                     \
+    X(center, -2.0, 2.0, 1.0)
+// Numbers: X(name, least, most).
+#define LR_AERODYNAMIC_NUMBERS(X)                                                                                      \
+    X(intensity, 0.0, 10.0) X(length, 1e-9, 1e6) X(wake_reynolds, 0.0, 1e9) X(lift_stall, -10.0, 10.0)
+
+// Null when a body of any size can have them, else what is wrong.
+const char* wrong_in(const AerodynamicData& loads);
+
+struct HullData {
+    std::vector<float> vertices;     // m, body frame, 3 a vertex
+    std::vector<uint32_t> triangles; // 3 a triangle
+};
+
+struct ProvenanceData {
+    std::string tool;
+    std::string tool_version;
+    std::string source;
+    uint64_t input_hash = 0;
+    std::string options;
+    uint32_t faces = 0;
+    uint32_t vertices = 0;
+};
+
+struct AssetData {
+    std::string name;
+    double mass = 0.0;                                     // kg
+    double volume = 0.0;                                   // m^3
+    double density = 0.0;                                  // kg/m^3
+    std::array<double, 3> center_of_mass{};                // m, mesh frame
+    std::array<double, 3> center_of_buoyancy{};            // m, from the centre of mass
+    std::array<double, 9> inertia{};                       // kg m^2, row-major
+    std::array<double, 36> added_mass{};                   // fluid density 1, row-major, order vx vy vz wx wy wz
+    std::array<double, 36> added_mass_error{};             // same units; zero where unknown
+    double fluid_density = 0.0;                            // kg/m^3
+    double fluid_viscosity = 0.0;                          // m^2/s
+    double length_d = 0.0, length_b = 0.0, length_l = 0.0; // m
+    double projected_area = 0.0;                           // m^2
+    double u0 = 0.0;                                       // m/s
+    TurbulenceData turbulence;
+    AerodynamicData aerodynamics;
+    HullData hull;
+    ProvenanceData provenance;
+
+    double reynolds() const { return u0 * length_d / fluid_viscosity; }
+};
+
+} // namespace lr

@@ -1,0 +1,234 @@
+#include "asset/asset_file.h"
+
+#include "asset_generated.h"
+#include "base/fnv1a.h"
+#include "base/supported_platform.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace lr {
+namespace {
+
+constexpr size_t max_asset_bytes = size_t{1} << 30;
+constexpr char const* rebake = "Bake the asset again.";
+
+void fail(Faults& faults, FaultId id, std::string where, std::string what, std::string remedy = rebake) {
+    faults.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
+}
+
+uint64_t checksum_without(const uint8_t* bytes, size_t size, size_t field_offset) {
+    Fnv1a hash;
+    hash.add(bytes, field_offset);
+    for (int i = 0; i < 8; ++i) hash.add_byte(0);
+    hash.add(bytes + field_offset + 8, size - field_offset - 8);
+    return hash.value();
+}
+
+// Where the checksum lies in the file, or 0 when it is absent.
+size_t checksum_offset(const format::Asset& asset, const uint8_t* bytes) {
+    // Generated tables are flatbuffers::Table and nothing else, but keep it private.
+    const uint8_t* at = reinterpret_cast<const flatbuffers::Table&>(asset).GetAddressOf(format::Asset::VT_CHECKSUM);
+    return at ? static_cast<size_t>(at - bytes) : 0;
+}
+
+// Reads fields that FlatBuffers' verifier has found in place: it looks after presence and bounds, not after the alignment of
+// eight-byte values.
+class Decoder {
+public:
+    explicit Decoder(Faults& faults) : faults_(faults) {}
+    bool ok() const { return ok_; }
+
+    template <class T, class U> void vector(const flatbuffers::Vector<T>* from, std::vector<U>& to, const char* field) {
+        to.clear();
+        if (from->size() != 0 && aligned(from->Data(), alignof(T), field)) to.assign(from->begin(), from->end());
+    }
+    template <class T, size_t N>
+    void array(const flatbuffers::Vector<T>* from, std::array<T, N>& to, const char* field) {
+        if (from->size() != N)
+            wrong(FaultId::asset_wrong_length, field,
+                  "It has " + std::to_string(from->size()) + " values, not " + std::to_string(N) + ".");
+        else if (aligned(from->Data(), alignof(T), field))
+            std::copy(from->begin(), from->end(), to.begin());
+    }
+    void vector3(const format::Vec3* from, std::array<double, 3>& to, const char* field) {
+        if (aligned(from, alignof(double), field)) to = {from->x(), from->y(), from->z()};
+    }
+    bool aligned(const void* at, size_t alignment, const char* field) {
+        if (reinterpret_cast<uintptr_t>(at) % alignment == 0) return true;
+        wrong(FaultId::asset_corrupt, field, "The field is not aligned.");
+        return false;
+    }
+
+private:
+    void wrong(FaultId id, const char* field, std::string what) {
+        fail(faults_, id, field, std::move(what));
+        ok_ = false;
+    }
+    Faults& faults_;
+    bool ok_ = true;
+};
+
+void decode(const format::Aerodynamics& from, AerodynamicData& out, Decoder& read) {
+    read.array(from.axes(), out.axes, "aerodynamics.axes");
+#define LR_VECTOR(name, ...) read.vector3(from.name(), out.name, "aerodynamics." #name);
+    LR_AERODYNAMIC_VECTORS(LR_VECTOR)
+#undef LR_VECTOR
+#define LR_NUMBER(name, ...) out.name = from.name();
+    LR_AERODYNAMIC_NUMBERS(LR_NUMBER)
+#undef LR_NUMBER
+}
+
+void decode(const format::Turbulence& from, TurbulenceData& out, Decoder& read) {
+    read.vector(from.chi(), out.chi, "turbulence.chi");
+    read.vector(from.epsilon(), out.epsilon, "turbulence.epsilon");
+    read.array(from.cells(), out.cells, "turbulence.cells");
+    read.array(from.domain(), out.domain, "turbulence.domain");
+#define LR_NUMBER(name, ...) out.name = from.name();
+    LR_TURBULENCE_NUMBERS(LR_NUMBER)
+#undef LR_NUMBER
+}
+
+bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
+    Decoder read(faults);
+    out.name = a.name()->str();
+    out.mass = a.mass();
+    out.volume = a.volume();
+    out.density = a.density();
+    read.vector3(a.center_of_mass(), out.center_of_mass, "center_of_mass");
+    read.vector3(a.center_of_buoyancy(), out.center_of_buoyancy, "center_of_buoyancy");
+    read.array(a.inertia(), out.inertia, "inertia");
+    read.array(a.added_mass(), out.added_mass, "added_mass");
+    read.array(a.added_mass_error(), out.added_mass_error, "added_mass_error");
+    if (read.aligned(a.fluid(), alignof(double), "fluid")) {
+        out.fluid_density = a.fluid()->density();
+        out.fluid_viscosity = a.fluid()->viscosity();
+    }
+    if (read.aligned(a.lengths(), alignof(double), "lengths")) {
+        out.length_d = a.lengths()->d();
+        out.length_b = a.lengths()->b();
+        out.length_l = a.lengths()->l();
+    }
+    out.projected_area = a.projected_area();
+    out.u0 = a.u0();
+    decode(*a.turbulence(), out.turbulence, read);
+    decode(*a.aerodynamics(), out.aerodynamics, read);
+    read.vector(a.hull()->vertices(), out.hull.vertices, "hull.vertices");
+    read.vector(a.hull()->triangles(), out.hull.triangles, "hull.triangles");
+    const format::Provenance& p = *a.provenance();
+    out.provenance = {p.tool()->str(), p.tool_version()->str(), p.source()->str(),
+                      p.input_hash(),  p.options()->str(),      p.faces(),
+                      p.vertices()};
+    return read.ok();
+}
+
+flatbuffers::Offset<format::Aerodynamics> encode(const AerodynamicData& a, flatbuffers::FlatBufferBuilder& b) {
+    const auto axes = b.CreateVector(a.axes.data(), a.axes.size());
+    format::AerodynamicsBuilder to(b);
+    to.add_axes(axes);
+#define LR_VECTOR(name, ...)                                                                                           \
+    const format::Vec3 name(a.name[0], a.name[1], a.name[2]);                                                          \
+    to.add_##name(&name);
+    LR_AERODYNAMIC_VECTORS(LR_VECTOR)
+#undef LR_VECTOR
+#define LR_NUMBER(name, ...) to.add_##name(a.name);
+    LR_AERODYNAMIC_NUMBERS(LR_NUMBER)
+#undef LR_NUMBER
+    return to.Finish();
+}
+
+flatbuffers::Offset<format::Turbulence> encode(const TurbulenceData& t, flatbuffers::FlatBufferBuilder& b) {
+    const auto chi = b.CreateVector(t.chi), epsilon = b.CreateVector(t.epsilon);
+    const auto cells = b.CreateVector(t.cells.data(), t.cells.size());
+    const auto domain = b.CreateVector(t.domain.data(), t.domain.size());
+    format::TurbulenceBuilder to(b);
+    to.add_chi(chi);
+    to.add_epsilon(epsilon);
+    to.add_cells(cells);
+    to.add_domain(domain);
+#define LR_NUMBER(name, ...) to.add_##name(t.name);
+    LR_TURBULENCE_NUMBERS(LR_NUMBER)
+#undef LR_NUMBER
+    return to.Finish();
+}
+
+} // namespace
+
+std::vector<uint8_t> write_asset(const AssetData& d) {
+    flatbuffers::FlatBufferBuilder b(4096);
+    // Defaults are written too: a value that happens to be 0 must not look like a missing field.
+    b.ForceDefaults(true);
+    const auto name = b.CreateString(d.name);
+    const auto inertia = b.CreateVector(d.inertia.data(), d.inertia.size());
+    const auto added_mass = b.CreateVector(d.added_mass.data(), d.added_mass.size());
+    const auto added_mass_error = b.CreateVector(d.added_mass_error.data(), d.added_mass_error.size());
+    const auto turbulence = encode(d.turbulence, b);
+    const auto hull = format::CreateHull(b, b.CreateVector(d.hull.vertices), b.CreateVector(d.hull.triangles));
+    const auto& p = d.provenance;
+    const auto provenance =
+        format::CreateProvenance(b, b.CreateString(p.tool), b.CreateString(p.tool_version), b.CreateString(p.source),
+                                 p.input_hash, b.CreateString(p.options), p.faces, p.vertices);
+    const auto aerodynamics = encode(d.aerodynamics, b);
+    const format::Vec3 com(d.center_of_mass[0], d.center_of_mass[1], d.center_of_mass[2]);
+    const format::Vec3 cob(d.center_of_buoyancy[0], d.center_of_buoyancy[1], d.center_of_buoyancy[2]);
+    const format::Fluid fluid(d.fluid_density, d.fluid_viscosity);
+    const format::Lengths lengths(d.length_d, d.length_b, d.length_l);
+    const auto root = format::CreateAsset(b, asset_format_version, 0, name, d.mass, d.volume, d.density, &com, &cob,
+                                          inertia, added_mass, added_mass_error, &fluid, &lengths, d.projected_area,
+                                          d.u0, turbulence, hull, provenance, aerodynamics);
+    format::FinishAssetBuffer(b, root);
+
+    std::vector<uint8_t> bytes(b.GetBufferPointer(), b.GetBufferPointer() + b.GetSize());
+    const size_t at = checksum_offset(*format::GetAsset(bytes.data()), bytes.data());
+    const uint64_t sum = checksum_without(bytes.data(), bytes.size(), at);
+    for (size_t i = 0; i < 8; ++i) bytes[at + i] = static_cast<uint8_t>(sum >> (8 * i));
+    return bytes;
+}
+
+bool read_asset(const void* bytes, size_t size, AssetData& out, Faults& faults) {
+    if (size < 16) {
+        fail(faults, FaultId::asset_too_short, "byte " + std::to_string(size), "The file ends before its header.");
+        return false;
+    }
+    if (size > max_asset_bytes) {
+        fail(faults, FaultId::file_too_large, "file", "An asset is at most 1 GiB.");
+        return false;
+    }
+    // FlatBuffers wants alignment for 8-byte scalars; callers may have none.
+    std::vector<uint64_t> aligned((size + 7) / 8);
+    std::memcpy(aligned.data(), bytes, size);
+    const auto* data = reinterpret_cast<const uint8_t*>(aligned.data());
+
+    if (!format::AssetBufferHasIdentifier(data)) {
+        fail(faults, FaultId::asset_foreign, "byte 4", "The identifier is not LRBA: this is not an asset file.",
+             "Give a file that lr_bake made.");
+        return false;
+    }
+    flatbuffers::Verifier verifier(data, size, 16, 10000);
+    if (!format::VerifyAssetBuffer(verifier)) {
+        fail(faults, FaultId::asset_corrupt, "structure", "The file is truncated or damaged.",
+             "Copy it again from its source, or bake it again.");
+        return false;
+    }
+    const format::Asset& asset = *format::GetAsset(data);
+    if (asset.format_version() > asset_format_version) {
+        fail(faults, FaultId::asset_newer_version, "format_version",
+             "The file has format " + std::to_string(asset.format_version()) + ", this library reads up to " +
+                 std::to_string(asset_format_version) + ".",
+             "Update the library, or bake with the baker of this version.");
+        return false;
+    }
+    const size_t at = checksum_offset(asset, data);
+    if (asset.format_version() == 0 || at == 0) {
+        fail(faults, FaultId::asset_missing_field, at == 0 ? "checksum" : "format_version", "The field is missing.");
+        return false;
+    }
+    if (asset.checksum() != checksum_without(data, size, at)) {
+        fail(faults, FaultId::asset_checksum, "checksum", "The bytes have changed since they were written.",
+             "Copy it again from its source, or bake it again.");
+        return false;
+    }
+    return decode(asset, out, faults) && check_asset(out, faults) && check_plausible(out, faults);
+}
+
+} // namespace lr

@@ -1,0 +1,400 @@
+#include "asset/asset_file.h"
+#include "asset/closed_forms/ellipsoid_asset.h"
+#include "base/fnv1a.h"
+#include "base/matrix6.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+class Checker {
+public:
+    explicit Checker(Faults& faults) : faults_(faults) {}
+
+    void range(double value, const std::string& field, double low, double high) {
+        if (!std::isfinite(value)) {
+            fail(FaultId::asset_not_finite, field, "The value is not a finite number.");
+        } else if (value < low || value > high) {
+            fail(FaultId::asset_out_of_range, field,
+                 "The value " + shortest(value) + " is outside " + shortest(low) + " to " + shortest(high) + ".");
+        }
+    }
+    template <class Values> bool finite(const Values& values, const char* field) {
+        for (size_t i = 0; i < values.size(); ++i)
+            if (!std::isfinite(values[i])) {
+                fail(FaultId::asset_not_finite, std::string(field) + "[" + std::to_string(i) + "]",
+                     "The value is not a finite number.");
+                return false;
+            }
+        return true;
+    }
+    // `n` rows, row-major; relative to the geometric mean of the diagonal entries.
+    template <size_t N> void symmetric(const std::array<double, N>& m, size_t n, const char* field) {
+        for (size_t i = 0; i < n; ++i)
+            for (size_t j = 0; j < i; ++j) {
+                const double a = m[i * n + j], b = m[j * n + i];
+                const double size = std::sqrt(std::abs(m[i * n + i] * m[j * n + j])) + std::abs(a) + std::abs(b);
+                if (std::abs(a - b) > 1e-6 * size) {
+                    fail(FaultId::asset_not_symmetric, entry(field, i, j), "The matrix is not symmetric.");
+                    return;
+                }
+            }
+    }
+    void fail(FaultId id, std::string where, std::string what, std::string remedy = "Bake the asset again.") {
+        faults_.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
+        ok_ = false;
+    }
+    static std::string entry(const char* field, size_t i, size_t j) {
+        return std::string(field) + "[" + std::to_string(i) + "][" + std::to_string(j) + "]";
+    }
+    bool ok() const { return ok_; }
+
+private:
+    Faults& faults_;
+    bool ok_ = true;
+};
+
+void check_matrices(const AssetData& d, Checker& check) {
+    if (!check.finite(d.inertia, "inertia") || !check.finite(d.added_mass, "added_mass") ||
+        !check.finite(d.added_mass_error, "added_mass_error"))
+        return;
+    check.symmetric(d.inertia, 3, "inertia");
+    check.symmetric(d.added_mass, 6, "added_mass");
+    if (!check.ok()) return;
+
+    // In units of the body: 1e-10 is far above rounding and below the thinnest needle that an ellipsoid may be.
+    Matrix6 body = rigid_mass_matrix(d.mass, d.inertia);
+    scale_to_unit(body, d.mass, d.length_d);
+    for (size_t i = 3; i < 6; ++i)
+        if (!(body[i * 6 + i] > 1e-10 && body[i * 6 + i] < 10.0)) {
+            check.fail(FaultId::asset_out_of_range, Checker::entry("inertia", i - 3, i - 3),
+                       "The moment of inertia does not fit the mass and the length d.");
+            return;
+        }
+    if (!is_positive_definite(body, 1e-10)) {
+        check.fail(FaultId::asset_not_positive, "inertia", "The inertia is not positive definite.");
+        return;
+    }
+    Matrix6 added = d.added_mass;
+    const double unit = d.volume + d.projected_area * d.length_d;
+    scale_to_unit(added, unit, d.length_d);
+    for (double v : added)
+        if (std::abs(v) > 100.0) {
+            check.fail(FaultId::asset_out_of_range, "added_mass", "An entry is far too large for a body of this size.");
+            return;
+        }
+    // Semi-definite: about an axis of revolution the added inertia is zero, and a solver may leave a little below.
+    for (size_t i = 0; i < 6; ++i) added[i * 6 + i] += 1e-5;
+    if (!is_positive_definite(added, 0.0))
+        check.fail(FaultId::asset_not_positive, "added_mass", "The added mass is not positive semi-definite.");
+}
+
+void check_table(const TurbulenceData& t, Checker& check) {
+    if (t.chi.empty() || t.chi.size() > 65536) {
+        check.fail(FaultId::asset_wrong_length, "turbulence.chi",
+                   "A table has 1 to 65536 samples, not " + std::to_string(t.chi.size()) + ".");
+        return;
+    }
+    if (t.epsilon.size() != t.chi.size()) {
+        check.fail(FaultId::asset_wrong_length, "turbulence.epsilon",
+                   "It has " + std::to_string(t.epsilon.size()) + " samples, chi has " + std::to_string(t.chi.size()) +
+                       ".");
+        return;
+    }
+    if (!check.finite(t.chi, "turbulence.chi") || !check.finite(t.epsilon, "turbulence.epsilon")) return;
+    for (size_t i = 0; i < t.chi.size(); ++i)
+        if (t.chi[i] < 0.0 || t.chi[i] > 1e4 || t.epsilon[i] < 0.0 || t.epsilon[i] > 1e6) {
+            check.fail(FaultId::asset_out_of_range, "turbulence[" + std::to_string(i) + "]",
+                       "chi* lies within 0 to 1e4 and epsilon* within 0 to 1e6.");
+            return;
+        }
+    if (t.stationary >= t.chi.size())
+        check.fail(FaultId::asset_out_of_range, "turbulence.stationary", "It points behind the table.");
+    if (t.loop_begin > t.loop_end || t.loop_end > t.chi.size())
+        check.fail(FaultId::asset_out_of_range, "turbulence.loop", "It ends before it begins, or behind the table.");
+    for (double side : t.domain) check.range(side, "turbulence.domain", 0.0, 1e9);
+#define LR_NUMBER(name, least, most) check.range(static_cast<double>(t.name), "turbulence." #name, least, most);
+    LR_TURBULENCE_NUMBERS(LR_NUMBER)
+#undef LR_NUMBER
+}
+
+using Vec = std::array<double, 3>;
+
+Vec minus(const Vec& a, const Vec& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Vec cross(const Vec& a, const Vec& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot(const Vec& a, const Vec& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// From one vertex to another, along a triangle, with its third vertex.
+struct Edge {
+    uint32_t from, to, opposite;
+    size_t triangle;
+};
+bool before(const Edge& a, const Edge& b) {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+}
+
+// Of triangles whose indices are in range and whose vertices are finite. A neighbour may rise over a face by a ten thousandth of `length`.
+// Hulls without a volume, as of flat bodies, have no inside out.
+void check_convex(const HullData& hull, double length, Checker& check) {
+    const auto flaw = [&](size_t triangle, FaultId id, const char* what) {
+        check.fail(id, "hull.triangles[" + std::to_string(3 * triangle) + "]", what);
+    };
+    const auto open = [&](size_t triangle) {
+        flaw(triangle, FaultId::asset_open_hull, "An edge does not have exactly two triangles, one on each side.");
+    };
+    const auto vertex = [&](uint32_t i) {
+        const float* const v = hull.vertices.data() + 3 * size_t{i};
+        return Vec{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+    };
+    std::vector<Edge> edges;
+    edges.reserve(hull.triangles.size());
+    double volume = 0.0; // six times
+    for (size_t t = 0; t + 2 < hull.triangles.size(); t += 3) {
+        const uint32_t* const corner = hull.triangles.data() + t;
+        if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) return open(t / 3);
+        for (size_t k = 0; k < 3; ++k) edges.push_back({corner[k], corner[(k + 1) % 3], corner[(k + 2) % 3], t / 3});
+        volume += dot(vertex(corner[0]), cross(vertex(corner[1]), vertex(corner[2])));
+    }
+    std::sort(edges.begin(), edges.end(), before);
+    for (size_t i = 0; i < edges.size(); ++i) {
+        const Edge& edge = edges[i];
+        if (i + 1 < edges.size() && !before(edge, edges[i + 1])) return open(edge.triangle);
+        const Edge back{edge.to, edge.from, 0, 0};
+        const auto found = std::lower_bound(edges.begin(), edges.end(), back, before);
+        if (found == edges.end() || before(back, *found)) return open(edge.triangle);
+    }
+    if (volume < -1e-9 * length * length * length)
+        return flaw(0, FaultId::asset_hull_not_convex, "The triangles face inward.");
+    for (const Edge& edge : edges) {
+        const auto found = std::lower_bound(edges.begin(), edges.end(), Edge{edge.to, edge.from, 0, 0}, before);
+        // Slivers have no normal to speak of.
+        const Vec a = vertex(edge.from), normal = cross(minus(vertex(edge.to), a), minus(vertex(edge.opposite), a));
+        const double size = std::sqrt(dot(normal, normal));
+        if (size > 1e-6 * length * length && dot(normal, minus(vertex(found->opposite), a)) > 1e-4 * length * size)
+            return flaw(edge.triangle, FaultId::asset_hull_not_convex, "The hull is not convex here.");
+    }
+}
+
+void check_hull(const AssetData& d, Checker& check) {
+    const HullData& h = d.hull;
+    if (h.vertices.empty() && h.triangles.empty()) return;
+    if (h.vertices.size() % 3 != 0 || h.triangles.size() % 3 != 0 || h.vertices.size() < 12 ||
+        h.triangles.size() < 12) {
+        check.fail(FaultId::asset_bad_hull, "hull", "A hull has at least four vertices and four triangles.");
+        return;
+    }
+    if (!check.finite(h.vertices, "hull.vertices")) return;
+    const double reach = 2.0 * d.length_d + 1e-12;
+    for (size_t i = 0; i < h.vertices.size(); ++i)
+        if (std::abs(static_cast<double>(h.vertices[i])) > reach) {
+            check.fail(FaultId::asset_bad_hull, "hull.vertices[" + std::to_string(i) + "]",
+                       "The vertex lies far outside the body's largest extent.");
+            return;
+        }
+    for (size_t i = 0; i < h.triangles.size(); ++i)
+        if (h.triangles[i] >= h.vertices.size() / 3) {
+            check.fail(FaultId::asset_bad_hull, "hull.triangles[" + std::to_string(i) + "]",
+                       "The index points behind the vertices.");
+            return;
+        }
+    check_convex(h, d.length_d, check);
+}
+
+// A number or a vector of the loads.
+struct Coefficient {
+    double AerodynamicData::*number;
+    std::array<double, 3> AerodynamicData::*vector;
+    const char* name;
+    double least, most, power;
+};
+#define LR_VECTOR(name, least, most, power)                                                                            \
+    {nullptr, &AerodynamicData::name, "aerodynamics." #name, least, most, power},
+#define LR_NUMBER(name, least, most) {&AerodynamicData::name, nullptr, "aerodynamics." #name, least, most, 0.0},
+constexpr Coefficient coefficients[] = {LR_AERODYNAMIC_VECTORS(LR_VECTOR) LR_AERODYNAMIC_NUMBERS(LR_NUMBER)};
+#undef LR_VECTOR
+#undef LR_NUMBER
+
+void check_aerodynamics(const AssetData& d, Checker& check) {
+    const AerodynamicData& a = d.aerodynamics;
+    if (!check.finite(a.axes, "aerodynamics.axes")) return;
+    if (!is_rotation(a.axes, 1e-9))
+        check.fail(FaultId::asset_bad_axes, "aerodynamics.axes",
+                   "The axes are not three orthogonal unit vectors, right-handed.");
+    for (const Coefficient& c : coefficients) {
+        double unit = 1.0;
+        for (int halves = static_cast<int>(2.0 * c.power); halves > 0; halves -= 2)
+            unit *= halves == 1 ? std::sqrt(d.length_d) : d.length_d;
+        if (c.number) check.range(a.*c.number, c.name, c.least, c.most);
+        for (size_t k = 0; c.vector && k < 3; ++k)
+            check.range((a.*c.vector)[k], std::string(c.name) + "[" + std::to_string(k) + "]", c.least * unit,
+                        c.most * unit);
+    }
+}
+
+struct Number {
+    double AssetData::*value;
+    const char* name;
+    double least, most;
+};
+constexpr Number numbers[] = {{&AssetData::mass, "mass", 1e-18, 1e12},
+                              {&AssetData::volume, "volume", 1e-21, 1e12},
+                              {&AssetData::density, "density", 1e-6, 1e6},
+                              {&AssetData::fluid_density, "fluid.density", 1e-6, 1e6},
+                              {&AssetData::fluid_viscosity, "fluid.viscosity", 1e-12, 1e6},
+                              {&AssetData::length_d, "lengths.d", 1e-7, 1e4},
+                              {&AssetData::length_b, "lengths.b", 1e-9, 1e4},
+                              {&AssetData::length_l, "lengths.l", 1e-9, 1e4},
+                              {&AssetData::projected_area, "projected_area", 1e-15, 1e9},
+                              {&AssetData::u0, "u0", 1e-9, 1e6}};
+
+} // namespace
+
+const char* wrong_in(const AerodynamicData& a) {
+    // Bodies are up to 1000 m: nothing has a larger length to the fifth power. Callers may have single precision.
+    bool usable = is_rotation(a.axes, 1e-6);
+    for (const Coefficient& c : coefficients) {
+        const double unit = c.power == 0.0 ? 1.0 : 1e10;
+        const auto within = [&](double v) { return v >= c.least * unit && v <= c.most * unit; }; // false for NaN
+        usable = usable &&
+                 (c.number ? within(a.*c.number) : std::all_of((a.*c.vector).begin(), (a.*c.vector).end(), within));
+    }
+    return usable ? nullptr : "a value is out of range, or the axes are not a rotation";
+}
+
+bool check_asset(const AssetData& d, Faults& faults) {
+    Checker check(faults);
+    for (const Number& n : numbers) check.range(d.*n.value, n.name, n.least, n.most);
+    check.finite(d.center_of_mass, "center_of_mass");
+    check.finite(d.center_of_buoyancy, "center_of_buoyancy");
+    if (!check.ok()) return false;
+
+    if (std::abs(d.mass - d.density * d.volume) > 1e-6 * d.mass)
+        check.fail(FaultId::asset_inconsistent, "mass", "Mass is not density times volume.");
+    for (double c : d.center_of_buoyancy)
+        if (std::abs(c) > 2.0 * d.length_d)
+            check.fail(FaultId::asset_out_of_range, "center_of_buoyancy", "It lies far outside the body.");
+    if (d.name.size() > 4096) check.fail(FaultId::asset_out_of_range, "name", "The name is longer than 4096 bytes.");
+    check_matrices(d, check);
+    check_table(d.turbulence, check);
+    check_hull(d, check);
+    check_aerodynamics(d, check);
+    return check.ok();
+}
+
+// Combinations of numbers that no body has, though each number alone is possible.
+namespace {
+
+void fail(Faults& faults, const char* where, const char* what) {
+    faults.push_back({FaultId::asset_inconsistent, Severity::error, where, what, "Bake the asset again."});
+}
+
+// The second moments of mass, trace/2 - I, are sums of squares. Those across a flat body are zero, and rounding leaves a little below.
+bool has_moments_of_mass(const AssetData& d) {
+    const double half_trace = 0.5 * (d.inertia[0] + d.inertia[4] + d.inertia[8]);
+    std::array<double, 9> moments{};
+    for (size_t i = 0; i < 9; ++i) moments[i] = (i % 4 == 0 ? 1.0 + 1e-6 : 0.0) - d.inertia[i] / half_trace;
+    return is_positive_definite(rigid_mass_matrix(1.0, moments), 0.0);
+}
+
+// Not all on a line: a hundredth of the thickness is what the mass is spread about any axis, at least.
+bool has_spread(const AssetData& d) {
+    const double least = 1e-4 * d.mass * d.length_b * d.length_b, size = d.inertia[0] + d.inertia[4] + d.inertia[8];
+    std::array<double, 9> beyond{};
+    for (size_t i = 0; i < 9; ++i) beyond[i] = (d.inertia[i] - (i % 4 == 0 ? least : 0.0)) / size;
+    return is_positive_definite(rigid_mass_matrix(1.0, beyond), 0.0);
+}
+
+// Along the axes of the body; d itself may lie across them.
+double extent(const HullData& hull) {
+    double largest = 0.0;
+    for (size_t axis = 0; axis < 3; ++axis) {
+        float low = hull.vertices[axis], high = low;
+        for (size_t i = axis; i < hull.vertices.size(); i += 3)
+            low = std::min(low, hull.vertices[i]), high = std::max(high, hull.vertices[i]);
+        largest = std::max(largest, static_cast<double>(high) - static_cast<double>(low));
+    }
+    return largest;
+}
+
+} // namespace
+
+bool check_plausible(const AssetData& d, Faults& faults) {
+    const size_t before = faults.size();
+    const double d1 = d.length_d, d2 = d1 * d1;
+    // Ten cubes of the side d: the layers of a folded sheet may displace more than its hull holds.
+    if (d.volume > 10.0 * d2 * d1) fail(faults, "volume", "The volume is far too large for the length d.");
+    if (d.projected_area > 10.0 * d2) fail(faults, "projected_area", "The area is far too large for the length d.");
+    if (d.length_b > 10.0 * d1) fail(faults, "lengths.b", "The thickness is far larger than the length d.");
+    if (d.length_l > 10.0 * d1) fail(faults, "lengths.l", "The turbulence length is far larger than the length d.");
+    // paper Eq. 1. It scales the turbulence that the body meets.
+    const double u0 = shape::speed_scale(d.density, d.fluid_density, d.length_b);
+    if (d.u0 > 10.0 * u0 || d.u0 < 0.1 * u0)
+        fail(faults, "u0", "The speed does not fit the densities and the thickness.");
+    if (!has_moments_of_mass(d))
+        fail(faults, "inertia",
+             "A principal moment of inertia is larger than the other two together: no mass distribution has that.");
+    if (!has_spread(d)) fail(faults, "inertia", "A moment of inertia is far too small for the thickness.");
+    if (!d.hull.vertices.empty() && extent(d.hull) < 0.5 * d1)
+        fail(faults, "hull.vertices", "The hull is far smaller than the length d.");
+    return faults.size() == before;
+}
+
+uint64_t content_hash(const AssetData& d) {
+    Fnv1a hash;
+    const auto number = [&](double v) { hash.add_u64(std::bit_cast<uint64_t>(v)); };
+    const auto all = [&](const auto& values) {
+        hash.add_u64(values.size());
+        for (auto v : values) number(static_cast<double>(v));
+    };
+    for (const Number& n : numbers) number(d.*n.value);
+    number(d.turbulence.dt);
+    number(d.turbulence.c0);
+    all(d.center_of_mass);
+    all(d.center_of_buoyancy);
+    all(d.inertia);
+    all(d.added_mass);
+    all(d.turbulence.chi);
+    all(d.turbulence.epsilon);
+    hash.add_u64(d.turbulence.stationary);
+    all(d.hull.vertices);
+    hash.add_u64(d.hull.triangles.size());
+    for (uint32_t i : d.hull.triangles) hash.add_u64(i);
+    const AerodynamicData& a = d.aerodynamics;
+    all(a.axes);
+    for (const Coefficient& c : coefficients)
+        if (c.number)
+            number(a.*c.number);
+        else
+            all(a.*c.vector);
+    return hash.value();
+}
+
+double largest_coupling(const AssetData& a) {
+    double largest = 0.0;
+    for (const double c : a.center_of_buoyancy) largest = std::max(largest, std::abs(c) / a.length_d);
+    for (const double c : a.aerodynamics.center) largest = std::max(largest, std::abs(c) / a.length_d);
+    const auto relative = [](double off, double x, double y) { return std::abs(off) / std::sqrt(std::abs(x * y)); };
+    // About an axis of revolution the added inertia vanishes; the body's own then says what is small.
+    const auto size = [&](std::size_t n) {
+        return a.added_mass[n * 7] + (n < 3 ? a.volume : a.inertia[(n - 3) * 4] / a.density);
+    };
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            largest = std::max(largest, relative(a.added_mass[i * 6 + j], size(i), size(j)));
+            if (j >= 3)
+                largest = std::max(
+                    largest, relative(a.inertia[(i - 3) * 3 + j - 3], a.inertia[(i - 3) * 4], a.inertia[(j - 3) * 4]));
+        }
+    return largest;
+}
+
+} // namespace lr

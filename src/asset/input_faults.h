@@ -1,0 +1,87 @@
+// Numbered faults: what is wrong with a mesh, an asset file or a parameter, where, and what to do about it.
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lr {
+
+enum class Severity : int32_t { warning = 1, error = 2 };
+
+// Numbers are stable across releases; see docs/reference/asset_format.md. Never reuse one.
+enum class FaultId : uint32_t {
+    // 1xx: the file could not be read or written
+    file_not_found = 101,
+    file_read = 102,
+    file_write = 103,
+    file_too_large = 104,
+    // 2xx: the mesh
+    mesh_unreadable = 201,
+    mesh_empty = 202,
+    mesh_not_finite = 203,
+    mesh_bad_index = 204,
+    mesh_degenerate_face = 205,
+    mesh_open_edge = 206,
+    mesh_non_manifold_edge = 207,
+    mesh_inconsistent_winding = 208,
+    mesh_inside_out = 209,
+    mesh_zero_volume = 210,
+    mesh_too_many_faces = 211,
+    mesh_duplicate_face = 212,
+    mesh_isolated_vertex = 213,
+    mesh_several_components = 214,
+    mesh_merged_vertices = 215,
+    mesh_several_meshes = 216,
+    mesh_ill_conditioned = 217,
+    mesh_turned_or_scaled = 218,
+    // 22x: the image of a card
+    image_unreadable = 221,
+    image_no_outline = 222,
+    image_several_pieces = 223,
+    image_specks = 224,
+    image_too_ragged = 225,
+    // the mesh again
+    mesh_self_intersection = 226,
+    // 3xx: a parameter of the bake
+    parameter_out_of_range = 301,
+    parameter_unknown = 302,
+    parameter_not_denser = 303,
+    wake_unsettled = 310,
+    // 4xx: the asset file
+    asset_too_short = 401,
+    asset_foreign = 402,
+    asset_newer_version = 403,
+    asset_corrupt = 404,
+    asset_checksum = 405,
+    asset_missing_field = 406,
+    asset_wrong_length = 407,
+    asset_not_finite = 408,
+    asset_out_of_range = 409,
+    asset_not_symmetric = 410,
+    asset_not_positive = 411,
+    asset_bad_hull = 412,
+    asset_inconsistent = 413,
+    asset_bad_axes = 414,
+    asset_open_hull = 415,
+    asset_hull_not_convex = 416,
+};
+
+struct Fault {
+    FaultId id;
+    Severity severity;
+    std::string where;  // file, face, vertex, field: the narrowest place known
+    std::string what;   // one sentence
+    std::string remedy; // one sentence, an instruction
+};
+
+using Faults = std::vector<Fault>;
+
+// The shortest decimal that reads back as the same number, whatever the locale.
+inline std::string shortest(double value) {
+    char buffer[32];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+} // namespace lr

@@ -1,0 +1,53 @@
+// One batch's state as structure of arrays: what the kernel reads and writes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace lr {
+
+// Arrays are padded to a multiple of this, so that every target's vectors cover whole lanes and no tail code exists.
+inline constexpr size_t lane_block = 32;
+
+enum Field : size_t {
+    field_x,
+    field_y,
+    field_z, // m, world
+    field_qx,
+    field_qy,
+    field_qz,
+    field_qw, // body to world
+    field_vx,
+    field_vy,
+    field_vz, // m/s, body frame, of the centre of mass
+    field_wx,
+    field_wy,
+    field_wz, // rad/s, body frame
+    field_scale,
+    field_age,      // s
+    field_age_rest, // s, what rounding has added to the age so far
+    field_gust_x,
+    field_gust_y,
+    field_gust_z, // m/s, world: the fluid's own velocity as the body sees it, AERODYNAMIC loads only
+    field_count
+};
+
+// External forces in SI units, on the body at its true size: a vector of each kind in each frame. Accelerations are
+// those of the body whatever its mass and the fluid's.
+enum ForceKind : size_t { force_newton, force_torque, force_acceleration, force_spin, force_kinds };
+inline constexpr size_t force_components = size_t{6} * force_kinds;
+// Of component x; world frame: 0, body frame: 1.
+constexpr size_t force_component(size_t frame, size_t kind) {
+    return 3 * (force_kinds * frame + kind);
+}
+
+struct FluidSample;
+
+struct BatchArrays {
+    float* field[field_count];
+    uint32_t* noise_seed;
+    // Null: the uniform wind of the step. Else one substep is taken, and this is the fluid at the bodies that it steps.
+    const FluidSample* fluid;
+};
+
+} // namespace lr

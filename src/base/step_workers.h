@@ -1,0 +1,132 @@
+// The threads of a step: the caller alone, the world's own threads, or an engine's job system. The thread that runs a chunk never
+// affects its result.
+#pragma once
+
+#include "base/float_mode.h"
+#include "base/threads.h"
+#include "langevin_rigid.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace lr {
+
+// Chunks of work: any number of threads take them, one thread waits for all.
+class ChunkQueue {
+public:
+    using Task = void (*)(void* context, uint32_t chunk);
+
+    // Starts a round of task(context, 0 .. chunks - 1). The previous round is done.
+    void open(uint32_t chunks, Task task, void* context);
+    // Runs chunks until none are left. Any thread, any time: a late one finds none and reads nothing.
+    void take();
+    bool any() const { return left_.load(std::memory_order_relaxed) != 0; }
+    // Waits until all chunks are done, also those taken by others.
+    void wait();
+
+private:
+    // Two cache lines that every chunk changes; the first also holds the fields read with it.
+    alignas(64) std::atomic<uint32_t> left_{0}; // chunks not taken yet
+    uint32_t chunks_ = 0;
+    Task task_ = nullptr;
+    void* context_ = nullptr;
+    alignas(64) WaitedCount undone_{0}; // chunks that are not done
+};
+
+// The world's own threads.
+class WorkerPool {
+public:
+    static constexpr uint32_t max_workers = 64;
+
+    explicit WorkerPool(ChunkQueue& queue) : queue_(&queue) {}
+    ~WorkerPool() { stop(); }
+    WorkerPool(const WorkerPool&) = delete;
+    WorkerPool& operator=(const WorkerPool&) = delete;
+
+    // False if the system gives no threads; none are then left running.
+    bool start(uint32_t workers);
+    void stop();
+    uint32_t workers() const { return workers_; }
+
+    // Wakes up to `helpers` workers to take from the open queue. Returns at once.
+    void wake(uint32_t helpers);
+
+private:
+    void work();
+
+    ChunkQueue* queue_;
+#if LR_HAS_THREADS
+    std::array<std::thread, max_workers> threads_;
+#endif
+    uint32_t workers_ = 0;
+    std::atomic<bool> stopping_{false};
+    WaitedCount round_{0}; // grows by one for each call of wake()
+};
+
+// The world's threads, or a job system.
+class StepWorkers {
+public:
+    // Null callbacks: threads of its own. False if the system gives none.
+    bool start(uint32_t workers, const lr_job_system& jobs);
+    // The guess for a job system with an unknown number of threads: those of the machine, less the caller.
+    static uint32_t usual_helpers();
+    void stop() { pool_.stop(); }
+    uint32_t helpers() const { return helpers_; } // maximum besides the caller
+
+    // Runs task(context, 0 .. chunks - 1), on the caller too, and returns when all are done; uses at most `helpers`. `mode`: of
+    // the step; the caller's mode is restored while its job system runs. Allocates nothing.
+    void run(uint32_t chunks, uint32_t helpers, ChunkQueue::Task task, void* context, const FloatMode& mode);
+    template <class Function> void run(uint32_t chunks, uint32_t helpers, Function function, const FloatMode& mode) {
+        const auto task = [](void* self, uint32_t chunk) { (*static_cast<Function*>(self))(chunk); };
+        run(chunks, helpers, task, &function, mode);
+    }
+
+    // Between gather() and its end, tasks of a job system stay from run to run: there are too many runs to enqueue each.
+    void gather() { gathered_.store(true, std::memory_order_relaxed); }
+    void dismiss(const FloatMode& mode);
+
+private:
+    static void job(void* step_workers, uint32_t begin, uint32_t end);
+    void stay();
+    void call(uint32_t helpers, const FloatMode& mode);
+    void finish(const FloatMode& mode);
+
+    // A member and not on a step's stack: a late job must still find it.
+    ChunkQueue queue_;
+    WorkerPool pool_{queue_};
+    lr_job_system jobs_{};
+    uint32_t helpers_ = 0;
+
+    // Of a job system.
+    ThreadId caller_{};
+    void* token_ = nullptr;
+    bool called_ = false;
+    std::atomic<uint32_t> present_{0};  // indices that were enqueued and have not returned
+    std::atomic<bool> gathered_{false}; // more runs will follow
+    std::atomic<bool> calling_{false};  // the caller is within enqueue
+};
+
+// Parallel loops on the threads of a step.
+class Workers {
+public:
+    Workers(StepWorkers& step_workers, const FloatMode& mode) : step_workers_(&step_workers), mode_(&mode) {
+        step_workers.gather();
+    }
+    ~Workers() { step_workers_->dismiss(*mode_); }
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    // Calls function(begin, end) for pieces of [0, count) of length `grain`, in any order and concurrently.
+    template <class Function> void run(uint32_t count, uint32_t grain, const Function& function) const {
+        const auto piece = [&](uint32_t at) { function(at * grain, std::min((at + 1) * grain, count)); };
+        step_workers_->run((count + grain - 1) / grain, step_workers_->helpers(), piece, *mode_);
+    }
+
+private:
+    StepWorkers* step_workers_;
+    const FloatMode* mode_;
+};
+
+} // namespace lr

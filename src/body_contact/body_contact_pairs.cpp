@@ -1,0 +1,211 @@
+// Finds the bodies of a crowd that touch each other in a substep.
+#include "body_contact/body_contact_step.h"
+
+#include "collision/pair_contacts.h"
+#include "kernel/divergence.h"
+#include "world/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+constexpr uint32_t grain = 128; // bodies: some ten microseconds
+
+// False when out of memory.
+template <class... T> bool grow_all(Allocator& allocator, size_t count, Buffer<T>&... buffers) {
+    return (grow(allocator, buffers, count) && ...);
+}
+
+} // namespace
+
+float BodyContactStep::margin_of(const BodyContactBatch& member, uint32_t index) const {
+    const BatchArrays& a = member.item.batch->arrays();
+    return contact_margin(member.run.step.shape->reach * a.field[field_scale][index], pose_of(a, index).position,
+                          member.run.step.gravity, static_cast<float>(time_.h));
+}
+
+void BodyContactStep::set_box(const BodyContactBatch& member, uint32_t index) {
+    const Batch& batch = *member.item.batch;
+    const uint32_t body = member.first + index;
+    const float scale = batch.arrays().field[field_scale][index], margin = margin_of(member, index);
+    const Pose began_at = began(body), now = pose_of(batch.arrays(), index);
+    buffers_->moved[body] = {pair_body(batch.asset().meeting, scale, began_at, now), margin,
+                             static_cast<uint32_t>(&member - buffers_->members.data())};
+    const Box way = around(bounds(batch.asset().meeting, scale, began_at), bounds(batch.asset().meeting, scale, now));
+    buffers_->grid.boxes()[body] = {grown(way, margin), body, 0, 0};
+}
+
+// A pair that both find belongs to the first by batch and noise seed, or by place if noise seeds are equal.
+bool BodyContactStep::finds(const BodyBox& one, const BodyBox& other, bool mutual) const {
+    if (one.body == other.body) return false;
+    const BodyContactBatch* const members = buffers_->members.data();
+    const BodyContactBatch &a = members[buffers_->moved[one.body].member],
+                           &b = members[buffers_->moved[other.body].member];
+    if (&a == &b ? !a.own : !world_->pairs.has(a.slot, b.slot)) return false;
+    if (!mutual) return true;
+    if (&a != &b) return a.slot < b.slot;
+    const BatchArrays& arrays = a.item.batch->arrays();
+    const uint32_t i = one.body - a.first, j = other.body - b.first;
+    if (arrays.noise_seed[i] != arrays.noise_seed[j]) return arrays.noise_seed[i] < arrays.noise_seed[j];
+    for (size_t f = field_x; f <= field_z; ++f)
+        if (arrays.field[f][i] != arrays.field[f][j]) return arrays.field[f][i] < arrays.field[f][j];
+    return i < j;
+}
+
+// Replaces the last entry of a full list if it comes earlier by batch and noise seed.
+void BodyContactStep::keep_first(uint32_t* seen, uint32_t body) const {
+    const auto order = [&](uint32_t of) {
+        const BodyContactBatch& member = member_of(of);
+        return uint64_t{member.slot} << 32 | member.item.batch->arrays().noise_seed[of - member.first];
+    };
+    uint32_t* last = seen;
+    for (uint32_t k = 1; k < BodyContactBuffers::most_seen; ++k)
+        if (order(seen[k]) > order(*last)) last = seen + k;
+    if (order(body) < order(*last)) *last = body;
+}
+
+// The contacts of the pairs that bodies [begin, end), in grid order, have found. Gaps are those at the beginning of the substep, so
+// that bodies that pass through each other are recognised by the side on which they began; pairs that stay open are dropped.
+void BodyContactStep::meet(uint32_t begin, uint32_t end) {
+    BodyContactBuffers& c = *buffers_;
+    PairBatch batch(world_->target->search_pairs);
+    const auto found = [&](uint32_t at, const WayContact* contacts, uint32_t count) {
+        c.pairs[at].count = count;
+        if (count != 0) enter_contacts(at, contacts);
+    };
+    // Neighbours in space are far apart in memory.
+    const auto fetch = [&c](uint32_t body) {
+        const uint32_t count = c.first_pair[body + 1] - c.first_pair[body];
+        const uint32_t* const seen = c.seen.data() + size_t{BodyContactBuffers::most_seen} * body;
+        for (uint32_t k = 0; k < count; ++k) {
+            const BodyContactBuffers::Moved* const other = c.moved.data() + seen[k];
+            __builtin_prefetch(other);
+            __builtin_prefetch(&other->margin);
+        }
+    };
+    for (uint32_t i = begin; i < end; ++i) {
+        const uint32_t body = c.grid.placed(i), first = c.first_pair[body], past = c.first_pair[body + 1];
+        const BodyContactBuffers::Moved& one = c.moved[body];
+        const uint32_t* const seen = c.seen.data() + size_t{BodyContactBuffers::most_seen} * body;
+        if (i + 2 < end) fetch(c.grid.placed(i + 2));
+        for (uint32_t at = first; at < past; ++at) {
+            const BodyContactBuffers::Moved& other = c.moved[seen[at - first]];
+            c.pairs[at] = {body, seen[at - first], 0};
+            batch.find(one.body, other.body, std::min(one.margin, other.margin), at, found);
+        }
+    }
+    batch.finish(found);
+}
+
+void BodyContactStep::enter_contacts(uint32_t at, const WayContact* found) {
+    BodyContactBuffers& c = *buffers_;
+    const BodyContactBuffers::Pair& pair = c.pairs[at];
+    const lr_batch_contact& of_a = c.members[c.moved[pair.a].member].item.batch->contact;
+    const lr_batch_contact& of_b = c.members[c.moved[pair.b].member].item.batch->contact;
+    const float friction = pair_friction(of_a, of_b), restitution = pair_restitution(of_a, of_b);
+    BodyContactPoint* const contacts = c.pair_contacts.data() + size_t{block_contacts} * at;
+    for (uint32_t k = 0; k < pair.count; ++k) {
+        const PairContact& contact = found[k].begin;
+        contacts[k] = {contact.arm_a, contact.arm_b, contact.normal, contact.gap, {}, {}, friction, restitution, false};
+    }
+}
+
+bool BodyContactStep::find_pairs() {
+    BodyContactBuffers& c = *buffers_;
+    Allocator& allocator = world_->allocator;
+    if (!c.grid.reserve(allocator, body_count_) || !grow(allocator, c.moved, body_count_) ||
+        !grow(allocator, c.first_pair, size_t{body_count_} + 1) ||
+        !grow(allocator, c.seen, size_t{BodyContactBuffers::most_seen} * body_count_))
+        return false;
+    workers_.run(body_count_, grain, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t body = begin; body < end; ++body) {
+            const BodyContactBatch& member = member_of(body);
+            const uint32_t index = body - member.first;
+            if (index < member.count && !is_held(member.item.batch->arrays().field[field_age_rest][index])) {
+                set_box(member, index);
+            } else {
+                // Padding and held bodies touch nothing.
+                c.grid.boxes()[body] = {{{1.0f, 1.0f, 1.0f}, {-1.0f, -1.0f, -1.0f}}, body, 0, 0};
+            }
+        }
+    });
+    c.grid.build(body_count_);
+    std::fill_n(c.first_pair.data(), body_count_, 0u);
+    workers_.run(c.grid.placed(), grain, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i) {
+            const uint32_t body = c.grid.placed(i);
+            const BodyBox& one = c.grid.box(body);
+            uint32_t count = 0;
+            uint32_t* const seen = c.seen.data() + size_t{BodyContactBuffers::most_seen} * body;
+            c.grid.visit(one, [&](const BodyBox& other, bool mutual) {
+                if (!finds(one, other, mutual)) return;
+                if (count < BodyContactBuffers::most_seen)
+                    seen[count++] = other.body;
+                else
+                    keep_first(seen, other.body);
+            });
+            c.first_pair[body] = count;
+        }
+    });
+    uint32_t sum = 0;
+    for (uint32_t body = 0; body < body_count_; ++body) {
+        const uint32_t count = c.first_pair[body];
+        c.first_pair[body] = sum;
+        sum += count;
+    }
+    c.first_pair[body_count_] = sum;
+    if (!grow(allocator, c.pairs, sum) || !grow(allocator, c.pair_contacts, size_t{block_contacts} * sum)) return false;
+    workers_.run(c.grid.placed(), grain, [&](uint32_t begin, uint32_t end) { meet(begin, end); });
+    return true;
+}
+
+// Bodies that touch others get places: batch by batch, each in the order of noise seeds and starting at a whole group of
+// lanes.
+bool BodyContactStep::number_touching() {
+    constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
+    BodyContactBuffers& c = *buffers_;
+    Allocator& allocator = world_->allocator;
+    if (!grow(allocator, c.place, body_count_) || !grow(allocator, c.order, body_count_)) return false;
+    std::fill_n(c.place.data(), body_count_, none);
+    const uint32_t pair_count = c.first_pair[body_count_];
+    for (uint32_t i = 0; i < pair_count; ++i)
+        if (c.pairs[i].count != 0) c.place[c.pairs[i].a] = c.place[c.pairs[i].b] = 0;
+    uint32_t count = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) {
+        BodyContactBatch& member = c.members[m];
+        count = (count + lanes - 1) / lanes * lanes;
+        member.first_place = count;
+        for (uint32_t i = 0; i < member.count; ++i)
+            if (c.place[member.first + i] == 0) ++count;
+    }
+    const uint32_t padded = (count + lanes - 1) / lanes * lanes;
+    if (padded == 0) return true;
+    if (!grow_all(allocator, padded, c.body_at, c.first_held, c.held_count, c.first_unit, c.touches_body) ||
+        !grow_all(allocator, size_t{contact_slots} * padded, c.held, c.held_contacts) ||
+        !grow(allocator, c.units, size_t{contact_slots / block_contacts} * padded + pair_count) ||
+        !c.solver.reserve_bodies(padded)) {
+        std::fill_n(c.place.data(), body_count_, none);
+        return false;
+    }
+    std::fill_n(c.body_at.data(), padded, none);
+    for (uint32_t m = 0; m < member_count_; ++m) {
+        const BodyContactBatch& member = c.members[m];
+        const uint32_t* const noise_seed = member.item.batch->arrays().noise_seed;
+        uint32_t found = 0;
+        for (uint32_t i = 0; i < member.count; ++i)
+            if (c.place[member.first + i] == 0) c.order[found++] = uint64_t{noise_seed[i]} << 32 | (member.first + i);
+        std::sort(c.order.data(), c.order.data() + found);
+        for (uint32_t i = 0; i < found; ++i) {
+            const auto body = static_cast<uint32_t>(c.order[i]);
+            c.place[body] = member.first_place + i;
+            c.body_at[member.first_place + i] = body;
+        }
+    }
+    place_count_ = padded;
+    held_used_ = 0;
+    return true;
+}
+
+} // namespace lr

@@ -1,0 +1,235 @@
+// Solves the contacts of a crowd: bodies that touch no other awake one separately, the rest together.
+#include "body_contact/body_contact_step.h"
+
+#include "kernel/divergence.h"
+#include "world/world.h"
+
+#include <algorithm>
+#include <span>
+
+namespace lr {
+namespace {
+
+constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
+
+// In heaps, sweeps leave more motion than a single still body has: the limit for sleep is higher by this factor.
+constexpr float heap_still = 3.0f;
+
+// A body in a heap falls through gaps that sweeps leave, is stopped in the next substep, and rocks back: motion that does not last
+// for two substeps and stays below the limit of restitution (2 g h) does not count.
+float lasting_speed(const BodyAfter& body, Vector v0, Vector w0, Vector v, Vector w, float fall) {
+    const float before = fastest(body.extent, v0, w0), now = fastest(body.extent, v, w);
+    if (std::max(before, now) > 2.0f * fall) return std::max(before, now);
+    return std::min({before, now, fastest(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
+}
+
+Pose began(const SolverBody& b) {
+    return {vector_of(b.x0), {b.q0[0], b.q0[1], b.q0[2], b.q0[3]}};
+}
+Pose now(const SolverBody& b) {
+    return {vector_of(b.x), {b.q[0], b.q[1], b.q[2], b.q[3]}};
+}
+
+} // namespace
+
+void BodyContactStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const {
+    if (body.speed > body.moving) world_->batches[at_rest.batch].batch->note_rest(at_rest.index);
+}
+
+void BodyContactStep::hold(uint32_t substep, Held which) {
+    const auto groups_of = [](const BodyContactBatch& member) { return (member.count + lanes - 1) / lanes; };
+    uint32_t groups = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) groups += groups_of(buffers_->members[m]);
+    workers_.run(groups, 4, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t at = begin; at < end; ++at) {
+            const BodyContactBatch* member = buffers_->members.data();
+            uint32_t group = at;
+            for (; group >= groups_of(*member); ++member) group -= groups_of(*member);
+            hold_group(*member, group * lanes, substep, which);
+        }
+    });
+}
+
+void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first, uint32_t substep, Held which) {
+    const BatchArrays& from = member.item.batch->arrays();
+    const uint32_t count = std::min(lanes, member.count - first);
+    // Copies, because sleeping bodies or none follow the last.
+    BodyCopies<contact_lanes> copies;
+    copies.take(from, count, [first](uint32_t i) { return first + i; });
+    const BatchArrays arrays = copies.arrays();
+    const auto& field = copies.field;
+    alignas(64) LaneRow began_rows[pose_fields];
+    for (size_t f = 0; f < pose_fields; ++f)
+        copies.gather(
+            before(member.first + first, f), [](uint32_t i) { return i; }, began_rows[f]);
+
+    const ContactSubstep taken = contact_substep(time_, substep, began_rows);
+    ContactGroup group(member.run.step, member.item.batch->step.body, arrays, count);
+    group.collect(taken);
+    const uint32_t* const place = buffers_->place.data() + member.first + first;
+    const auto touches = [&](uint32_t i) { return place_count_ != 0 && place[i] != none; };
+    for (uint32_t i = 0; i < count && which == Held::apart; ++i)
+        if (touches(i)) take_out(group, i, place[i]);
+    group.solve(taken);
+    for (uint32_t i = 0; i < count; ++i) {
+        if (which != Held::apart && !touches(i)) continue;
+        hold_if_insane(arrays, i, member.item.batch->step.faults, [&](size_t f) { return began_rows[f][i]; });
+        for (size_t f = 0; f < field_count && from.field[f]; ++f) from.field[f][first + i] = field[f][i];
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        if (touches(i) != (which == Held::touching) || is_held(field[field_age_rest][i])) continue;
+        BodyAfter body = body_after(member.run, group, i, first + i, field, i, began_rows);
+        if (std::count(body.now, body.now + most_touches, touching_body) != 0)
+            body.speed = lasting_speed(body, vector_in(began_rows, field_vx, i), vector_in(began_rows, field_wx, i),
+                                       vector_in(field, field_vx, i), vector_in(field, field_wx, i),
+                                       member.run.step.gravity * taken.h);
+        enter_body(member.run.book, body, may_rest(*member.run.step.settings), taken.h, last(substep),
+                   [&](uint32_t collider) { return group.meeting(i, collider, taken); });
+        group.visit_at_rest(i, [&](const ContactGroup::AtRest& other) { wake(body, other); });
+    }
+}
+
+// Extracts a body's contacts with fixed things, to be solved with the others.
+void BodyContactStep::take_out(ContactGroup& group, uint32_t lane, uint32_t place) {
+    BodyContactBuffers& c = *buffers_;
+    const uint32_t count = group.contacts(lane), first = held_used_.fetch_add(count, std::memory_order_relaxed);
+    c.first_held[place] = first;
+    c.held_count[place] = count;
+    for (uint32_t k = 0; k < count; ++k) {
+        const SlotContact s = group.contact(lane, k);
+        const bool solid = s.collider != ContactGroup::a_body;
+        c.held[first + k] = {s.collider, solid ? ContactGroup::AtRest{} : group.at_rest(lane, k)};
+        c.held_contacts[first + k] = {s.arm, {}, s.normal, s.gap, s.surface, s.lag, s.friction, s.restitution, solid};
+    }
+    group.take_out(lane);
+}
+
+void BodyContactStep::fill_body(uint32_t place) {
+    SolverBody& to = buffers_->solver.bodies()[place];
+    const uint32_t body = buffers_->body_at[place];
+    to = SolverBody{};
+    to.scale = to.q[3] = to.q0[3] = 1.0f;
+    if (body == none) return;
+    const BodyContactBatch& member = member_of(body);
+    const BatchArrays& a = member.item.batch->arrays();
+    const uint32_t index = body - member.first;
+    const auto take = [&](size_t field, float* now, float* then, size_t count) {
+        for (size_t k = 0; k < count; ++k) {
+            now[k] = a.field[field + k][index];
+            then[k] = *before(body, field + k);
+        }
+    };
+    take(field_x, to.x, to.x0, 3);
+    take(field_qx, to.q, to.q0, 4);
+    take(field_vx, to.v, to.v0, 3);
+    take(field_wx, to.w, to.w0, 3);
+    to.scale = a.field[field_scale][index];
+}
+
+// In the order of places: each body's contacts with fixed things, then the pairs that it has found, in the order of the
+// others' places.
+uint32_t BodyContactStep::list_units() {
+    BodyContactBuffers& c = *buffers_;
+    uint32_t used = 0;
+    for (uint32_t place = 0; place < place_count_; ++place) {
+        const uint32_t body = c.body_at[place];
+        c.first_unit[place] = used;
+        c.touches_body[place] = 0;
+        if (body == none) continue;
+        for (uint32_t k = 0; k < c.held_count[place]; k += block_contacts)
+            c.units[used++] = {place, BodyContactPair::nobody, c.held_contacts.data() + c.first_held[place] + k,
+                               std::min(block_contacts, c.held_count[place] - k)};
+        const uint32_t first = used;
+        for (uint32_t i = c.first_pair[body]; i < c.first_pair[body + 1]; ++i) {
+            const BodyContactBuffers::Pair& pair = c.pairs[i];
+            if (pair.count == 0) continue;
+            const uint32_t other = c.place[pair.b];
+            uint32_t at = used++;
+            for (; at > first && c.units[at - 1].b > other; --at) c.units[at] = c.units[at - 1];
+            c.units[at] = {place, other, c.pair_contacts.data() + size_t{block_contacts} * i, pair.count};
+        }
+    }
+    return used;
+}
+
+bool BodyContactStep::solve() {
+    BodyContactBuffers& c = *buffers_;
+    workers_.run(place_count_, 256, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t place = begin; place < end; ++place) fill_body(place);
+    });
+    const uint32_t unit_count = list_units();
+    if (!grow(world_->allocator, c.kinds, member_count_) || !grow(world_->allocator, c.ranges, member_count_))
+        return false;
+    uint32_t ranges = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) {
+        c.kinds[m] = c.members[m].kind;
+        const uint32_t begin = c.members[m].first_place;
+        const uint32_t end = m + 1 < member_count_ ? c.members[m + 1].first_place : place_count_;
+        if (begin < end) c.ranges[ranges++] = {m, begin, end - begin};
+    }
+    const auto h = static_cast<float>(time_.h);
+    const BodyContactScene scene{c.kinds.data(), c.ranges.data(), ranges, c.units.data(), unit_count};
+    if (!c.solver.solve(*world_->target->body_contact, h, c.members[0].run.step.gravity, scene, workers_)) return false;
+    for (const BodyContactPair& unit : std::span(scene.units, unit_count)) {
+        if (unit.b == BodyContactPair::nobody) continue;
+        for (uint32_t k = 0; k < unit.count; ++k)
+            if (c.solver.pressed(unit, k) >= 0.0f) c.touches_body[unit.a] = c.touches_body[unit.b] = 1;
+    }
+    return true;
+}
+
+float BodyContactStep::pressed(uint32_t place, uint32_t k) const {
+    return buffers_->solver.pressed(buffers_->units[buffers_->first_unit[place] + k / block_contacts],
+                                    k % block_contacts);
+}
+
+Touch BodyContactStep::meeting(uint32_t place, uint32_t collider) const {
+    const BodyContactBuffers& c = *buffers_;
+    const SolverBody& body = buffers_->solver.bodies()[place];
+    TouchSum sum(collider, now(body), lr::began(body).rotation, vector_of(body.v0), vector_of(body.w0));
+    for (uint32_t k = 0; k < c.held_count[place]; ++k) {
+        const BodyContactPoint& contact = c.held_contacts[c.first_held[place] + k];
+        if (c.held[c.first_held[place] + k].collider == collider)
+            sum.take(pressed(place, k), contact.arm_a, contact.normal, contact.surface);
+    }
+    return sum.touch(member_of(c.body_at[place]).kind.body->unit_mass * body.scale * body.scale * body.scale);
+}
+
+void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
+    const BodyContactBuffers& c = *buffers_;
+    const uint32_t index_in_step = c.body_at[place];
+    if (index_in_step == none) return;
+    const BodyContactBatch& member = member_of(index_in_step);
+    const uint32_t index = index_in_step - member.first;
+    const BatchArrays& a = member.item.batch->arrays();
+    const SolverBody& from = buffers_->solver.bodies()[place];
+    const auto give = [&](size_t field, const float* values, size_t count) {
+        for (size_t k = 0; k < count; ++k) a.field[field + k][index] = values[k];
+    };
+    give(field_x, from.x, 3);
+    give(field_qx, from.q, 4);
+    give(field_vx, from.v, 3);
+    give(field_wx, from.w, 3);
+    if (hold_if_insane(a, index, member.item.batch->step.faults, [&](size_t f) { return *before(index_in_step, f); }))
+        return;
+    BodyAfter body = body_moved(index, *member.run.step.shape, from.scale, member.run.still, vector_of(from.v),
+                                vector_of(from.w), lr::began(from), now(from));
+    body.speed = lasting_speed(body, vector_of(from.v0), vector_of(from.w0), vector_of(from.v), vector_of(from.w),
+                               member.run.step.gravity * static_cast<float>(time_.h));
+    body.still *= heap_still;
+    TouchList touched;
+    for (uint32_t k = 0; k < c.held_count[place]; ++k) {
+        const float impulse = pressed(place, k);
+        if (!(impulse >= 0.0f)) continue;
+        const BodyContactBuffers::Held& held = c.held[c.first_held[place] + k];
+        touched.take(held.collider + 1, impulse);
+        if (held.collider == ContactGroup::a_body) wake(body, held.at_rest);
+    }
+    if (c.touches_body[place] != 0) touched.take(touching_body, 0.0f);
+    body.touches = touched.id[0] != 0;
+    std::copy_n(touched.id, most_touches, body.now);
+    enter_body(member.run.book, body, may_rest(*member.run.step.settings), static_cast<float>(time_.h), last(substep),
+               [&](uint32_t collider) { return meeting(place, collider); });
+}
+
+} // namespace lr

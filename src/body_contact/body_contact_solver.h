@@ -1,0 +1,91 @@
+// Solves touching bodies together: colours pairs so that a colour shares no body, and sweeps over them. docs/maintainers/contact.md
+#pragma once
+
+#include "base/allocator.h"
+#include "base/pose.h"
+#include "base/step_workers.h"
+#include "kernel/contact/body_contact.h"
+
+#include <cstdint>
+
+namespace lr {
+
+struct BodyContactPoint {
+    Vector arm_a, arm_b; // m, body frames, from the centres of mass
+    Vector normal;       // world, unit, from b to a
+    float gap;           // m: of a pair at the beginning of the substep; of a fixed thing at its end
+    Vector surface, lag; // m/s, m: of a fixed thing, as in ContactSlots
+    float friction, restitution;
+    bool solid; // a collider's
+};
+
+// Up to block_contacts contacts of a body with another one, or with fixed things.
+struct BodyContactPair {
+    static constexpr uint32_t nobody = UINT32_MAX;
+    uint32_t a, b; // bodies by index; b: nobody, or another
+    const BodyContactPoint* contact;
+    uint32_t count;
+    // Set by the solver.
+    uint32_t colour = 0, block = 0, lane = 0;
+    bool swapped = false; // a and b are swapped relative to the contacts
+};
+
+// Bodies [begin, begin + count) are of one kind; each kind begins at a multiple of contact_lanes.
+struct BodyContactRange {
+    uint32_t kind, begin, count;
+};
+
+struct BodyContactScene {
+    const SolverBodyKind* kinds;
+    const BodyContactRange* ranges;
+    uint32_t range_count;
+    // In the same order on every machine; a body's units with fixed things are consecutive. The bodies of a unit may be swapped.
+    BodyContactPair* units;
+    uint32_t unit_count;
+};
+
+class BodyContactSolver {
+public:
+    explicit BodyContactSolver(Allocator& allocator) : allocator_(&allocator) {}
+
+    // Room for so many bodies, padding of kinds included; contents are lost. False when out of memory.
+    bool reserve_bodies(uint32_t count);
+    SolverBody* bodies() { return bodies_.data(); }
+
+    // False when out of memory; nothing has then been done.
+    bool solve(const BodyContactTarget& target, float h, float gravity, const BodyContactScene& scene,
+               const Workers& workers);
+
+    // After solve(): the impulse along the normal over a's mass unit, m/s; negative if they do not touch.
+    float pressed(const BodyContactPair& unit, uint32_t contact) const {
+        const PairContacts& c = blocks_[unit.block].contact[contact];
+        return c.touching[unit.lane] > 0.0f ? c.pressed[unit.lane] : -1.0f;
+    }
+
+private:
+    uint32_t kind_of(uint32_t body) const { return kind_of_[body / static_cast<uint32_t>(contact_lanes)]; }
+    uint32_t kind_b(const BodyContactPair& u) const { return kind_of(u.b == BodyContactPair::nobody ? u.a : u.b); }
+    float mass(const SolverBodyKind* kinds, uint32_t body) const;
+    bool lay_out(const BodyContactScene& scene);
+    void order_pairs(const BodyContactScene& scene);
+    void colour(const BodyContactScene& scene);
+    void fill(const SolverBodyKind* kinds, uint32_t index);
+    template <class Function> void each_block(const Workers& workers, uint32_t from, Function&& function);
+    template <class Function> void each_group(const Workers& workers, Function&& function);
+    void sweep(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers, bool rolls);
+    void restrain(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers);
+
+    Allocator* allocator_;
+    uint32_t body_count_ = 0, block_count_ = 0, group_count_ = 0;
+    uint32_t colour_count_ = 0, pair_colours_ = 0; // fixed things have the last colours
+    Buffer<SolverBody> bodies_;                    // the last one stands for fixed things
+    Buffer<SolverTwist> twists_;
+    Buffer<uint64_t> used_colours_; // by body
+    Buffer<uint32_t> kind_of_;      // by group of bodies
+    Buffer<const BodyContactPair*> order_, spare_;
+    Buffer<PairBlock> blocks_;
+    Buffer<uint32_t> first_block_; // by colour, and the end
+    Buffer<uint32_t> first_unit_;  // by block, and the end
+};
+
+} // namespace lr

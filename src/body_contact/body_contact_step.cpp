@@ -1,0 +1,129 @@
+#include "body_contact/body_contact_step.h"
+
+#include "world/batch/lifecycle.h"
+#include "world/step/step_in_wind.h"
+#include "world/world.h"
+
+#include <algorithm>
+#include <new>
+
+namespace lr {
+
+BodyContactStep::BodyContactStep(lr_world& world, const StepItem* items, uint32_t count, const WaterStep* surface,
+                                 const FloatMode& mode)
+    : world_(&world), buffers_(&world.body_contact_buffers), items_(items), workers_(world.step_workers, mode),
+      member_count_(count), wet_(surface != nullptr) {
+    time_ = items[0].batch->pace.time();
+    if (surface) {
+        surface_ = *surface;
+        surface_.time = time_;
+    }
+}
+
+bool BodyContactStep::prepare() {
+    BodyContactBuffers& c = *buffers_;
+    body_count_ = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) body_count_ += items_[m].batch->padded_awake();
+    if (!grow(world_->allocator, c.members, member_count_) ||
+        !grow(world_->allocator, c.before, pose_fields * size_t{body_count_}))
+        return false;
+    // In the order of batches, not of items.
+    uint32_t first = 0;
+    for (uint32_t m = 0, slot = 0; m < member_count_; ++slot) {
+        const StepItem* const end = items_ + member_count_;
+        const StepItem* const item =
+            std::find_if(items_, end, [&](const StepItem& i) { return unpack(i.handle).index == slot; });
+        if (item == end) continue;
+        Batch& batch = *item->batch;
+        const auto h = static_cast<float>(time_.h);
+        auto* const member = new (&c.members[m++]) BodyContactBatch{
+            *item, slot, first, batch.awake(), 0, world_->pairs.has(slot, slot), {}, RestingNeighbours(*world_, slot),
+            {}};
+        member->run = contact_run(*world_, batch, wet_ ? &surface_ : nullptr, time_, h);
+        member->run.book = batch.contact_cache();
+        if (member->resting.any()) member->run.step.resting = &member->resting;
+        member->kind = {&batch.step.body, batch.asset().shape.reach, rolling_of(batch.contact, batch.asset().shape)};
+        first += batch.padded_awake();
+    }
+    return true;
+}
+
+BodyContactBatch& BodyContactStep::member_of(uint32_t body) const {
+    BodyContactBatch* at = buffers_->members.data() + member_count_ - 1;
+    while (at->first > body) --at;
+    return *at;
+}
+
+float* BodyContactStep::before(uint32_t body, size_t field) const {
+    return buffers_->before.data() + field * body_count_ + body;
+}
+
+Pose BodyContactStep::began(uint32_t body) const {
+    const auto value = [&](size_t f) { return *before(body, f); };
+    return {{value(0), value(1), value(2)}, {value(3), value(4), value(5), value(6)}};
+}
+
+// Calls function(member, begin, end) for pieces of batches, cut at the common cuts.
+template <class Function> void BodyContactStep::each_cut(const Function& function) const {
+    uint32_t cuts = 0;
+    for (uint32_t m = 0; m < member_count_; ++m) cuts += cut_count(buffers_->members[m].item.batch->padded_awake());
+    workers_.run(cuts, 1, [&](uint32_t at, uint32_t) {
+        const BodyContactBatch* member = buffers_->members.data();
+        for (uint32_t here = 0;; ++member, at -= here) {
+            const uint32_t lanes = member->item.batch->padded_awake();
+            here = cut_count(lanes);
+            if (at >= here) continue;
+            function(*member, at * cut_bodies, std::min((at + 1) * cut_bodies, lanes));
+            return;
+        }
+    });
+}
+
+void BodyContactStep::move_cut(const BodyContactBatch& member, uint32_t begin, uint32_t end, uint32_t substep) const {
+    Batch& batch = *member.item.batch;
+    const BatchArrays& arrays = batch.arrays();
+    for (size_t f = 0; f < pose_fields; ++f)
+        std::copy(arrays.field[f] + begin, arrays.field[f] + end, before(member.first + begin, f));
+    if (world_->wind.active()) {
+        const FieldSlice slice{world_->target, &world_->wind, time_, substep, 1, wet_ ? &surface_ : nullptr};
+        step_in_field(slice, batch.step, nullptr, arrays, member.item.handle, batch.awake(), begin, end);
+        return;
+    }
+    step_lanes(*world_->target, wet_ ? &surface_ : nullptr, {time_.begin + substep * time_.h, time_.h, 1},
+               substep_of(batch.step, substep), arrays, member.item.handle, batch.awake(), begin, end);
+}
+
+void BodyContactStep::move_alone(uint32_t substep) {
+    if (world_->wind.active()) {
+        world_->lap(world_->timings.body_contact);
+        world_->wind.prepare(time_, items_[0].batch->pace.wind(world_->wind.uniform), substep, 1, world_->seed);
+        world_->lap(world_->timings.wind);
+    }
+    each_cut([&](const BodyContactBatch& member, uint32_t begin, uint32_t end) {
+        move_awake(*member.item.batch, begin, end, [&] { move_cut(member, begin, end, substep); });
+    });
+}
+
+void BodyContactStep::run() {
+    for (uint32_t substep = 0; substep < time_.substeps; ++substep) {
+        move_alone(substep);
+        place_count_ = 0;
+        if (!find_pairs() || !number_touching()) starved_ = true;
+        hold(substep, Held::apart);
+        if (place_count_ == 0) continue;
+        if (!solve()) {
+            starved_ = true;
+            hold(substep, Held::touching);
+            continue;
+        }
+        workers_.run(place_count_, 256, [&](uint32_t begin, uint32_t end) {
+            for (uint32_t place = begin; place < end; ++place) put_back(place, substep);
+        });
+    }
+    each_cut([&](const BodyContactBatch& member, uint32_t begin, uint32_t end) {
+        Batch& batch = *member.item.batch;
+        if (batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
+    });
+}
+
+} // namespace lr

@@ -1,0 +1,150 @@
+// A step of the batches with body contact: all bodies take one substep, then touching ones are solved together, then the next
+// substep. docs/maintainers/contact.md
+#pragma once
+
+#include "base/float_mode.h"
+#include "base/step_workers.h"
+#include "body_contact/body_contact_solver.h"
+#include "collision/body_broad_phase.h"
+#include "collision/body_narrow_phase.h"
+#include "collision/collider_contact_group.h"
+#include "world/schedule/step_chunks.h"
+#include "world/step/step_near_colliders.h"
+
+#include <atomic>
+#include <cstdint>
+
+struct lr_world;
+
+namespace lr {
+
+struct WayContact;
+
+// The sleeping bodies that a batch's bodies can touch: its partners' and perhaps its own.
+class RestingNeighbours final : public RestingBodies {
+public:
+    RestingNeighbours(const lr_world& world, uint32_t slot);
+    bool any() const { return any_; }
+    uint32_t touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to, float margin,
+                        RestingTouch (&out)[most_resting]) const override;
+
+private:
+    const lr_world* world_;
+    uint32_t slot_; // of the batch
+    bool any_ = false;
+};
+
+// A batch in such a step.
+struct BodyContactBatch {
+    StepItem item;
+    uint32_t slot;
+    uint32_t first, count; // its bodies' indices in the step, consecutive from `first`
+    uint32_t first_place;  // of its bodies that touch others
+    bool own;              // its bodies can touch each other
+    ContactRun run;
+    RestingNeighbours resting;
+    SolverBodyKind kind;
+};
+
+// Memory of such steps: it grows on demand and is kept.
+struct BodyContactBuffers {
+    explicit BodyContactBuffers(Allocator& allocator) : solver(allocator) {}
+
+    // A body's contact with a collider or a sleeping body.
+    struct Held {
+        uint32_t collider; // slot, or ContactGroup::a_body
+        ContactGroup::AtRest at_rest;
+    };
+    // A body in a substep.
+    struct Moved {
+        PairBody body;
+        float margin; // m
+        uint32_t member;
+    };
+    // Two bodies whose boxes overlap.
+    struct Pair {
+        uint32_t a, b; // bodies, by their indices in the step
+        uint32_t count;
+    };
+
+    Buffer<BodyContactBatch> members;
+    Buffer<float> before; // pose_fields rows of all bodies, as the substep began
+    Buffer<Moved> moved;  // by body
+    BodyBroadPhase grid;
+    Buffer<uint32_t> first_pair; // by body, plus the end: the first pair that it has found
+    // By body: others whose boxes overlap its own; beyond this number, the first by batch and noise seed.
+    static constexpr uint32_t most_seen = 48;
+    Buffer<uint32_t> seen;
+    Buffer<Pair> pairs;
+    Buffer<BodyContactPoint> pair_contacts; // block_contacts of each
+    Buffer<uint32_t> place;                 // by body: its number among those that touch others, or UINT32_MAX
+    Buffer<uint64_t> order;                 // noise seed and body
+    // By place; padding is UINT32_MAX.
+    Buffer<uint32_t> body_at, first_held, held_count, first_unit;
+    Buffer<uint8_t> touches_body;
+    Buffer<Held> held;
+    Buffer<BodyContactPoint> held_contacts;
+    Buffer<BodyContactPair> units;
+    Buffer<SolverBodyKind> kinds;
+    Buffer<BodyContactRange> ranges;
+    BodyContactSolver solver;
+};
+
+class BodyContactStep {
+public:
+    // items: batches with the same substeps at the same times.
+    BodyContactStep(lr_world& world, const StepItem* items, uint32_t count, const WaterStep* surface,
+                    const FloatMode& mode);
+    // False when out of memory; nothing has then been done.
+    bool prepare();
+    void run();
+    bool starved() const { return starved_; } // for lack of memory, bodies passed through each other
+
+private:
+    static constexpr uint32_t none = UINT32_MAX;
+
+    BodyContactBatch& member_of(uint32_t body) const;
+    float* before(uint32_t body, size_t field) const;
+    Pose began(uint32_t body) const;
+    template <class Function> void each_cut(const Function& function) const;
+
+    void move_alone(uint32_t substep);
+    void move_cut(const BodyContactBatch& member, uint32_t begin, uint32_t end, uint32_t substep) const;
+
+    // body_contact/body_contact_pairs.cpp
+    bool find_pairs();
+    float margin_of(const BodyContactBatch& member, uint32_t index) const;
+    bool finds(const BodyBox& one, const BodyBox& other, bool mutual) const;
+    void set_box(const BodyContactBatch& member, uint32_t index);
+    void keep_first(uint32_t* seen, uint32_t body) const;
+    void meet(uint32_t begin, uint32_t end);
+    void enter_contacts(uint32_t at, const WayContact* found);
+    bool number_touching();
+
+    // body_contact/body_contact_response.cpp
+    // apart: bodies that touch no other awake one. touching: the others, if there is no memory to solve them together.
+    enum class Held { apart, touching };
+    void hold(uint32_t substep, Held which);
+    void hold_group(const BodyContactBatch& member, uint32_t first, uint32_t substep, Held which);
+    void take_out(ContactGroup& group, uint32_t lane, uint32_t place);
+    bool solve();
+    void fill_body(uint32_t place);
+    uint32_t list_units();
+    void put_back(uint32_t place, uint32_t substep);
+    void wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const;
+    Touch meeting(uint32_t place, uint32_t collider) const;
+    float pressed(uint32_t place, uint32_t k) const;
+    bool last(uint32_t substep) const { return substep + 1 == time_.substeps; }
+
+    lr_world* world_;
+    BodyContactBuffers* buffers_;
+    const StepItem* items_;
+    Workers workers_;
+    uint32_t member_count_, body_count_ = 0, place_count_ = 0;
+    StepTime time_{};
+    WaterStep surface_{};
+    bool wet_, starved_ = false;
+    std::atomic<uint32_t> held_used_{0};
+};
+
+} // namespace lr

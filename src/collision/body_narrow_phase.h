@@ -1,0 +1,59 @@
+// Contacts of two bodies: convex hulls with roundings, most of them thin plates.
+#pragma once
+
+#include "collision/body_shape.h"
+
+#include <cstdint>
+
+namespace lr {
+
+// The shape with which bodies of a batch touch other bodies: always a hull of points with a rounding. Ellipsoids become hulls
+// too, flat ones plates.
+struct PairHull {
+    static constexpr uint32_t lanes = 4; // points are padded to whole vectors by repeating the first
+
+    uint32_t padded;
+    alignas(16) float x[most_shape_points], y[most_shape_points], z[most_shape_points]; // m
+    BodyShape shape; // the hull at scale 1, in the body frame; never an ellipsoid
+
+    // The hull's own frame, in which pairs are computed: its origin in the middle of the core's box, a plate in z = 0.
+    Vector origin;    // m, body frame
+    Rotation frame;   // takes vectors from the own frame to the body's
+    Vector core_half; // m, of the core's box
+    float core_reach; // m, of the core from `origin`
+    // Faces of `shape`, m: inside normal . p <= offset; padded to whole vectors by repeating the first.
+    alignas(16) float face_x[most_shape_faces], face_y[most_shape_faces], face_z[most_shape_faces];
+    alignas(16) float face_offset[most_shape_faces];
+    bool flat; // a plate: all z are 0
+    Vector point(uint32_t i) const { return {x[i], y[i], z[i]}; }
+    Vector face_normal(uint32_t f) const { return {face_x[f], face_y[f], face_z[f]}; }
+};
+static_assert(most_shape_points % PairHull::lanes == 0 && most_shape_faces % PairHull::lanes == 0);
+// May throw std::bad_alloc.
+PairHull make_pair_hull(const BodyShape& shape);
+
+inline constexpr uint32_t most_pair_contacts = 4;
+struct PairContact {
+    Vector arm_a, arm_b; // m, body frames, true size, from the centres of mass: points of the surfaces
+    Vector normal;       // world, unit, from b to a
+    float gap;           // m, along the normal; negative: overlap
+};
+
+// A body during a substep.
+struct PairBody {
+    const PairHull* shape;
+    float scale;
+    Pose from, to;
+    // m: way of the centre of mass, and of the farthest point about it.
+    Vector shift;
+    float turns;
+    // Bound of the way of its farthest point.
+    float way() const { return length(shift) + turns; }
+    float reach() const { return scale * shape->shape.reach; }
+};
+PairBody pair_body(const PairHull& shape, float scale, const Pose& from, const Pose& to);
+
+// Box about a placed body.
+Box bounds(const PairHull& shape, float scale, const Pose& at);
+
+} // namespace lr

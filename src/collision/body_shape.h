@@ -1,0 +1,79 @@
+// The contact shape of a batch's bodies: the convex hull of a few points with a rounding, or an ellipsoid. At scale 1, in
+// the body frame, from the centre of mass.
+#pragma once
+
+#include "asset/asset_data.h"
+#include "base/convex_hull.h"
+#include "base/pose.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace lr {
+
+inline constexpr uint32_t most_shape_points = 32, most_shape_samples = most_shape_points + 16;
+inline constexpr uint32_t most_shape_faces = 2 * most_shape_points - 4;
+inline constexpr uint32_t most_shape_corners = 6 * most_shape_points - 12;
+
+struct ShapeFace {
+    Vector normal; // outward, unit
+    float offset;  // m: inside normal . x <= offset
+    uint8_t first, count;
+};
+
+struct BodyShape {
+    uint32_t count; // of points; 0: an ellipsoid
+    // Points tested against a heightfield: its own, followed by some on its faces, which a ridge between two slopes would otherwise
+    // pass through.
+    uint32_t sample_count;
+    float x[most_shape_samples], y[most_shape_samples], z[most_shape_samples]; // m
+    float radius;                                                              // m, around the hull of the points
+    uint32_t face_count; // of the hull of the points; a flat one has two
+    ShapeFace faces[most_shape_faces];
+    uint8_t corners[most_shape_corners]; // of the faces, counter-clockwise seen from outside: indices of points
+    Vector center;                       // m, of the ellipsoid; else the middle of the points
+    Vector semi_axes;                    // m, of the ellipsoid, along the body axes
+    float reach;                         // m: no part of it is farther from the centre of mass
+    Vector extent;                       // m: likewise along the body's axes
+    float thickness;                     // m: its smallest width, rounding included
+
+    Vector point(uint32_t i) const { return {x[i], y[i], z[i]}; }
+    Vector corner(const ShapeFace& face, uint32_t k) const { return point(corners[face.first + k]); }
+    // Twice its area, along its normal.
+    Vector doubled_area(const ShapeFace& face) const {
+        const Vector first = corner(face, 0);
+        Vector sum{0.0f, 0.0f, 0.0f};
+        for (uint32_t k = 1; k + 1u < face.count; ++k)
+            sum = sum + cross(corner(face, k) - first, corner(face, k + 1) - first);
+        return sum;
+    }
+};
+
+// The point farthest along a direction, the first of equal ones. x, y, z: `count` > 0 points, kStride apart.
+template <size_t kStride = 1>
+uint32_t farthest_point(const float* x, const float* y, const float* z, uint32_t count, Vector d) {
+    uint32_t best = 0;
+    float most = d.x * x[0] + d.y * y[0] + d.z * z[0];
+    for (uint32_t i = 1; i < count; ++i) {
+        const float along = d.x * x[i * kStride] + d.y * y[i * kStride] + d.z * z[i * kStride];
+        best = along > most ? i : best;
+        most = along > most ? along : most;
+    }
+    return best;
+}
+
+// A solid hull of at most most_shape_points points. False if they have none.
+bool set_hull(BodyShape& shape, const std::vector<shape::HullPoint>& points);
+// Drops corners that stand out by at most `enough` (m), or by more while more than `most` are left.
+void drop_corners(const std::vector<shape::HullPoint>& points, std::vector<uint32_t>& corners, double enough,
+                  size_t most);
+// A plate with these corners in turn in its middle plane, counter-clockwise about the normal, and this rounding.
+void set_outline(BodyShape& shape, const std::vector<shape::HullPoint>& corners, Double3 normal, double radius);
+
+// For an asset: its hull, reduced to few points; without one an ellipsoid, or a box if the volume fills it. extents: m, of a body
+// without a hull, along its axes about its centre of buoyancy; zero if unknown: then those of the ellipsoid with its inertia.
+// May throw std::bad_alloc.
+BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& extents = {});
+
+} // namespace lr

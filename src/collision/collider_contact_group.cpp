@@ -1,0 +1,413 @@
+#include "collision/collider_contact_group.h"
+
+#include "collision/colliders.h"
+#include "collision/triangle_contact.h"
+#include "kernel/divergence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace lr {
+namespace {
+
+// The box that a body may reach within dt; as in the kernel.
+Box vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i, float dt) {
+    const float size = 1.5f * step.shape->reach * arrays.field[field_scale][i];
+    const float speed =
+        length(vector_in(arrays.field, field_vx, i)) + 0.25f * size * length(vector_in(arrays.field, field_wx, i));
+    const Vector x = vector_in(arrays.field, field_x, i);
+    return grown({x, x}, size + dt * (1.5f * speed + step.gain));
+}
+
+// A flat shape's normal in the body frame and its area at scale 1; 0 for bodies that are not sheets.
+float sheet(const BodyShape& s, Vector& normal) {
+    if (s.count == 0 || s.face_count != 2) return 0.0f;
+    const ShapeFace& f = s.faces[0];
+    normal = f.normal;
+    return 0.5f * length(s.doubled_area(f));
+}
+
+// Mass of body and fluid along the normal, kg at scale 1.
+float inertia_along(const BodyConstants& c, Vector n) {
+    const float* const m = c.full_mass;
+    const float in_units = c.diagonal ? c.mass[0] * n.x * n.x + c.mass[1] * n.y * n.y + c.mass[2] * n.z * n.z
+                                      : m[0] * n.x * n.x + m[6] * n.y * n.y + m[11] * n.z * n.z +
+                                            2.0f * (m[1] * n.x * n.y + m[2] * n.x * n.z + m[7] * n.y * n.z);
+    return c.unit_mass * in_units;
+}
+
+// Height over a plane or heightfield in its own frame; negative without ground below.
+float height_over(const Geometry& g, Vector at) {
+    const HeightfieldGeometry* const f = g.heightfield;
+    if (!f) return at.y;
+    return f->covers(at.x, at.z) ? at.y - height_at(*f, at.x, at.z).height : -1.0f;
+}
+
+} // namespace
+
+const char* wrong_in(const lr_batch_contact& s) {
+    if ((s.flags & ~LR_CONTACT_NEVER_SLEEP) != 0 || s.reserved != 0)
+        return "flags has an unknown bit, or reserved is not 0";
+    if (const char* const wrong = wrong_material(s.friction, s.restitution)) return wrong;
+    if (!in_range(s.rolling_resistance, 0.0, 10.0)) return "rolling_resistance is not 0 to 10";
+    return in_range(s.ground_effect, 0.0, 1.0) ? nullptr : "ground_effect is not 0 to 1";
+}
+
+Pose pose_at(const Collider& c, float part) {
+    if (!c.moves || part <= 0.0f) return c.begin;
+    if (part >= 1.0f) return c.end;
+    return mix(c.begin, c.end, part);
+}
+
+Vector SurfaceMotion::velocity_at(Vector point) const {
+    return velocity + cross(spin, point - middle);
+}
+
+Vector SurfaceMotion::lag_at(Vector point) const {
+    const Vector along = cross(spin, point - middle);
+    const float half = 0.5f * h, cosine = std::sqrt(std::max(1.0f - half * half * dot(spin, spin), 0.0f));
+    return h * ((cosine - 1.0f) * along - half * cross(spin, along));
+}
+
+SurfaceMotion motion_of(const Collider& c, const ContactSubstep& substep) {
+    const float h = substep.h;
+    const Pose to = pose_at(c, substep.end);
+    if (!c.moves) return {to.position, {}, {}, h};
+    const Pose from = pose_at(c, substep.begin);
+    const Rotation turn = to.rotation * inverse(from.rotation);
+    return {to.position, 1.0f / h * (to.position - from.position), 1.0f / h * chord(turn), h};
+}
+
+ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, const BatchArrays& arrays,
+                           uint32_t count)
+    : step_(&step), body_(&body), arrays_(arrays), count_(count) {
+    std::fill(touches_, touches_ + contact_lanes, false);
+    for (uint32_t i = 0; i < count; ++i) {
+        Near& near = near_[i];
+        const Box box = vicinity(step, arrays, i, step.dt);
+        const uint32_t layers = step.settings->layers;
+        near.count = step.colliders->candidates(box, layers, nullptr, near.candidate, near.crowded);
+        if (near.crowded) near.count = step.colliders->grounds(box, layers, near.candidate);
+        for (uint32_t k = 0; k < near.count; ++k) {
+            const uint32_t slot = near.candidate[k].slot;
+            if (!is_ground(step.colliders->at(slot).geometry.kind)) continue;
+            uint32_t* const end = grounds_ + ground_count_;
+            uint32_t* const at = std::lower_bound(grounds_, end, slot);
+            if (at != end && *at == slot) continue;
+            std::copy_backward(at, end, end + 1);
+            *at = slot;
+            ++ground_count_;
+        }
+    }
+}
+
+// The slot for another contact of a body: a free one, or that of its shallowest contact if this one is deeper; else none.
+uint32_t ContactGroup::place(uint32_t i, float gap) {
+    if (filled_[i] < contact_slots) {
+        const uint32_t at = filled_[i]++;
+        if (at == slots_.used) {
+            slots_.slot[at] = ContactSlots::Slot{};
+            std::fill_n(slots_.slot[at].gap, contact_lanes, no_contact);
+            ++slots_.used;
+        }
+        return at;
+    }
+    uint32_t shallowest = 0;
+    for (uint32_t k = 1; k < contact_slots; ++k)
+        if (slots_.slot[k].gap[i] > slots_.slot[shallowest].gap[i]) shallowest = k;
+    return gap < slots_.slot[shallowest].gap[i] ? shallowest : contact_slots;
+}
+
+void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, const Pose& pose,
+                       const SurfaceMotion& motion) {
+    const Collider& c = step_->colliders->at(collider);
+    const Vector point = to_outer(pose_of(i), contact.arm);
+    put(i, {contact.arm, rotate(pose.rotation, contact.normal), motion.velocity_at(point), motion.lag_at(point),
+            contact.gap, pair_friction(*step_->settings, c), pair_restitution(*step_->settings, c), collider});
+}
+
+// Returns its slot, or contact_slots.
+uint32_t ContactGroup::put(uint32_t i, const SlotContact& c) {
+    const uint32_t at = place(i, c.gap);
+    if (at == contact_slots) return at;
+    ContactSlots::Slot& s = slots_.slot[at];
+    put_in(s.arm, 0, i, c.arm);
+    put_in(s.normal, 0, i, c.normal);
+    put_in(s.surface, 0, i, c.surface);
+    put_in(s.lag, 0, i, c.lag);
+    s.gap[i] = c.gap;
+    s.friction[i] = c.friction;
+    s.restitution[i] = c.restitution;
+    s.collider[i] = c.collider;
+    return at;
+}
+
+float ContactGroup::margin_of(uint32_t i, float h) const {
+    return contact_margin(step_->shape->reach * arrays_.field[field_scale][i], pose_of(i).position, step_->gravity, h);
+}
+
+void ContactGroup::touch_grounds(const ContactSubstep& substep) {
+    const ContactBodies all = bodies(substep);
+    ContactSlots::Slot found[manifold_slots];
+    alignas(64) uint32_t rough[contact_lanes];
+    for (uint32_t g = 0; g < ground_count_; ++g) {
+        const Collider& c = step_->colliders->at(grounds_[g]);
+        const Pose pose = pose_at(c, substep.end);
+        const SurfaceMotion motion = motion_of(c, substep);
+        GroundSurface s{};
+        const Axes axes = axes_of(pose.rotation);
+        lr::put(pose.position, s.position);
+        lr::put(axes.x, s.axes), lr::put(axes.y, s.axes + 3), lr::put(axes.z, s.axes + 6);
+        lr::put(motion.velocity, s.velocity);
+        lr::put(motion.spin, s.spin);
+        s.friction = pair_friction(*step_->settings, c);
+        s.restitution = pair_restitution(*step_->settings, c);
+        s.collider = grounds_[g];
+        if (c.geometry.heightfield) s.grid = c.geometry.heightfield->grid();
+        std::fill_n(rough, contact_lanes, 0u);
+        if (!step_->target->ground(all, s, found, rough)) continue;
+        for (uint32_t i = 0; i < count_; ++i) {
+            // Its own lists: other bodies' grounds must not affect it.
+            const Candidate* const own = near_[i].candidate;
+            const bool listed = std::any_of(own, own + near_[i].count,
+                                            [&](const Candidate& candidate) { return candidate.slot == grounds_[g]; });
+            if (!listed) continue;
+            if (rough[i] == 0) {
+                for (const ContactSlots::Slot& slot : found)
+                    if (slot.gap[i] < 0.5f * no_contact) put(i, contact_in(slot, i));
+                continue;
+            }
+            Contact contacts[most_contacts];
+            const uint32_t count =
+                find_contacts(*step_->shape, arrays_.field[field_scale][i], relative(pose, pose_of(i)), c.geometry,
+                              {0, 0}, margin_of(i, substep.h), contacts);
+            for (uint32_t k = 0; k < count; ++k) add(i, grounds_[g], contacts[k], pose, motion);
+        }
+    }
+}
+
+void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
+    const float margin = margin_of(i, substep.h), scale = arrays_.field[field_scale][i];
+    const Pose at = pose_of(i);
+    const Box around = grown({at.position, at.position}, 1.2f * step_->shape->reach * scale + margin);
+    Contact contacts[most_contacts];
+    const auto add_all = [&](uint32_t slot, const Pose& pose, uint32_t count) {
+        if (count == 0) return;
+        const SurfaceMotion motion = motion_of(step_->colliders->at(slot), substep);
+        for (uint32_t n = 0; n < count; ++n) add(i, slot, contacts[n], pose, motion);
+    };
+    // Contacts of all parts of a mesh together, reduced to the best: hundreds of parts may be under a body.
+    std::optional<ContactPoints> mesh;
+    uint32_t mesh_slot = 0;
+    Pose mesh_pose{};
+    const auto finish_mesh = [&] {
+        if (mesh) add_all(mesh_slot, mesh_pose, mesh->keep(contacts));
+        mesh.reset();
+    };
+    each_candidate(i, around, [&](const Candidate& candidate) {
+        const Collider& c = step_->colliders->at(candidate.slot);
+        if (is_ground(c.geometry.kind)) return;
+        if (candidate.slot != mesh_slot) finish_mesh();
+        if (c.geometry.kind != ColliderKind::mesh) {
+            const Pose pose = pose_at(c, substep.end);
+            add_all(
+                candidate.slot, pose,
+                find_contacts(*step_->shape, scale, relative(pose, at), c.geometry, candidate.part, margin, contacts));
+            return;
+        }
+        if (!mesh) {
+            mesh_slot = candidate.slot;
+            mesh_pose = pose_at(c, substep.end);
+            mesh.emplace(*step_->shape, scale, relative(mesh_pose, at), margin);
+        }
+        add_mesh(*mesh, *c.geometry.mesh, candidate.part);
+    });
+    finish_mesh();
+}
+
+void ContactGroup::touch_resting(uint32_t i, const ContactSubstep& substep) {
+    RestingTouch touches[most_resting];
+    const uint32_t count =
+        step_->resting->touched_by(arrays_.noise_seed[i], arrays_.field[field_scale][i], pose_in(substep.before, i),
+                                   pose_of(i), margin_of(i, substep.h), touches);
+    for (uint32_t n = 0; n < count; ++n)
+        for (uint32_t k = 0; k < touches[n].count; ++k) {
+            const PairContact& c = touches[n].contact[k];
+            const uint32_t at =
+                put(i, {c.arm_a, c.normal, {}, {}, c.gap, touches[n].friction, touches[n].restitution, a_body});
+            if (at != contact_slots) at_rest_[at][i] = {touches[n].batch, touches[n].index};
+        }
+}
+
+void ContactGroup::collect(const ContactSubstep& substep) {
+    if (step_->settings->ground_effect > 0.0f) ground_effect(substep);
+    slots_.used = 0;
+    std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
+    stop_before_passing_through(substep);
+    std::fill(touches_, touches_ + contact_lanes, false);
+    touch_grounds(substep);
+    for (uint32_t i = 0; i < count_; ++i) touch_others(i, substep);
+    for (uint32_t i = 0; i < count_ && step_->resting; ++i) touch_resting(i, substep);
+}
+
+void ContactGroup::take_out(uint32_t i) {
+    for (uint32_t k = 0; k < filled_[i]; ++k) slots_.slot[k].gap[i] = no_contact;
+    filled_[i] = 0;
+}
+
+void ContactGroup::solve(const ContactSubstep& substep) {
+    if (slots_.used == 0) return;
+    step_->target->resolve(bodies(substep), slots_);
+    for (uint32_t i = 0; i < count_; ++i)
+        for (uint32_t k = 0; k < filled_[i]; ++k) touches_[i] = touches_[i] || slots_.slot[k].impulse[i] >= 0.0f;
+}
+
+// Thin bodies do not roll: with the reach as the lever the couple would hold them leaning on an edge.
+float rolling_of(const lr_batch_contact& settings, const BodyShape& shape) {
+    return settings.rolling_resistance * std::sqrt(std::min(0.5f * shape.thickness / shape.reach, 1.0f));
+}
+
+ContactBodies ContactGroup::bodies(const ContactSubstep& substep) const {
+    const BodyShape& s = *step_->shape;
+    ShapeConstants shape{s.count, s.sample_count, s.x, s.y, s.z, s.radius, {}, {}, s.reach};
+    lr::put(s.center, shape.center);
+    lr::put(s.semi_axes, shape.semi_axes);
+    const float rolling = rolling_of(*step_->settings, s);
+    return {body_, shape, substep.h, step_->gravity, rolling, arrays_, substep.before, contact_lanes};
+}
+
+void TouchList::take(uint32_t one, float impulse) {
+    // A place for it: its own, or that of the weakest one that is weaker.
+    size_t at = 0;
+    while (at < 4 && id[at] != one && id[at] != 0) ++at;
+    if (at == 4) at = static_cast<size_t>(std::min_element(strength, strength + 4) - strength);
+    if (id[at] != one && id[at] != 0 && !(impulse > strength[at])) return;
+    strength[at] = std::max(id[at] == one ? strength[at] : -1.0f, impulse);
+    id[at] = one;
+}
+
+void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {
+    TouchList list;
+    for (uint32_t k = 0; k < filled_[i] && touches_[i]; ++k)
+        if (slots_.slot[k].impulse[i] >= 0.0f) list.take(slots_.slot[k].collider[i] + 1, slots_.slot[k].impulse[i]);
+    std::copy_n(list.id, 4, out);
+}
+
+void TouchSum::take(float impulse, Vector arm, Vector normal, Vector surface) {
+    if (!(impulse >= 0.0f)) return;
+    touch_.impulse += impulse;
+    if (!(impulse > strongest_)) return;
+    strongest_ = impulse;
+    put(to_outer(now_, arm), touch_.position);
+    put(normal, touch_.normal);
+    touch_.speed = std::max(dot(normal, surface - rotate(then_, v_ + cross(w_, arm))), 0.0f);
+}
+
+Touch TouchSum::touch(float unit_mass) const {
+    Touch all = touch_;
+    all.impulse *= unit_mass;
+    return all;
+}
+
+Touch ContactGroup::meeting(uint32_t i, uint32_t collider, const ContactSubstep& substep) const {
+    const LaneRow* const before = substep.before;
+    TouchSum sum(collider, pose_of(i), pose_in(before, i).rotation, vector_in(before, field_vx, i),
+                 vector_in(before, field_wx, i));
+    for (uint32_t k = 0; k < filled_[i]; ++k) {
+        const SlotContact c = contact(i, k);
+        if (c.collider == collider) sum.take(slots_.slot[k].impulse[i], c.arm, c.normal, c.surface);
+    }
+    const float scale = arrays_.field[field_scale][i];
+    return sum.touch(body_->unit_mass * scale * scale * scale);
+}
+
+NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin,
+                           uint32_t end, float dt)
+    : begin_(begin), end_(begin), live_(live) {
+    constexpr uint32_t at_a_time = field_block / 2;
+    const uint32_t last = std::min(end, begin + near_range);
+    const bool all_grounds = step.colliders->all_grounds(step.settings->layers);
+    while (end_ < last && count_ + at_a_time <= field_block) {
+        const uint32_t from = end_, to = std::min(from + at_a_time, last);
+        step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, from, to,
+                          near_ + (from - begin));
+        // The grids depend on when they were built, which must not affect results: a body that nothing reaches takes the same
+        // path as far ones, to the bit.
+        for (uint32_t i = from; i < std::min(to, live); ++i) {
+            if (is_held(arrays.field[field_age_rest][i])) {
+                near_[i - begin] = 0; // it touches nothing
+                continue;
+            }
+            if (step.resting) near_[i - begin] = 1; // their support is not searched twice
+            const uint32_t mark = near_[i - begin];
+            if (mark == 0) continue;
+            const auto reached = [&] {
+                const Box box = vicinity(step, arrays, i, dt);
+                const bool over_ground = (mark & near_ground) != 0;
+                const bool finite = length(box.high - box.low) < 1e10f && dot(box.low, box.low) < 1e20f; // not NaN
+                return finite &&
+                       ((over_ground && all_grounds) || step.colliders->any_finite(box, step.settings->layers) ||
+                        (over_ground && step.colliders->any_ground(box, step.settings->layers)));
+            };
+            if (step.resting || reached())
+                index_[count_++] = i;
+            else
+                near_[i - begin] = 0;
+        }
+        end_ = to;
+    }
+}
+
+bool NearContacts::others(uint32_t begin) const {
+    for (uint32_t i = begin; i < std::min(begin + static_cast<uint32_t>(lane_block), live_); ++i)
+        if (near_[i - begin_] == 0) return true;
+    return false;
+}
+
+// Ground effect: a disc of radius a that comes down flat on a wall at the height z sets the air under it in motion, with the
+// kinetic energy 1/2 K/z v^2, K = pi rho a^4/8. The sheet shares its energy along the normal with this air: with l = K/m,
+// (1 + l/z) v^2 stays. Air that leaves at the edge does not come back, so that a sheet that rises is not pulled.
+void ContactGroup::ground_effect(const ContactSubstep& substep) {
+    const LaneRow* const before = substep.before;
+    Vector face;
+    const float area = sheet(*step_->shape, face);
+    if (!(area > 0.0f)) return;
+    constexpr float pi = 3.14159265f;
+    const float radius_squared = area / pi, radius = std::sqrt(radius_squared);
+    const float inertia = inertia_along(*body_, face);
+    const float share =
+        step_->settings->ground_effect * 0.125f * pi * step_->fluid_density * radius_squared * radius_squared / inertia;
+    for (uint32_t i = 0; i < count_; ++i) {
+        const float scale = arrays_.field[field_scale][i];
+        Pose pose = pose_of(i);
+        const Pose was = pose_in(before, i);
+        for (uint32_t k = 0; k < near_[i].count; ++k) {
+            const Collider& c = step_->colliders->at(near_[i].candidate[k].slot);
+            if (!is_ground(c.geometry.kind)) continue;
+            const Pose from = pose_at(c, substep.begin), to = pose_at(c, substep.end);
+            const Vector up = rotate(to.rotation, {0.0f, 1.0f, 0.0f});
+            const float flat = dot(up, rotate(pose.rotation, face)), squared = flat * flat;
+            const float least = 0.02f * radius * scale, most = radius * scale;
+            const float first = std::max(height_over(c.geometry, to_inner(from, was.position)), least);
+            const float last = std::max(height_over(c.geometry, to_inner(to, pose.position)), least);
+            if (!(last < first) || first > most) continue;
+            const float l = share * scale * squared * squared;
+            const float kept = std::sqrt((1.0f + l / first) / (1.0f + l / last));
+            const Vector n = rotate(inverse(pose.rotation), up);
+            const Vector v = vector_in(arrays_.field, field_vx, i);
+            const float speed = dot(n, v);
+            const Vector v0 = rotate(was.rotation, vector_in(before, field_vx, i));
+            const float began = dot(up, v0);
+            if (!(speed < 0.0f && began <= 0.0f)) continue;
+            // Velocity gained from the substep's forces moves the air as well.
+            const float slow = kept * (began + (speed - began) / (1.0f + 2.0f * l / (first + last)));
+            put_in(arrays_.field, field_vx, i, v - (speed - slow) * n);
+            // The way follows the mean of both ends.
+            pose.position = pose.position + ((first - last) * (speed - slow) / (began + speed)) * up;
+            put_in(arrays_.field, field_x, i, pose.position);
+        }
+    }
+}
+
+} // namespace lr

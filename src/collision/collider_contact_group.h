@@ -1,0 +1,262 @@
+// Bodies near colliders: which they are, what they touch after a substep, and what comes of it.
+#pragma once
+
+#include "base/pose.h"
+#include "collision/body_narrow_phase.h"
+#include "collision/colliders.h"
+#include "kernel/contact/collider_contact.h"
+#include "kernel/wind/sample_wind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace lr {
+
+// How the bodies of a batch meet colliders, until its user says.
+inline constexpr lr_batch_contact initial_contact{sizeof(lr_batch_contact), 0xffffffffu, 0.5f, 0.1f, 0.05f, 0, 0.0f, 0};
+inline bool may_rest(const lr_batch_contact& settings) {
+    return (settings.flags & LR_CONTACT_NEVER_SLEEP) == 0;
+}
+// Geometric mean and the larger: a pair slips as its materials do together, and bounces as the springier one. Of a batch and a
+// collider, or of two batches.
+template <class Other> float pair_friction(const lr_batch_contact& a, const Other& b) {
+    return std::sqrt(a.friction * b.friction);
+}
+template <class Other> float pair_restitution(const lr_batch_contact& a, const Other& b) {
+    return std::max(a.restitution, b.restitution);
+}
+// Null when fine, else what is wrong; NaN is.
+const char* wrong_in(const lr_batch_contact& settings);
+
+// The same as a part of the reach: ContactBodies::rolling.
+float rolling_of(const lr_batch_contact& settings, const BodyShape& shape);
+
+// Bodies at rest as those that move see them: they stand still, and hold what touches them.
+inline constexpr uint32_t most_resting = 32; // near one body, by batch and noise seed
+
+struct RestingTouch {
+    uint32_t batch, index; // of the body at rest: batch slot and dense index
+    float friction, restitution;
+    uint32_t count;
+    PairContact contact[most_pair_contacts]; // a: the body that moves; gaps at the end of its way
+};
+
+class RestingBodies {
+public:
+    // Bodies at rest that the body of this noise seed touches at `to`, or will be nearer to than `margin` (m). Returns how many. Any thread.
+    virtual uint32_t touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to, float margin,
+                                RestingTouch (&out)[most_resting]) const = 0;
+
+protected:
+    RestingBodies() = default;
+    RestingBodies(const RestingBodies&) = default;
+    RestingBodies& operator=(const RestingBodies&) = default;
+    ~RestingBodies() = default;
+};
+
+// A batch in a step.
+struct ContactStep {
+    const ContactTarget* target;
+    const Colliders* colliders;
+    const BodyShape* shape;
+    const lr_batch_contact* settings;
+    float gravity;                          // m/s^2, magnitude
+    float fluid_density;                    // kg/m^3
+    float dt;                               // s, of the step
+    float gain;                             // m/s that bodies may gain in it
+    const RestingBodies* resting = nullptr; // that they can touch; null: none
+};
+
+static_assert(most_shape_samples == most_ground_points);
+
+// The pose of a collider at a part of the step, 0 to 1.
+Pose pose_at(const Collider& collider, float part);
+
+struct ContactSubstep {
+    const LaneRow* before; // fields of the bodies from field_x on, before the substep
+    float begin, end;      // parts of the step, 0 to 1
+    float h;               // s, its length
+};
+
+// The motion of a collider over a substep of h.
+struct SurfaceMotion {
+    Vector middle;         // m, its frame's origin, at the end
+    Vector velocity, spin; // m/s, mean of the origin; 2 sin(angle/2)/h about the axis
+    float h;
+    Vector velocity_at(Vector point) const; // of the material point there at the end
+    // Its way less h times that velocity: it moves along the chord, not the final tangent, which would carry bodies inwards.
+    Vector lag_at(Vector point) const;
+};
+SurfaceMotion motion_of(const Collider& collider, const ContactSubstep& substep);
+
+// m, for a body at x: half a per cent of its reach, its fall in a substep, and the rounding of its position. As in the kernel.
+inline float contact_margin(float reach, Vector x, float gravity, float h) {
+    const float far = std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z)));
+    return 0.005f * reach + 1e-6f * far + gravity * h * h;
+}
+
+// A contact of one body, as stored in its slot.
+struct SlotContact {
+    Vector arm, normal, surface, lag;
+    float gap, friction, restitution;
+    uint32_t collider;
+};
+inline SlotContact contact_in(const ContactSlots::Slot& s, uint32_t lane) {
+    SlotContact c{{}, {}, {}, {}, s.gap[lane], s.friction[lane], s.restitution[lane], s.collider[lane]};
+    c.arm = vector_in(s.arm, 0, lane), c.normal = vector_in(s.normal, 0, lane);
+    c.surface = vector_in(s.surface, 0, lane), c.lag = vector_in(s.lag, 0, lane);
+    return c;
+}
+
+// How a body touched a collider.
+struct Touch {
+    uint32_t collider; // slot + 1; 0: none
+    float position[3], normal[3];
+    float speed, impulse; // m/s, N s
+};
+
+// Combines a body's contacts with a collider: the place of the strongest, and the sum of impulses.
+class TouchSum {
+public:
+    // The body at the end of a substep; then, v, w: its rotation and velocities at its beginning.
+    TouchSum(uint32_t collider, const Pose& now, Rotation then, Vector v, Vector w)
+        : now_(now), then_(then), v_(v), w_(w), touch_{collider + 1, {}, {}, 0.0f, 0.0f} {}
+    void take(float impulse, Vector arm, Vector normal, Vector surface);
+    Touch touch(float unit_mass) const;
+
+private:
+    Pose now_;
+    Rotation then_;
+    Vector v_, w_;
+    float strongest_ = -1.0f;
+    Touch touch_;
+};
+
+// The things that a body touches, strongest first, as many as fit: colliders by slot + 1, sleeping bodies by a_body + 1.
+struct TouchList {
+    uint32_t id[4] = {};
+    float strength[4] = {-1.0f, -1.0f, -1.0f, -1.0f};
+    void take(uint32_t one, float impulse);
+};
+
+// Takes up to contact_lanes bodies that may touch something through a step.
+class ContactGroup {
+public:
+    // bodies: in arrays of contact_lanes; the first `count` are bodies, the rest copies of the last.
+    ContactGroup(const ContactStep& step, const BodyConstants& body, const BatchArrays& arrays, uint32_t count);
+
+    // After a substep, in two parts. Between them contacts of single bodies can be extracted, to be solved with others'.
+    void collect(const ContactSubstep& substep);
+    void solve(const ContactSubstep& substep);
+    uint32_t contacts(uint32_t lane) const { return filled_[lane]; }
+    SlotContact contact(uint32_t lane, uint32_t k) const { return contact_in(slots_.slot[k], lane); }
+    void take_out(uint32_t lane);
+
+    // The sleeping body of a contact, whose collider is then `a_body`.
+    struct AtRest {
+        uint32_t batch, index;
+    };
+    static constexpr uint32_t a_body = UINT32_MAX - 1;
+    AtRest at_rest(uint32_t lane, uint32_t k) const { return at_rest_[k][lane]; }
+    // Visits the sleeping bodies that the body touched in the last substep.
+    template <class Function> void visit_at_rest(uint32_t lane, Function&& function) const {
+        for (uint32_t k = 0; k < filled_[lane] && touches_[lane]; ++k)
+            if (slots_.slot[k].collider[lane] == a_body && slots_.slot[k].impulse[lane] >= 0.0f)
+                function(at_rest_[k][lane]);
+    }
+
+    // The colliders of a body's strongest contacts in the last substep: slot + 1 each, strongest first, 0 after the last.
+    void touched(uint32_t lane, uint32_t (&out)[4]) const;
+    // The touch with one of them in that substep: its strongest contact, and the impulse of all.
+    Touch meeting(uint32_t lane, uint32_t collider, const ContactSubstep& substep) const;
+    bool touches(uint32_t lane) const { return touches_[lane]; }
+
+private:
+    // If there are too many candidates, only grounds are stored: the others are searched again in each substep, a list at a time.
+    struct Near {
+        uint32_t count;
+        bool crowded;
+        Candidate candidate[most_candidates];
+    };
+    template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
+    template <class Found> void any_order(uint32_t lane, const Box& around, Found&& found) const;
+    ContactBodies bodies(const ContactSubstep& substep) const;
+    void ground_effect(const ContactSubstep& substep);
+    void stop_before_passing_through(const ContactSubstep& substep);
+    void touch_grounds(const ContactSubstep& substep);
+    void touch_others(uint32_t lane, const ContactSubstep& substep);
+    void touch_resting(uint32_t lane, const ContactSubstep& substep);
+    uint32_t put(uint32_t lane, const SlotContact& contact);
+    void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion);
+    uint32_t place(uint32_t lane, float gap);
+    Pose pose_of(uint32_t lane) const { return pose_in(arrays_.field, lane); }
+    float margin_of(uint32_t lane, float h) const;
+
+    const ContactStep* step_;
+    const BodyConstants* body_;
+    BatchArrays arrays_;
+    uint32_t count_;
+    uint32_t ground_count_ = 0;
+    uint32_t grounds_[contact_lanes * most_candidates]; // room for all: none may be lost because of other bodies
+    uint8_t filled_[contact_lanes];
+    bool touches_[contact_lanes];
+    Near near_[contact_lanes];
+    AtRest at_rest_[contact_slots][contact_lanes];
+    ContactSlots slots_;
+};
+
+// Candidates whose boxes, over the whole step, overlap the box, in order of slots and parts; for a body with a complete list all
+// of that list.
+template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& around, Found&& found) const {
+    const Near& near = near_[i];
+    if (!near.crowded) {
+        for (uint32_t k = 0; k < near.count; ++k) found(near.candidate[k]);
+        return;
+    }
+    Candidate list[most_candidates], last{};
+    bool more = true;
+    for (const Candidate* after = nullptr; more; after = &last) {
+        const uint32_t count = step_->colliders->candidates(around, step_->settings->layers, after, list, more);
+        for (uint32_t k = 0; k < count; ++k) found(list[k]);
+        if (more) last = list[count - 1];
+    }
+}
+
+// The same in any order: on a long way among very many, sorting would be slow.
+template <class Found> void ContactGroup::any_order(uint32_t i, const Box& around, Found&& found) const {
+    if (near_[i].crowded)
+        step_->colliders->visit(around, step_->settings->layers, found);
+    else
+        each_candidate(i, around, found);
+}
+
+// The bodies of [begin, end) that may touch something within `dt`: at most near_range are examined, until field_block are found. A
+// longer range fills more of a group's lanes when few are near.
+class NearContacts {
+public:
+    static constexpr uint32_t near_range = 16 * field_block;
+    NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin, uint32_t end,
+                 float dt);
+    uint32_t end() const { return end_; } // of the bodies examined
+    uint32_t count() const { return count_; }
+    uint32_t index(uint32_t i) const { return index_[i]; }
+    bool holds(uint32_t body) const { return near_[body - begin_] != 0; }
+    // Sorts by class, less than `classes`, then by index: similar bodies share vectors, which run until their last lane is done.
+    template <class Class> void arrange(uint32_t classes, Class&& class_of) {
+        uint32_t sorted[field_block], at = 0;
+        for (uint32_t c = 0; c < classes; ++c)
+            for (uint32_t i = 0; i < count_; ++i)
+                if (class_of(index_[i]) == c) sorted[at++] = index_[i];
+        std::copy_n(sorted, count_, index_);
+    }
+    // Whether this lane block has a body that is not among them.
+    bool others(uint32_t begin) const;
+
+private:
+    uint32_t begin_, end_, live_, count_ = 0;
+    alignas(64) uint32_t near_[near_range];
+    uint32_t index_[field_block];
+};
+
+} // namespace lr

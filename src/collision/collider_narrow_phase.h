@@ -1,0 +1,33 @@
+// A body against a collider, one pair at a time. Everything is in the collider's frame; see docs/maintainers/contact.md.
+#pragma once
+
+#include "collision/body_shape.h"
+#include "collision/collider_geometry.h"
+
+#include <cstdint>
+
+namespace lr {
+
+inline constexpr uint32_t most_contacts = 8; // of one pair
+
+struct Contact {
+    Vector arm;    // m, body frame: the touching point of the body, from its centre of mass, at its true size
+    Vector normal; // collider frame, unit: from the collider to the body
+    float gap;     // m, along the normal; negative where they overlap
+};
+
+// Contacts where the body, `scale` times its shape, touches the collider or is closer than `margin`; for flat ellipsoids on round
+// colliders also other rims up to a tenth of the reach and twice the depth farther. Writes at most most_contacts, those that
+// hold it best; returns how many. Never misses a pair that overlaps.
+uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
+                       float margin, Contact* out);
+
+// The free fraction of the way from one pose to the other, 0 to 1: up to there (position linear, rotation by the normalised linear
+// quaternion) the pair is not closer than touching, to a tenth of the body's thickness or a hundredth of its reach. 1 if they do
+// not meet, for planes, and for ways shorter than a quarter of the thickness, in which contacts miss nothing. If `from` already
+// overlaps, it limits how far the middle of the body goes: until it has used up part of the remaining distance of the core.
+// Conservative advancement: the result may be too small.
+float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
+                    ColliderPart part);
+
+} // namespace lr

@@ -1,0 +1,161 @@
+// The contact state that bodies carry from substep to substep: what they touch, and how long they have lain still.
+#pragma once
+
+#include "base/handles.h"
+#include "base/lane_arrays.h"
+#include "collision/body_shape.h"
+#include "collision/collider_contact_group.h"
+#include "langevin_rigid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+namespace lr {
+
+inline constexpr uint32_t most_touches = 4; // colliders of a body that count
+inline constexpr uint32_t stay_rows = 7;    // of ContactCache::stay
+
+// A touched thing is the slot of a collider + 1, or this value for any number of bodies; 0: nothing.
+inline constexpr uint32_t touching_body = UINT32_MAX;
+static_assert(LR_MAX_COLLIDERS < touching_body);
+inline bool is_collider(uint32_t touched) {
+    return touched != 0 && touched != touching_body;
+}
+
+struct Meetings {
+    Touch touch[most_touches]; // unused ones last
+};
+
+// By slot of the body, written by the thread that steps it. Null arrays: events are off.
+struct TouchNotes {
+    const lr_body* ids = nullptr; // by dense index
+    uint8_t* noted = nullptr;     // noted_* bits
+    Meetings* met = nullptr;      // of the step
+    bool all = false;             // slots of colliders may have been reused: report all touches anew
+
+    uint32_t slot(uint32_t index) const { return unpack(ids[index]).slot; }
+};
+
+enum Note : uint8_t { noted_touch = 1, noted_landing = 2, noted_waking = 4, noted_fault = 8, noted_spawn = 16 };
+
+// Per body of a batch, by dense index, written by the thread that steps it.
+struct ContactCache {
+    float* rest_time = nullptr; // s, time it has lain still; null: nothing is recorded
+    // Time it has stayed in place, s, and its way and turn since then: m, world frame; rad, body frame.
+    float* stay[stay_rows] = {};
+    uint32_t* touching[most_touches] = {}; // slots + 1 of colliders, touching_body; 0: none
+    void (*comes_to_rest)(void* batch, uint32_t index) = nullptr;
+    void* batch = nullptr;
+    TouchNotes notes;
+};
+
+// A body falls asleep after touching something and hardly moving for this long,
+inline constexpr float time_to_rest = 0.5f; // s
+// m/s over the square root of the reach in m, the limit for still bodies: the speed of a fall by 1e-5 of the reach.
+inline float still_speed(float gravity) {
+    return std::sqrt(2e-5f * gravity);
+}
+// A body moves if it is faster than the limit of a still one by this factor.
+inline constexpr float trembling = 10.0f;
+// or after staying in place for this long, within this share of its reach, even if it trembles.
+inline constexpr float time_to_stay = 1.0f, stay_way = 0.02f; // s
+
+// After a substep.
+struct BodyAfter {
+    uint32_t index;
+    float speed;         // m/s, of its fastest point
+    float still, moving; // m/s: below `still` it lies still, above `moving` it moves
+    bool moved;          // at least one bit of its pose changed
+    Vector way, turn;    // m, world frame; rad, body frame: of the substep
+    Vector extent;       // m, along its axes
+    float reach;         // m
+    bool touches;
+    uint32_t now[most_touches]; // as ContactCache::touching
+};
+
+// Bound of the way of any point of a body with these extents by a small turn, m; or of its speed by a spin, m/s.
+inline float farthest(Vector extent, Vector turn) {
+    const float x = std::abs(turn.x), y = std::abs(turn.y), z = std::abs(turn.z);
+    return length(Vector{y * extent.z + z * extent.y, z * extent.x + x * extent.z, x * extent.y + y * extent.x});
+}
+
+// Bound of the speed of its fastest point, m/s.
+inline float fastest(Vector extent, Vector v, Vector w) {
+    return length(v) + farthest(extent, w);
+}
+
+// Everything but the touches. still_speed: m/s over the square root of the reach in m. v, w: body frame.
+inline BodyAfter body_moved(uint32_t index, const BodyShape& shape, float scale, float still_speed, Vector v, Vector w,
+                            const Pose& before, const Pose& now) {
+    BodyAfter body{};
+    body.index = index;
+    body.reach = shape.reach * scale;
+    body.extent = scale * shape.extent;
+    body.still = still_speed * std::sqrt(body.reach);
+    body.moving = trembling * body.still;
+    body.speed = fastest(body.extent, v, w);
+    body.way = now.position - before.position;
+    body.turn = chord(inverse(before.rotation) * now.rotation);
+    body.moved = body.speed > 0.0f || dot(body.way, body.way) > 0.0f || before.rotation != now.rotation;
+    return body;
+}
+
+// Whether it has stayed in place long enough; adds this substep.
+inline bool stays(const ContactCache& book, const BodyAfter& body, float seconds) {
+    const uint32_t at = body.index;
+    const float sums[6] = {body.way.x, body.way.y, body.way.z, body.turn.x, body.turn.y, body.turn.z};
+    float sum[6];
+    for (size_t k = 0; k < 6; ++k) sum[k] = book.stay[1 + k][at] + sums[k];
+    const float far = length(Vector{sum[0], sum[1], sum[2]}) + farthest(body.extent, {sum[3], sum[4], sum[5]});
+    const float lasted = book.stay[0][at] + seconds;
+    // A time of 0 means that nothing is recorded: a step below the smallest float must therefore record no way either.
+    if (!(far < stay_way * body.reach) || lasted == 0.0f) {
+        for (float* row : book.stay) row[at] = 0.0f;
+        return false;
+    }
+    for (size_t k = 0; k < 6; ++k) book.stay[1 + k][at] = sum[k];
+    book.stay[0][at] = lasted;
+    return lasted >= time_to_stay;
+}
+
+// Records which contacts began in a substep, and whether any ended. meeting(collider slot): a Touch.
+template <class Meeting> void note_touches(const ContactCache& book, const BodyAfter& body, const Meeting& meeting) {
+    const auto holds = [](const uint32_t(&row)[most_touches], uint32_t collider) {
+        return std::any_of(std::begin(row), std::end(row), [&](uint32_t c) { return c == collider; });
+    };
+    const uint32_t slot = book.notes.slot(body.index);
+    uint32_t was[most_touches];
+    for (size_t k = 0; k < most_touches; ++k) was[k] = book.touching[k][body.index];
+    bool changed = book.notes.all;
+    for (const uint32_t collider : was) changed = changed || (is_collider(collider) && !holds(body.now, collider));
+    for (const uint32_t collider : body.now) {
+        if (!is_collider(collider) || (!book.notes.all && holds(was, collider))) continue;
+        changed = true;
+        for (Touch& touch : book.notes.met[slot].touch) {
+            if (touch.collider == collider) break;
+            if (touch.collider != 0) continue;
+            touch = meeting(collider - 1);
+            break;
+        }
+    }
+    if (changed) book.notes.noted[slot] |= noted_touch;
+}
+
+template <class Meeting>
+void enter_body(const ContactCache& book, const BodyAfter& body, bool may_rest, float seconds, bool last,
+                const Meeting& meeting) {
+    const uint32_t at = body.index;
+    // A body that trembles up to ten times as fast takes four times as long; one that has not moved by a bit, a tenth.
+    const bool moves = !body.touches || body.speed > body.moving;
+    const float share = moves ? 0.0f : body.speed > body.still ? 0.25f : body.moved ? 1.0f : 10.0f;
+    book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
+    const bool stayed = stays(book, body, seconds) && body.touches;
+    if (last && may_rest && (stayed || book.rest_time[at] >= time_to_rest)) book.comes_to_rest(book.batch, at);
+    if (!last && body.now[0] == 0) return; // the contact may return within the step
+    if (book.notes.noted) note_touches(book, body, meeting);
+    for (size_t k = 0; k < most_touches; ++k) book.touching[k][at] = body.now[k];
+}
+
+} // namespace lr

@@ -1,0 +1,210 @@
+#include "collision/contact_points.h"
+
+#include "collision/contact_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lr {
+namespace {
+
+// Share of the body's reach: contacts closer than this are duplicates.
+constexpr float same = 1e-3f;
+// Parallel lanes of the search: one long chain of maxima is slow.
+constexpr uint32_t lanes = 4;
+static_assert(most_found % lanes == 0);
+
+} // namespace
+
+void ContactPoints::add(Vector point, Vector normal, float gap) {
+    if (!(dot(normal, normal) > 0.5f) || !(std::abs(gap) < std::numeric_limits<float>::max())) return;
+    if (count_ == most_found) {
+        Contact kept[most_contacts];
+        count_ = choose(kept);
+        std::copy_n(kept, count_, found_);
+    }
+    found_[count_++] = {point, normal, gap};
+}
+
+float ContactPoints::least_gap(uint32_t from) const {
+    float least = std::numeric_limits<float>::infinity();
+    for (uint32_t i = from; i < count_; ++i) least = std::min(least, found_[i].gap);
+    return least;
+}
+
+uint32_t ContactPoints::choose(Contact* out) const {
+    if (count_ == 0) return 0;
+    const float reach = body.reach + body.radius, square = reach * reach;
+    // Place and direction of each as one point in six dimensions, directions times the reach; in columns, so that compilers
+    // vectorise.
+    float columns[6][most_found], apart[most_found];
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < count_; ++i) {
+        const Contact& c = found_[i];
+        const float of[6] = {c.arm.x, c.arm.y, c.arm.z, reach * c.normal.x, reach * c.normal.y, reach * c.normal.z};
+        for (uint32_t k = 0; k < 6; ++k) columns[k][i] = of[k];
+        apart[i] = std::numeric_limits<float>::infinity();
+        if (c.gap < found_[next].gap) next = i;
+    }
+    const uint32_t padded = (count_ + lanes - 1) / lanes * lanes;
+    for (uint32_t i = count_; i < padded; ++i) {
+        apart[i] = 0.0f;
+        for (auto& column : columns) column[i] = 0.0f;
+    }
+    uint32_t kept = 0;
+    while (true) {
+        out[kept++] = found_[next];
+        if (kept == most_contacts) break;
+        float taken[6];
+        for (uint32_t k = 0; k < 6; ++k) taken[k] = columns[k][next];
+        for (uint32_t i = 0; i < padded; ++i) {
+            float sum = 0.0f;
+            for (uint32_t k = 0; k < 6; ++k) {
+                const float d = columns[k][i] - taken[k];
+                sum += d * d;
+            }
+            apart[i] = sum < apart[i] ? sum : apart[i];
+        }
+        float most[lanes] = {};
+        for (uint32_t i = 0; i < padded; i += lanes)
+            for (uint32_t lane = 0; lane < lanes; ++lane)
+                most[lane] = most[lane] < apart[i + lane] ? apart[i + lane] : most[lane];
+        const float far = std::max({most[0], most[1], most[2], most[3]});
+        if (!(far > same * same * square)) break;
+        uint32_t farthest = 0;
+        while (farthest < count_ && apart[farthest] != far) ++farthest;
+        if (farthest == count_) break;
+        next = farthest;
+    }
+    return kept;
+}
+
+uint32_t ContactPoints::keep(Contact* out) {
+    const uint32_t kept = choose(out);
+    for (uint32_t i = 0; i < kept; ++i) out[i].arm = rotate(inverse(body.at.rotation), out[i].arm);
+    return kept;
+}
+
+namespace {
+
+// Adapts a body's core to set_body_side().
+struct BodyCore {
+    const PlacedBody& body;
+    const BodyShape& shape() const { return *body.shape; }
+    uint32_t face_towards(Vector d) const {
+        const Vector own = rotate(inverse(body.at.rotation), d);
+        const ShapeFace* const faces = body.shape->faces;
+        const ShapeFace* const best =
+            std::max_element(faces, faces + body.shape->face_count, [&](const ShapeFace& a, const ShapeFace& b) {
+                return dot(a.normal, own) < dot(b.normal, own);
+            });
+        return static_cast<uint32_t>(best - faces);
+    }
+    Vector face_normal(uint32_t f) const { return body.face_normal(f); }
+    Vector point(uint32_t i) const { return body.point(i); }
+};
+
+void set_box_side(const PlacedCollider& box, const Across& across, Side& side) {
+    uint32_t axis = 0;
+    for (uint32_t i = 1; i < 3; ++i)
+        if (std::abs(across.normal[i]) > std::abs(across.normal[axis])) axis = i;
+    const double sign = across.normal[axis] < 0.0f ? -1.0 : 1.0;
+    const uint32_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+    side.set_face(across, along_axis(axis, static_cast<float>(sign)), 4, [&](uint32_t corner) {
+        const Double3 out = along_axis(axis, sign * box.half[axis]) +
+                            along_axis(j, corner == 0 || corner == 3 ? -box.half[j] : box.half[j]) +
+                            along_axis(k, corner < 2 ? -sign * box.half[k] : sign * box.half[k]);
+        return to_float(box.origin + out);
+    });
+}
+
+void set_hull_side(const PlacedCollider& collider, const Across& across, Side& side) {
+    const HullGeometry& hull = *collider.hull;
+    uint32_t best = 0;
+    for (uint32_t f = 1; f < hull.face_count; ++f)
+        if (dot(across.normal, hull.normal(f)) > dot(across.normal, hull.normal(best))) best = f;
+    side.set_face(across, hull.normal(best), hull.corner_count(best),
+                  [&](uint32_t i) { return to_float(collider.origin + to_double(hull.corner(best, i))); });
+}
+
+void set_collider_side(const PlacedCollider& collider, const Across& across, Side& side) {
+    if (collider.hull) return set_hull_side(collider, across, side);
+    if (collider.count == 0) return set_box_side(collider, across, side);
+    const auto corner = [&](uint32_t i) { return to_float(collider.points[i]); };
+    if (collider.count == 2) return side.set_edge(across, corner(0), corner(1));
+    if (collider.count != 3) return;
+    const Double3 plane = cross(collider.points[1] - collider.points[0], collider.points[2] - collider.points[0]);
+    const double size = length(plane);
+    if (size > 0.0) side.set_face(across, to_float(1.0 / size * plane), 3, corner);
+}
+
+// Distance and direction of a point from the core of a sphere or capsule.
+double distance_from(const PlacedCollider& round, Double3 p, Double3& direction) {
+    Double3 from = p - round.points[0];
+    if (round.count == 2) {
+        const Double3 along = round.points[1] - round.points[0];
+        from = from - std::clamp(dot(from, along) / dot(along, along), 0.0, 1.0) * along;
+    }
+    const double distance = length(from);
+    direction = distance > 0.0 ? 1.0 / distance * from : Double3{0.0, 1.0, 0.0};
+    return distance;
+}
+
+// A flat ellipsoid on a round collider touches at a point that jumps from rim to rim with the least tilt. As over ground, adds
+// the points where it would touch if it were tilted a little, and those at the other rims. gap: of the nearest point.
+void add_rims(ContactPoints& set, const PlacedCollider& round, Double3 normal, float gap) {
+    const PlacedBody& body = set.body;
+    Double3 axes[3];
+    double size[3], along[3];
+    uint32_t shortest = 0, longest = 0;
+    for (uint32_t k = 0; k < 3; ++k) {
+        size[k] = length(to_double(body.axes[k]));
+        axes[k] = 1.0 / size[k] * to_double(body.axes[k]);
+        along[k] = dot(normal, axes[k]);
+        if (size[k] < size[shortest]) shortest = k;
+        if (size[k] > size[longest]) longest = k;
+    }
+    const double flat = 1.0 - size[shortest] / size[longest];
+    if (flat < 0.8 || round.count == 0 || round.count > 2) return;
+    const uint32_t first = (shortest + 1) % 3, second = (shortest + 2) % 3;
+    // Closer rims may be pressed in when the nearest point is pushed out.
+    const float wide = set.margin + 0.1f * body.reach + 2.0f * std::max(-gap, 0.0f);
+    const auto add = [&](double a, double b) {
+        const Double3 p = body.support(-(along[shortest] * axes[shortest] + a * axes[first] + b * axes[second]));
+        Double3 direction;
+        const double out = distance_from(round, p, direction) - round.radius;
+        if (out < static_cast<double>(wide)) set.add(to_float(p), to_float(direction), static_cast<float>(out));
+    };
+    const double a = along[first], b = along[second], tilt = 0.02 * flat * flat;
+    add(a + tilt, b), add(a - tilt, b), add(a, b + tilt), add(a, b - tilt);
+    add(-a, b), add(a, -b), add(-a, -b);
+}
+
+} // namespace
+
+void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Separation& along) {
+    const PlacedBody& body = set.body;
+    const Vector n = to_float(along.normal);
+    const auto rounding = static_cast<float>(collider.radius);
+    const uint32_t first = set.count();
+    const auto gap = static_cast<float>(along.distance) - rounding;
+    if (body.count > 0) {
+        const Across across(n);
+        Side on_body, on_collider;
+        set_body_side(BodyCore{body}, across, -n, set.margin - (gap - body.radius), on_body);
+        set_collider_side(collider, across, on_collider);
+        Patch patch;
+        lay_over(on_body, on_collider, 1e-5f * body.reach, patch);
+        for (uint32_t i = 0; i < patch.count; ++i) {
+            const float u = patch.u[i], v = patch.v[i];
+            set.add_core(across.at(u, v, on_body.height_at(u, v)), n, patch.gap[i] - rounding);
+        }
+    }
+    if (gap - body.radius >= set.margin || set.least_gap(first) <= gap - body.radius + 0.05f * set.margin) return;
+    const Vector point = to_float(along.has_points ? along.on_body : body.support(-along.normal));
+    set.add_core(point, n, gap);
+    if (body.count == 0) add_rims(set, collider, along.normal, gap);
+}
+
+} // namespace lr

@@ -1,0 +1,45 @@
+// Contacts of a body with a collider: collects all, then keeps a few.
+#pragma once
+
+#include "collision/collider_narrow_phase.h"
+#include "collision/convex_separation.h"
+
+namespace lr {
+
+inline constexpr uint32_t most_found = 48;
+
+class ContactPoints {
+public:
+    // at: in the collider's frame. Contacts closer than `near` (m) count.
+    ContactPoints(const BodyShape& shape, float scale, const Pose& at, float near)
+        : body(shape, scale, at), margin(near) {}
+    ContactPoints(const ContactPoints&) = delete;
+    ContactPoints& operator=(const ContactPoints&) = delete;
+
+    const PlacedBody body;
+    const float margin;
+
+    // point: m, of the body's surface, from its centre of mass along the collider's axes.
+    void add(Vector point, Vector normal, float gap);
+    // Adds the point of the core, `core_gap` from the collider along the normal, if it is near enough.
+    void add_core(Vector point, Vector normal, float core_gap) {
+        const float gap = core_gap - body.radius;
+        if (gap < margin) add(point - body.radius * normal, normal, gap);
+    }
+    uint32_t count() const { return count_; }
+    // Least gap of those found since `from`; infinite if there are none.
+    float least_gap(uint32_t from) const;
+    // Keeps at most most_contacts: the deepest, then repeatedly the one farthest from those kept, in place and direction.
+    uint32_t keep(Contact* out);
+
+private:
+    uint32_t choose(Contact* out) const;
+
+    uint32_t count_ = 0;
+    Contact found_[most_found]; // arms along the collider's axes
+};
+
+// Adds contacts along a given normal: corners of one over a side of the other, and crossings of their edges.
+void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Separation& along);
+
+} // namespace lr

@@ -1,0 +1,159 @@
+// Stops bodies that would pass through something within a substep.
+#include "collision/collider_contact_group.h"
+
+#include "collision/triangle_contact.h"
+
+#include <algorithm>
+
+namespace lr {
+namespace {
+
+// Per body and substep; a body stays at its last stop.
+constexpr uint32_t most_stops = 4, most_met = 32;
+constexpr float same_side = 0.9999f; // cosine: parts of one surface
+
+// The least n . x of a body.
+float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
+    const Vector d = rotate(inverse(pose.rotation), n);
+    float least = 0.0f;
+    if (s.count == 0) {
+        const Vector stretched{s.semi_axes.x * d.x, s.semi_axes.y * d.y, s.semi_axes.z * d.z};
+        least = dot(d, s.center) - length(stretched);
+    } else {
+        least = dot(d, s.point(farthest_point(s.x, s.y, s.z, s.count, -d))) - s.radius;
+    }
+    return dot(n, pose.position) + scale * least;
+}
+
+// n . x >= offset; x is relative to the body's position before the substep.
+struct Side {
+    Vector normal;
+    float offset;
+};
+
+// A thing that a body meets on its way, and the contacts there.
+struct Stop {
+    Candidate candidate;
+    uint32_t count;
+    Contact contacts[most_contacts];
+};
+
+// A plane separates two convex things that meet: while the whole body stays on its side of it, it passes through nothing,
+// however far it slides. `met` is in the collider's frame; false if there is no such plane.
+bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
+               Stop& stop, Side& side) {
+    const float near = 0.2f * s.reach * scale;
+    Contact* end = stop.contacts;
+    if (g.kind == ColliderKind::mesh) {
+        ContactPoints contacts(s, scale, met, near);
+        add_mesh(contacts, *g.mesh, part, true); // only this part was met: no neighbour handles its edges
+        end += contacts.keep(stop.contacts);
+    } else {
+        end += find_contacts(s, scale, met, g, part, near, stop.contacts);
+    }
+    stop.count = 0;
+    if (end == stop.contacts) return false;
+    const Contact nearest =
+        *std::min_element(stop.contacts, end, [](const Contact& a, const Contact& b) { return a.gap < b.gap; });
+    side = {nearest.normal, dot(nearest.normal, to_outer(met, nearest.arm)) - nearest.gap};
+    for (const Contact* c = stop.contacts; c != end; ++c)
+        if (c->gap <= nearest.gap + margin)
+            stop.contacts[stop.count++] = {c->arm, c->normal, c->gap - std::max(nearest.gap, 0.0f)};
+    return true;
+}
+
+// Moves a body to its side of all planes; false if they leave no room.
+bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t count, Pose& pose) {
+    float room[most_stops];
+    for (uint32_t k = 0; k < count; ++k)
+        room[k] = sides[k].offset - lowest(s, scale, {{0.0f, 0.0f, 0.0f}, pose.rotation}, sides[k].normal);
+    for (uint32_t round = 0; round < 2 * count; ++round)
+        for (uint32_t k = 0; k < count; ++k) {
+            const float below = room[k] - dot(sides[k].normal, pose.position);
+            if (below > 0.0f) pose.position = pose.position + below * sides[k].normal;
+        }
+    const float little = 1e-3f * scale * s.reach;
+    for (uint32_t k = 0; k < count; ++k)
+        if (room[k] - dot(sides[k].normal, pose.position) > little) return false;
+    return true;
+}
+
+} // namespace
+
+void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
+    const float begin = substep.begin, end = substep.end;
+    for (uint32_t i = 0; i < count_; ++i) {
+        const float scale = arrays_.field[field_scale][i];
+        const Pose from = pose_in(substep.before, i), to = pose_of(i);
+        const auto free_way = [&](const Pose& a, const Pose& b, const Candidate& candidate) {
+            const Collider& c = step_->colliders->at(candidate.slot);
+            if (c.geometry.kind == ColliderKind::plane) return 1.0f;
+            // Solid below: only a part thinner than the way could be jumped.
+            if (const HeightfieldGeometry* const f = c.geometry.heightfield; f && !c.moves)
+                if (length(b.position - a.position) < 0.5f * std::min(f->spacing[0], f->spacing[1])) return 1.0f;
+            return free_fraction(*step_->shape, scale, relative(pose_at(c, begin), a), relative(pose_at(c, end), b),
+                                 c.geometry, candidate.part);
+        };
+        // A body that meets a thing slides along it up to the next, and along both up to a third.
+        const float margin = margin_of(i, substep.h);
+        uint32_t count = 0, met_count = 0;
+        Pose target = to;
+        Side sides[most_stops];
+        Stop stops[most_stops];
+        Candidate met_before[most_met];
+        for (bool slides = true; slides;) {
+            float free = 1.0f;
+            Candidate candidate{};
+            const Box way{low_of(from.position, target.position), high_of(from.position, target.position)};
+            any_order(i, grown(way, step_->shape->reach * scale), [&](const Candidate& c) {
+                const auto same = [&](const Candidate& m) { return m.slot == c.slot && m.part.first == c.part.first; };
+                if (std::any_of(met_before, met_before + met_count, same)) return;
+                const float here = free_way(from, target, c);
+                if (here > free || (here == free && (free == 1.0f || comes_before(candidate, c)))) return;
+                free = here;
+                candidate = c;
+            });
+            if (!(free < 1.0f)) break;
+            met_before[met_count++] = candidate;
+            const Collider& c = step_->colliders->at(candidate.slot);
+            const Pose ends = pose_at(c, end), met = mix(from, target, free);
+            Pose aside{to.position - from.position, to.rotation};
+            Stop& stop = stops[count];
+            Side& side = sides[count];
+            stop.candidate = candidate;
+            slides = find_side(*step_->shape, scale, relative(pose_at(c, begin + free * (end - begin)), met),
+                               c.geometry, candidate.part, margin, stop, side);
+            if (slides) {
+                side.normal = rotate(ends.rotation, side.normal);
+                side.offset += dot(side.normal, ends.position - from.position);
+                Side* const like = std::find_if(sides, sides + count, [&](const Side& other) {
+                    return dot(other.normal, side.normal) > same_side;
+                });
+                if (like != sides + count)
+                    like->offset = std::max(like->offset, side.offset);
+                else
+                    ++count;
+                slides =
+                    count < most_stops && met_count < most_met && keep_sides(*step_->shape, scale, sides, count, aside);
+            } else {
+                ++count;
+            }
+            target = slides ? Pose{from.position + aside.position, to.rotation} : met;
+        }
+        if (count == 0) continue;
+        const Rotation& q = target.rotation;
+        put_in(arrays_.field, field_x, i, target.position);
+        put_in(arrays_.field, field_qx, i, {q.x, q.y, q.z});
+        arrays_.field[field_qw][i] = q.w;
+        // It may have left a met thing again; that still takes its speed.
+        for (uint32_t n = 0; n < count; ++n) {
+            const uint32_t slot = stops[n].candidate.slot;
+            const Collider& c = step_->colliders->at(slot);
+            const Pose ends = pose_at(c, end);
+            const SurfaceMotion motion = motion_of(c, substep);
+            for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion);
+        }
+    }
+}
+
+} // namespace lr

@@ -1,0 +1,48 @@
+// Convex pairs: distance and nearest points of their cores, and the direction of largest separation or least overlap.
+#pragma once
+
+#include "collision/local_pair.h"
+
+namespace lr {
+
+struct Nearest {
+    bool overlap;                 // of the cores; nothing below is set then
+    double distance;              // m, at least `lower`, which is certain
+    double lower;                 // m: separation of the cores along the normal
+    Double3 normal;               // unit, from the collider to the body
+    Double3 on_body, on_collider; // of the cores
+};
+
+// By Gilbert, Johnson and Keerthi (1988), with bounded work. enough: m; stops once the cores are known to be farther apart; then only
+// `lower` and `normal` are valid.
+Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough);
+
+// Separation of the cores along a unit normal; negative if they overlap.
+inline double separation_along(const PlacedBody& body, const PlacedCollider& collider, Double3 normal) {
+    return dot(normal, body.support(-normal) - collider.support(normal));
+}
+
+// For overlapping cores, by libccd's portal refinement: a unit direction that moves the body out of the collider, not always that of
+// least depth. False if libccd did not end or reports no overlap. Needs no memory, unlike libccd's other algorithm.
+bool ccd_direction(const PlacedBody& body, const PlacedCollider& collider, Double3& direction);
+
+struct Separation {
+    Double3 normal;  // unit, from the collider to the body
+    double distance; // m, of the cores along it; negative: depth of the overlap
+    bool has_points; // the cores are apart, and these are their nearest points
+    Double3 on_body, on_collider;
+};
+
+// Sides of a triangle that collide: both, or only the one to which `front` points.
+struct Sides {
+    bool one = false;
+    Double3 front = {};
+};
+
+// enough: m; stops once the pair is known to be farther apart.
+Separation separate(const PlacedBody& body, const PlacedCollider& collider, double enough, const Sides& sides = {});
+
+// Only along the normals of a triangle's two sides, or of one.
+Separation separate_from_plane(const PlacedBody& body, const PlacedCollider& collider, Double3 normal, bool one_sided);
+
+} // namespace lr

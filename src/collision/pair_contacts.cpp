@@ -1,0 +1,108 @@
+#include "collision/pair_contacts.h"
+
+#include "base/pose.h"
+
+#include <algorithm>
+
+namespace lr {
+namespace {
+
+// Times the reach: contacts farther out would rotate the body without bounds.
+constexpr float off_body = 4.0f;
+
+Vector moved(const PairBody& body, Vector arm) {
+    return to_outer(body.to, arm) - to_outer(body.from, arm);
+}
+
+// The body's point farthest along a direction at the end of its way, body frame.
+Vector farthest(const PairBody& body, Vector direction) {
+    const BodyShape& s = body.shape->shape;
+    const Vector d = rotate(inverse(body.to.rotation), direction);
+    return body.scale * (s.point(farthest_point(s.x, s.y, s.z, s.count, d)) + s.radius * d);
+}
+
+} // namespace
+
+float near_enough(const PairBody& a, const PairBody& b, float margin) {
+    // Bound of how much any two of their points approach each other.
+    return margin + length(a.shift - b.shift) + a.turns + b.turns;
+}
+
+uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
+                           const PairContact (&found)[most_pair_contacts], uint32_t count,
+                           WayContact (&out)[most_pair_contacts]) {
+    if (count == 0) return 0;
+    uint32_t kept = 0;
+    float least = margin, gap = found[0].gap;
+    for (uint32_t k = 0; k < count; ++k) {
+        const PairContact& c = found[k];
+        const float end = c.gap + dot(c.normal, moved(a, c.arm_a) - moved(b, c.arm_b));
+        gap = std::min(gap, c.gap);
+        least = std::min(least, end);
+        if (end < margin) out[kept++] = {c, end};
+    }
+    if (a.turns + b.turns == 0.0f) return kept;
+    // The plane between them at the beginning of the substep must also separate them at its end: otherwise fast rotation would bring
+    // other points through than the near ones.
+    const Vector n = found[0].normal;
+    const float slop = 1e-3f * std::min(a.reach(), b.reach());
+    if (!(gap > -slop)) return kept;
+    const Vector on_a = to_outer(a.to, farthest(a, -n)), on_b = to_outer(b.to, farthest(b, n));
+    const float apart = dot(n, on_a - on_b);
+    if (!(apart < least - slop)) return kept;
+    // Both on one line, through the point of the faster one: impulses at two points side by side would rotate both.
+    const bool first = a.way() >= b.way();
+    const Vector arm_a = to_inner(a.to, first ? on_a : on_b + apart * n);
+    const Vector arm_b = to_inner(b.to, first ? on_a - apart * n : on_b);
+    // On a far larger body this point may be far from the other body.
+    if (length(arm_a) > off_body * a.reach() || length(arm_b) > off_body * b.reach()) return kept;
+    uint32_t at = kept;
+    if (kept == most_pair_contacts) {
+        at = 0;
+        for (uint32_t k = 1; k < kept; ++k) at = out[k].end > out[at].end ? k : at;
+    } else {
+        ++kept;
+    }
+    out[at] = {{arm_a, arm_b, n, apart - dot(n, moved(a, arm_a) - moved(b, arm_b))}, apart};
+    return kept;
+}
+
+uint32_t PairBatch::search(uint32_t first) {
+    if (first == 0)
+        for (uint32_t i = 0; i < count_; ++i) order_[i] = i;
+    const RelativePair& one = waiting_[order_[first]].near.pair;
+    uint32_t lanes = 0;
+    for (uint32_t i = first; i < count_ && lanes < search_lanes; ++i) {
+        const RelativePair& pair = waiting_[order_[i]].near.pair;
+        if (pair.a == one.a && pair.b == one.b) std::swap(order_[first + lanes++], order_[i]);
+    }
+    for (uint32_t lane = 0; lane < search_lanes; ++lane) {
+        // Unused lanes must terminate too.
+        const NearPair& near = waiting_[order_[first + (lane < lanes ? lane : 0)]].near;
+        block_.ratio[lane] = near.pair.ratio;
+        put_in(block_.offset, 0, lane, near.pair.offset);
+        for (size_t k = 0; k < 3; ++k) put_in(block_.axes, 3 * k, lane, near.pair.axes[k]);
+        put_in(block_.start, 0, lane, near.start);
+        block_.enough[lane] = near.enough;
+        block_.near[lane] = touching_cores * near.pair.size;
+        block_.tolerance[lane] = near.tolerance;
+    }
+    const PairHull &a = *one.a, &b = *one.b;
+    target_({a.x, a.y, a.z, a.shape.count}, {b.x, b.y, b.z, b.shape.count}, lanes, block_);
+    return lanes;
+}
+
+uint32_t PairBatch::contacts_at(uint32_t at, uint32_t lane, WayContact (&out)[most_pair_contacts]) const {
+    const Waiting& waiting = waiting_[order_[at]];
+    Closest closest{};
+    closest.state = static_cast<Closest::State>(block_.state[lane]);
+    closest.normal = vector_in(block_.normal, 0, lane);
+    closest.distance = block_.distance[lane];
+    closest.on_a = vector_in(block_.on_a, 0, lane);
+    closest.on_b = closest.on_a - closest.distance * closest.normal;
+    PairContact touching[most_pair_contacts];
+    const uint32_t count = contacts_of(waiting.near, closest, touching);
+    return keep_way_contacts(*waiting.a, *waiting.b, waiting.margin, touching, count, out);
+}
+
+} // namespace lr

@@ -1,0 +1,129 @@
+// Contacts of pairs of bodies in a substep: found at its beginning, tested against the ways of both. Pairs of the same shapes are
+// searched in parallel lanes. docs/maintainers/contact.md
+#pragma once
+
+#include "base/float4.h"
+#include "collision/body_narrow_phase.h"
+#include "kernel/contact/gjk_pairs.h"
+
+#include <cstdint>
+
+namespace lr {
+
+// The relative placement of two bodies: in the first one's own frame, with its scale as the unit of length.
+struct RelativePair {
+    const PairHull* a;
+    const PairHull* b;
+    float ratio;    // of the scales, b over a
+    Vector offset;  // from a's origin to b's
+    Vector axes[3]; // of b's own frame, unit
+    float size;     // the larger of the cores' reaches
+};
+struct PlacedPair : RelativePair {
+    alignas(16) float x[most_shape_points], y[most_shape_points], z[most_shape_points]; // of b's points
+
+    explicit PlacedPair(const RelativePair& pair) : RelativePair(pair) {
+        const Vector u = ratio * axes[0], v = ratio * axes[1], w = ratio * axes[2];
+        for (uint32_t i = 0; i < b->padded; i += PairHull::lanes) {
+            const Float4 bx = load(b->x + i), by = load(b->y + i), bz = load(b->z + i);
+            store(offset.x + bx * u.x + by * v.x + bz * w.x, x + i);
+            store(offset.y + bx * u.y + by * v.y + bz * w.y, y + i);
+            store(offset.z + bx * u.z + by * v.z + bz * w.z, z + i);
+        }
+    }
+    Vector turned(Vector of_b) const { return of_b.x * axes[0] + of_b.y * axes[1] + of_b.z * axes[2]; }
+    Vector to_b(Vector d) const { return {dot(axes[0], d), dot(axes[1], d), dot(axes[2], d)}; }
+    Vector point_b(uint32_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+// A pair with boxes near each other.
+struct NearPair {
+    RelativePair pair;
+    Rotation own_a; // takes vectors from a's own frame to the world
+    float scale_a, scale_b;
+    // in units of a's scale: b's rounding; the gap of cores below which they touch; tolerance of distances
+    float radius_b, enough, tolerance;
+    Vector start; // a guess of the normal
+    bool swapped; // a and b are swapped relative to the call
+};
+// Places the pair at the beginning of the substep; symmetric in a and b. False: farther apart than `margin` (m, >= 0), or not finite.
+bool relate(const PairBody& a, const PairBody& b, float margin, NearPair& out);
+
+// Closer than the larger core times this, rounding determines the direction.
+inline constexpr float touching_cores = 3e-5f;
+
+// The nearest points of the cores.
+struct Closest {
+    enum class State : uint8_t { apart, beyond, overlap };
+    State state;
+    Vector normal;     // unit, from b to a
+    float distance;    // of the two points
+    Vector on_a, on_b; // a's point includes its shift
+};
+
+// Contacts of a pair with known nearest points: those that hold it best. Returns how many.
+uint32_t contacts_of(const NearPair& near, Closest closest, PairContact (&out)[most_pair_contacts]);
+
+struct WayContact {
+    PairContact begin;
+    float end; // m, the gap at the end of the way
+};
+
+// For contacts that end closer than `margin` (m): how close they must be at the beginning of the substep (m), and which of them
+// count. Returns how many.
+float near_enough(const PairBody& a, const PairBody& b, float margin);
+uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
+                           const PairContact (&found)[most_pair_contacts], uint32_t count,
+                           WayContact (&out)[most_pair_contacts]);
+
+// The result of a pair does not depend on the other pairs.
+class PairBatch {
+public:
+    explicit PairBatch(PairSearch* target) : target_(target) {}
+
+    // Calls found(id, contacts, count) once for each pair, now or in a later call, at the latest in finish(). Bodies must live until then.
+    template <class Found>
+    void find(const PairBody& a, const PairBody& b, float margin, uint32_t id, const Found& found) {
+        Waiting& next = waiting_[count_];
+        WayContact contacts[most_pair_contacts];
+        if (!relate(a, b, near_enough(a, b, margin), next.near)) {
+            found(id, contacts, 0);
+            return;
+        }
+        next.a = &a;
+        next.b = &b;
+        next.margin = margin;
+        next.id = id;
+        if (++count_ == most) finish(found);
+    }
+    template <class Found> void finish(const Found& found) {
+        for (uint32_t first = 0; first < count_;) {
+            const uint32_t lanes = search(first);
+            for (uint32_t lane = 0; lane < lanes; ++lane, ++first) {
+                WayContact contacts[most_pair_contacts];
+                found(waiting_[order_[first]].id, contacts, contacts_at(first, lane, contacts));
+            }
+        }
+        count_ = 0;
+    }
+
+private:
+    static constexpr uint32_t most = 4 * search_lanes;
+    struct Waiting {
+        NearPair near;
+        const PairBody *a, *b;
+        float margin;
+        uint32_t id;
+    };
+    // Searches the pairs from `first` on that have the shapes of the first; returns how many.
+    uint32_t search(uint32_t first);
+    uint32_t contacts_at(uint32_t at, uint32_t lane, WayContact (&out)[most_pair_contacts]) const;
+
+    PairSearch* target_;
+    uint32_t count_ = 0;
+    uint32_t order_[most];
+    Waiting waiting_[most];
+    SearchBlock block_;
+};
+
+} // namespace lr

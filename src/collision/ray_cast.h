@@ -1,0 +1,28 @@
+// Ray tests against bodies and colliders. Everything is in double: origins may be far away.
+#pragma once
+
+#include "collision/geometry_store.h"
+#include "collision/local_pair.h"
+
+namespace lr {
+
+struct Ray {
+    Double3 origin;    // m
+    Double3 direction; // unit
+};
+
+struct RayHit {
+    double distance; // m, along the ray
+    Double3 normal;  // unit, outward; against the ray if it begins inside, at distance 0
+};
+
+// The first hit of a ray with the shape, `scale` times, at `at`, within `most` (m). False: none.
+bool ray_meets_body(const BodyShape& shape, float scale, const Pose& at, const Ray& ray, double most, RayHit& hit);
+
+// The ray is in the collider's frame. shared: null if the collider has none.
+bool ray_meets_collider(const Geometry& geometry, const SharedGeometry* shared, const Ray& ray, double most,
+                        RayHit& hit);
+
+Ray ray_in(const Pose& frame, const Ray& ray);
+
+} // namespace lr

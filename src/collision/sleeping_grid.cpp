@@ -1,0 +1,53 @@
+#include "collision/sleeping_grid.h"
+
+namespace lr {
+
+bool SleepingGrid::create(Allocator& allocator, uint32_t capacity, double reach) {
+    uint32_t buckets = 16;
+    while (buckets < capacity) buckets *= 2;
+    if (!heads_.allocate(allocator, buckets) || !next_.allocate(allocator, capacity) ||
+        !previous_.allocate(allocator, capacity) || !level_.allocate(allocator, capacity))
+        return false;
+    mask_ = buckets - 1;
+    reach_ = reach;
+    double width = 2.0 * reach * 1e-3; // of bodies of the least scale
+    for (float& w : width_) w = static_cast<float>(width * 1.000001), width *= 4.0;
+    clear();
+    return true;
+}
+
+uint32_t SleepingGrid::level_of(float scale) const {
+    const double width = 2.0 * reach_ * static_cast<double>(scale);
+    uint32_t level = 0;
+    while (level + 1 < level_count && wide(width_[level]) < width) ++level;
+    return level;
+}
+
+void SleepingGrid::insert(uint32_t slot, Vector position, float scale) {
+    const uint32_t level = level_of(scale);
+    const uint32_t to = cell_hash(cell_at(position, 1.0f / width_[level]), level) & mask_;
+    const uint32_t first = heads_[to];
+    next_[slot] = first;
+    previous_[slot] = head_bit | to;
+    level_[slot] = static_cast<uint8_t>(level);
+    if (first != none) previous_[first] = slot;
+    heads_[to] = slot;
+    ++population_[level];
+}
+
+void SleepingGrid::remove(uint32_t slot) {
+    const uint32_t next = next_[slot], previous = previous_[slot];
+    if (next != none) previous_[next] = previous;
+    if (previous & head_bit)
+        heads_[previous & ~head_bit] = next;
+    else
+        next_[previous] = next;
+    --population_[level_[slot]];
+}
+
+void SleepingGrid::clear() {
+    std::fill_n(heads_.data(), heads_.size(), none);
+    std::fill_n(population_, level_count, 0u);
+}
+
+} // namespace lr

@@ -1,0 +1,38 @@
+// Bodies against single triangles: of meshes, and of heightfields, which are solid below.
+#pragma once
+
+#include "collision/contact_points.h"
+
+namespace lr {
+
+struct Triangle {
+    Vector corners[3]; // m, collider frame
+    Vector normal;     // unit
+    uint8_t hidden;    // as in MeshGeometry
+    bool one_sided;
+};
+
+Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index);
+// Whether a box overlaps the box around a triangle.
+bool reaches(const Box& box, const Triangle& t);
+
+struct HeightPoint {
+    float height; // m
+    Vector normal;
+};
+// The triangle of a heightfield below or above a place within its outline.
+HeightPoint height_at(const HeightfieldGeometry& field, float x, float z);
+
+// Cells of a heightfield that a box overlaps, [first, last); none if it is outside.
+struct Cells {
+    uint32_t first[2], last[2];
+};
+Cells cells_between(const HeightfieldGeometry& field, const Box& box);
+// One of the two triangles of a cell; `hidden` is not set.
+Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k, bool second);
+
+// alone: without the surrounding parts, so that no edge is left to them.
+void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, bool alone = false);
+void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field);
+
+} // namespace lr

@@ -1,0 +1,166 @@
+#include "environment/water.h"
+
+#include "base/pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace lr {
+
+static_assert(most_waves == LR_MAX_WAVES);
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+bool normalise(Double3& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0.0)) return false;
+    v = v / largest;
+    v = v / length(v);
+    return true;
+}
+// The unit vector in the plane along a wave's direction; false if it is nearly normal to the plane.
+bool in_plane(const lr_wave& wave, Double3 up, Double3& out) {
+    out = to_double(vector_of(wave.direction));
+    if (!normalise(out)) return false;
+    out = out - dot(out, up) * up;
+    return dot(out, out) > 1e-6 && normalise(out);
+}
+
+// rad/s, for deep water: omega^2 = g k.
+double frequency_of(const lr_wave& wave, Double3 gravity) {
+    return std::sqrt(turn * length(gravity) / wide(wave.length));
+}
+
+} // namespace
+
+Outcome check_water(const lr_water_desc& d) {
+    if (!finite(d.position, d.normal, d.current, d.density, d.viscosity, d.reach)) return LR_ERROR_NOT_FINITE;
+    for (const lr_wave& w : d.waves)
+        if (!finite(w.direction, w.length, w.amplitude, w.phase)) return LR_ERROR_NOT_FINITE;
+    Double3 up = to_double(vector_of(d.normal));
+    if (d.wave_count > LR_MAX_WAVES || !normalise(up) || !within(d.position, most_place) ||
+        !within(d.current, most_wind) || !in_range(d.density, 0.99e-3, 1e6) || !in_range(d.viscosity, 0.99e-12, 1e3) ||
+        !in_range(d.reach, 0.0, 1e6))
+        return invalid("a value of the water is out of range");
+    for (uint32_t i = 0; i < d.wave_count; ++i) {
+        const lr_wave& w = d.waves[i];
+        const double size = wide(w.length), amplitude = wide(w.amplitude);
+        Double3 along{};
+        if (!in_range(size, 0.99e-3, 1e6) || !in_range(amplitude, 0.0, size / 7.0) || !in_range(w.phase, -1e6, 1e6) ||
+            !in_plane(w, up, along))
+            return invalid("a value of a wave is out of range");
+    }
+    return {};
+}
+
+bool Water::consistent(const Record& r) {
+    if (r.present > 1 || r.reserved != 0) return false;
+    if (r.present != 0 && check_water(r.desc).refused()) return false;
+    const Double3 strongest{most_gravity, most_gravity, most_gravity};
+    for (uint32_t i = 0; i < LR_MAX_WAVES; ++i) {
+        const bool wave = r.present != 0 && i < r.desc.wave_count;
+        if (!in_range(r.frequency[i], 0.0, wave ? frequency_of(r.desc.waves[i], strongest) : 0.0)) return false;
+    }
+    return true;
+}
+
+void Water::set(const lr_water_desc& desc, const float gravity[3]) {
+    const FloatMode mode;
+    record_ = Record{};
+    record_.present = 1;
+    record_.desc = desc;
+    for (uint32_t i = 0; i < desc.wave_count; ++i)
+        record_.frequency[i] = frequency_of(desc.waves[i], to_double(vector_of(gravity)));
+}
+
+SurfaceInstant Water::at(double time) const {
+    SurfaceInstant out{};
+    const lr_water_desc& d = record_.desc;
+    Double3 up = to_double(vector_of(d.normal));
+    normalise(up);
+    put(vector_of(d.position), out.point);
+    put(vector_of(d.current), out.current);
+    put(to_float(up), out.up);
+    out.wave_count = d.wave_count;
+    for (uint32_t i = 0; i < d.wave_count; ++i) {
+        const lr_wave& from = d.waves[i];
+        WaveInstant& to = out.waves[i];
+        Double3 along{};
+        in_plane(from, up, along);
+        put(to_float(along), to.direction);
+        const double size = wide(from.length), amplitude = wide(from.amplitude);
+        const double frequency = record_.frequency[i];
+        const double turns = (static_cast<double>(from.phase) - frequency * time) / turn;
+        to.turns_per_m = static_cast<float>(1.0 / size);
+        to.number = static_cast<float>(turn / size);
+        to.turn = static_cast<float>(turns - std::floor(turns));
+        to.amplitude = from.amplitude;
+        to.speed = static_cast<float>(amplitude * frequency);
+        to.rate = static_cast<float>(amplitude * frequency * frequency);
+    }
+    return out;
+}
+
+float Water::highest() const {
+    float sum = callback() ? record_.desc.reach : 0.0f;
+    for (uint32_t i = 0; i < record_.desc.wave_count; ++i) sum += record_.desc.waves[i].amplitude;
+    return sum;
+}
+
+uint64_t Water::hash() const {
+    if (!present()) return 0;
+    uint64_t sum = 0x9e3779b97f4a7c15ull;
+    unsigned char bytes[sizeof record_];
+    std::memcpy(bytes, &record_, sizeof bytes);
+    for (size_t i = 0; i < sizeof bytes; i += 8) {
+        uint64_t word;
+        std::memcpy(&word, bytes + i, 8);
+        sum = (sum ^ word) * 0xbf58476d1ce4e5b9ull;
+        sum ^= sum >> 29;
+    }
+    return sum | 1u;
+}
+
+void Water::ask(double time, lr_batch batch, uint32_t count, const SurfaceInstant& plane, SurfaceBlock& block) {
+    lr_water_query query{};
+    query.struct_size = sizeof query;
+    query.count = count;
+    query.batch = batch;
+    query.time = time;
+    query.height = block.height;
+    for (size_t k = 0; k < 3; ++k) {
+        query.position[k] = block.position[k];
+        query.normal[k] = block.normal[k];
+        query.velocity[k] = block.velocity[k];
+        query.rate[k] = block.rate[k];
+    }
+    ask_callback(query);
+    const float reach = highest();
+    for (uint32_t i = 0; i < count; ++i) {
+        bool sound = std::abs(block.height[i]) <= reach; // false for NaN
+        float square = 0.0f, along = 0.0f;
+        for (size_t k = 0; k < 3; ++k) {
+            sound = sound && std::abs(block.velocity[k][i]) <= 1000.0f && std::abs(block.rate[k][i]) <= 1e6f &&
+                    std::abs(block.normal[k][i]) <= 2.0f;
+            square += block.normal[k][i] * block.normal[k][i];
+            along += block.normal[k][i] * plane.up[k];
+        }
+        const float length = std::sqrt(square);
+        if (sound && length >= 0.5f && length <= 2.0f && along >= 0.17f * length) {
+            for (float(&row)[field_block] : block.normal) row[i] /= length;
+            continue;
+        }
+        blame_callback();
+        block.height[i] = 0.0f;
+        for (size_t k = 0; k < 3; ++k) {
+            block.normal[k][i] = plane.up[k];
+            block.velocity[k][i] = plane.current[k];
+            block.rate[k][i] = 0.0f;
+        }
+    }
+}
+
+} // namespace lr

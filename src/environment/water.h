@@ -1,0 +1,47 @@
+// The water surface: its description, its waves in time, and the caller's callback. docs/reference/wind_and_water.md.
+#pragma once
+
+#include "environment/field_callback.h"
+#include "kernel/limits.h"
+#include "kernel/water/water_loads.h"
+#include "langevin_rigid.h"
+
+#include <cstdint>
+#include <type_traits>
+
+namespace lr {
+
+Outcome check_water(const lr_water_desc& desc);
+
+class Water : public Callback<std::remove_pointer_t<lr_water_fn>> {
+public:
+    // Saved in snapshots.
+    struct Record {
+        uint32_t present, reserved;
+        double frequency[LR_MAX_WAVES]; // rad/s
+        lr_water_desc desc;
+    };
+    static bool consistent(const Record& record);
+    Record record() const { return record_; }
+    void restore(const Record& record) { record_ = record.present != 0 ? record : Record{}; }
+
+    bool present() const { return record_.present != 0; }
+    const lr_water_desc& desc() const { return record_.desc; }
+    // The desc has been checked.
+    void set(const lr_water_desc& desc, const float gravity[3]);
+    void clear() { record_ = Record{}; }
+
+    SurfaceInstant at(double time) const;
+    float highest() const; // m above the plane
+    uint64_t hash() const; // 0 without water
+
+    // Calls the callback for the first `count` bodies of a block, which is preset to the values of plane and waves.
+    // Any worker.
+    void ask(double time, lr_batch batch, uint32_t count, const SurfaceInstant& plane, SurfaceBlock& block);
+
+private:
+    Record record_{};
+};
+static_assert(sizeof(Water::Record) % 8 == 0);
+
+} // namespace lr

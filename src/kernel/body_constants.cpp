@@ -1,0 +1,279 @@
+#include "kernel/body_constants.h"
+
+#include "base/matrix6.h"
+#include "kernel/derived_constants-inl.h"
+#include "kernel/water/water_loads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace lr {
+namespace {
+
+namespace derived = HWY_NAMESPACE;
+
+// Added inertia vanishes about an axis of revolution, and with it the turbulent damping of that spin. Real fluid slows
+// it through the boundary layer; 0.02 of the dragged fluid at the body's own gyration radius is of the size of the
+// turbulent skin friction on a spinning disc (docs/maintainers/physics.md, "Viscous floor").
+constexpr double viscous_floor = 0.02;
+
+// A wake's velocity counts in the speed that it goes with. On a body that is not carried along, E s^2 = v^2 + 3 I^2 E s^2:
+// from I^2 = 1/3 on it would feed itself.
+constexpr double most_variance = 0.16;
+
+// Constants are made in double: both kinds of them are nothing but numbers.
+template <template <class> class Constants> void narrow(const Constants<double>& from, Constants<float>& to) {
+    constexpr size_t count = sizeof from / sizeof(double);
+    static_assert(sizeof to == count * sizeof(float));
+    double wide[count];
+    float narrow[count];
+    std::memcpy(wide, &from, sizeof wide);
+    for (size_t i = 0; i < count; ++i) narrow[i] = static_cast<float>(wide[i]);
+    std::memcpy(&to, narrow, sizeof narrow);
+}
+template <size_t N> void narrow(const std::array<double, N>& from, float (&to)[N]) {
+    for (size_t i = 0; i < N; ++i) to[i] = static_cast<float>(from[i]);
+}
+
+// Of a block on the diagonal, from row and column `at` on.
+void upper_triangle(const Matrix6& m, size_t at, size_t size, double* out) {
+    for (size_t i = at; i < at + size; ++i)
+        for (size_t j = i; j < at + size; ++j) *out++ = m[i * 6 + j];
+}
+void drop_couplings(Matrix6& m) {
+    for (size_t i = 0; i < 36; ++i)
+        if (i % 7 != 0) m[i] = 0.0;
+}
+
+// Total mass in kernel units, body and fluid; off-diagonal blocks and entries dropped on the diagonal path.
+Matrix6 kernel_mass(const AssetData& a, bool diagonal, double rho) {
+    Matrix6 mass = rigid_mass_matrix(a.mass, a.inertia);
+    for (size_t i = 0; i < 36; ++i) mass[i] += rho * a.added_mass[i];
+    scale_to_unit(mass, a.mass + rho * a.volume, a.length_d);
+    if (diagonal) drop_couplings(mass);
+    return mass;
+}
+
+void set_weight(const AssetData& a, double rho, BodyConstantsOf<double>& c) {
+    c.length = a.length_d;
+    c.unit_mass = a.mass + rho * a.volume;
+    c.weight = (a.mass - rho * a.volume) / c.unit_mass;
+    for (size_t i = 0; i < 3; ++i)
+        c.buoyancy[i] = -rho * a.volume * a.center_of_buoyancy[i] / (c.unit_mass * a.length_d);
+}
+
+// What the weight and the torque of buoyancy do that gravity along an axis of the body gives, seen along a force and couple.
+double seen_along(const double (&twist)[6], const BodyConstantsOf<double>& c, size_t axis) {
+    // (b x g)_l has b_k g_j with a minus sign, (b x g)_k has b_l g_j.
+    const size_t k = (axis + 1) % 3, l = (axis + 2) % 3;
+    return c.weight * twist[axis] + (c.buoyancy[l] * twist[k + 3] - c.buoyancy[k] * twist[l + 3]);
+}
+
+// rho (V I + A) and rho (D + floor): symmetric 3x3 weights of the turbulent loads, without the coupling block.
+Matrix6 turbulent_load(const AssetData& a, bool diagonal, double rho) {
+    Matrix6 load{};
+    const double broadside = std::max({a.added_mass[0], a.added_mass[7], a.added_mass[14]});
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) {
+            load[i * 6 + j] = a.added_mass[i * 6 + j] + (i == j ? a.volume : 0.0);
+            load[(i + 3) * 6 + j + 3] = a.added_mass[(i + 3) * 6 + j + 3] +
+                                        viscous_floor * (a.volume + broadside) * a.inertia[i * 3 + j] / a.mass;
+        }
+    for (double& v : load) v *= rho;
+    scale_to_unit(load, a.mass + rho * a.volume, a.length_d);
+    if (diagonal) drop_couplings(load);
+    return load;
+}
+
+// chi = chi* s/l and epsilon = epsilon* s^3/l with the speed s; the length unit d is put back by the kernel.
+double chi_star(const TurbulenceSample& s) {
+    return s.chi * s.l / s.u0;
+}
+double epsilon_star(const TurbulenceSample& s) {
+    return s.epsilon * s.l / (s.u0 * s.u0 * s.u0);
+}
+
+} // namespace
+
+bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyConstants& out) {
+    out = BodyConstants{};
+    out.diagonal = diagonal;
+    BodyConstantsOf<double> c{};
+    set_weight(a, rho, c);
+    c.noise_spin = 2.0;
+    const Matrix6 mass = kernel_mass(a, diagonal, rho), load = turbulent_load(a, diagonal, rho);
+    Matrix6 inverse;
+    Modes modes;
+    if (!invert_spd(mass, inverse) || !find_modes(mass, load, modes)) return false;
+    upper_triangle(mass, 0, 6, c.full_mass);
+    upper_triangle(inverse, 0, 6, c.full_inverse);
+    upper_triangle(load, 0, 3, c.full_damping);
+    upper_triangle(load, 3, 3, c.full_spin_damping);
+    for (size_t i = 0; i < 3; ++i) {
+        c.mass[i] = mass[i * 7];
+        c.spin_mass[i] = mass[(i + 3) * 7];
+        c.inverse_mass[i] = inverse[i * 7];
+        c.inverse_spin_mass[i] = inverse[(i + 3) * 7];
+        c.damping[i] = load[i * 7];
+        c.spin_damping[i] = load[(i + 3) * 7];
+    }
+    for (size_t i = 0; i < 6; ++i) c.rate[i] = diagonal ? load[i * 7] / mass[i * 7] : modes.rate[i];
+    std::copy(modes.to.begin(), modes.to.end(), c.to_modes);
+    std::copy(modes.from.begin(), modes.from.end(), c.from_modes);
+    // from^T takes forces to the modes: weight and b x gravity, and the load matrix of the six Gaussians.
+    for (size_t m = 0; m < 6; ++m) {
+        double mode[6];
+        for (size_t i = 0; i < 6; ++i) mode[i] = modes.from[i * 6 + m];
+        for (size_t j = 0; j < 3; ++j) c.modes_of_gravity[m * 3 + j] = seen_along(mode, c, j);
+    }
+    derived::set_turning(c);
+    derived::set_slip(1.0, c);
+    derived::set_noise_of_modes(c);
+    narrow(c, out);
+    return true;
+}
+
+double langevin_alpha(double chi, double c0, const Gains& gains) {
+    return (0.5 + 0.75 * c0) * chi * gains.damping;
+}
+
+double langevin_beta_squared(double epsilon, double c0, const Gains& gains) {
+    return c0 * epsilon * gains.noise * gains.noise;
+}
+
+void set_speed_turbulence(const TurbulenceSample& s, const Gains& gains, BodyConstants& out) {
+    const double d_over_l = static_cast<double>(out.length) / s.l;
+    out.speed_alpha = static_cast<float>(langevin_alpha(chi_star(s), s.c0, gains) * d_over_l);
+    out.speed_beta = static_cast<float>(langevin_beta_squared(epsilon_star(s), s.c0, gains) * d_over_l);
+}
+
+bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const Gains& gains, bool diagonal, double rho,
+                       double viscosity, BodyConstants& body) {
+    const double d = a.length_d;
+    for (double v : loads.center)
+        if (!(std::abs(v) <= 2.0 * d)) return false; // as check_asset
+    BodyConstantsOf<double> c{};
+    set_weight(a, rho, c);
+    AerodynamicConstantsOf<double>& out = c.aerodynamics;
+    out.viscosity = viscosity;
+    const auto scaled = [](const std::array<double, 3>& from, double factor, double* to) {
+        for (size_t i = 0; i < 3; ++i) to[i] = from[i] * factor;
+    };
+    const double per_unit = rho / c.unit_mass, drag = gains.drag * per_unit, lift = gains.lift * per_unit;
+    const double layer = drag * d * std::sqrt(d), stokes = drag * d * d, spin_drag = gains.spin_drag * per_unit;
+    scaled(loads.drag, 0.5 * drag * d, out.drag);
+    scaled(loads.drag_blunt, 0.5 * drag * d, out.drag_blunt);
+    scaled(loads.drag_layer, layer, out.drag_layer);
+    scaled(loads.drag_stokes, stokes, out.drag_stokes);
+    scaled(loads.lift, lift * d, out.lift);
+    scaled(loads.spin_lift, lift, out.spin_lift);
+    scaled(loads.lift_moment, lift, out.lift_moment);
+    scaled(loads.lift_moment_stalled, lift, out.lift_moment_stalled);
+    scaled(loads.broadside, 1.0, out.broadside);
+    out.lift_stall = loads.lift_stall;
+    scaled(loads.spin_drag, spin_drag / (d * d), out.spin_drag);
+    scaled(loads.spin_drag_stream, spin_drag / d, out.spin_drag_stream);
+    scaled(loads.spin_drag_stokes, spin_drag, out.spin_drag_stokes);
+    const double strongest = std::max({loads.spin_drag[0], loads.spin_drag[1], loads.spin_drag[2]});
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        out.lift_layer[k] = layer * (loads.drag_layer[j] - loads.drag_layer[i]);
+        out.lift_stokes[k] = stokes * (loads.drag_stokes[j] - loads.drag_stokes[i]);
+        out.roll[k] = std::sqrt(spin_drag / d * loads.roll_damping[k]);
+        out.spin_weight[k] = strongest > 0.0 ? loads.spin_drag[k] / strongest : 0.0;
+        out.arm[k] = (a.center_of_buoyancy[k] + loads.center[k]) / d;
+    }
+    std::copy(loads.axes.begin(), loads.axes.end(), out.axes);
+    out.rate_of_gusts = d / loads.length;
+    const double intensity = loads.intensity * gains.turbulence * gains.noise;
+    out.variance_of_gusts = std::min(intensity * intensity, most_variance);
+    out.wake_reynolds = loads.wake_reynolds;
+    out.gust_gain = gains.turbulence * gains.turbulence;
+
+    Matrix6 inverse;
+    if (!invert_spd(kernel_mass(a, diagonal, rho), inverse)) return false;
+    upper_triangle(inverse, 0, 6, c.full_inverse);
+    derived::set_frame(0.0, 1.0, eigen3, c);
+    // Along each direction of P: M^-1 P^T, of force or couple.
+    for (size_t i = 0; i < 6; ++i) {
+        const double* const q = out.axes + i % 3 * 3;
+        double along[6] = {}, response[6];
+        std::copy_n(q, 3, i < 3 ? along : along + 3);
+        if (i < 3) derived::cross3(out.arm, q, along + 3);
+        derived::times_symmetric6(c.full_inverse, along, response);
+        for (size_t j = 0; j < 3; ++j) out.fall[i * 3 + j] = seen_along(response, c, j);
+    }
+    narrow(out, body.aerodynamics);
+    return true;
+}
+
+void set_gust_turbulence(const TurbulenceSample& s, const Gains& gains, BodyConstants& out) {
+    const double alpha = langevin_alpha(chi_star(s), s.c0, {}),
+                 beta_squared = langevin_beta_squared(epsilon_star(s), s.c0, {});
+    out.aerodynamics.rate_of_gusts = static_cast<float>(alpha * static_cast<double>(out.length) / s.l);
+    out.aerodynamics.wake_reynolds = 0.0f;
+    const double gain = gains.noise * gains.turbulence;
+    out.aerodynamics.variance_of_gusts =
+        static_cast<float>(alpha > 0.0 ? std::min(gain * gain * beta_squared / (2.0 * alpha), most_variance) : 0.0);
+}
+
+namespace {
+
+// The ellipsoid with the body's moments of inertia, as if it were solid: a^2 = 5/(2 m) (J_j + J_k - J_i).
+void equivalent_ellipsoid(const AssetData& a, WaterBody& out) {
+    double inertia[3][3], axes[3][3];
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) inertia[i][j] = a.inertia[i * 3 + j] / (a.mass * a.length_d * a.length_d);
+    eigen3(inertia, axes);
+    const double moment[3] = {inertia[0][0], inertia[1][1], inertia[2][2]};
+    // A sheet's thickness is lost in the difference of its moments.
+    const double least = 0.5 * a.length_b;
+    double longest = 0.0, offset = 0.0;
+    for (size_t i = 0; i < 3; ++i) {
+        const double squared = 2.5 * (moment[(i + 1) % 3] + moment[(i + 2) % 3] - moment[i]) * a.length_d * a.length_d;
+        out.semi_axes_squared[i] = static_cast<float>(std::max(squared, least * least));
+        longest = std::max(longest, static_cast<double>(out.semi_axes_squared[i]));
+        offset += a.center_of_buoyancy[i] * a.center_of_buoyancy[i];
+        for (size_t k = 0; k < 3; ++k) out.axes[i * 3 + k] = static_cast<float>(axes[k][i]);
+    }
+    out.radius = static_cast<float>(std::sqrt(longest) + std::sqrt(offset));
+}
+
+} // namespace
+
+bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gains& gains,
+                     const TurbulenceSample& stationary, bool diagonal, double air_density, double water_density,
+                     double water_viscosity, const BodyConstants& air, WaterBody& out) {
+    out = WaterBody{};
+    if (!make_body_constants(a, diagonal, water_density, out.water) ||
+        !make_aerodynamics(a, loads, gains, diagonal, water_density, water_viscosity, out.water))
+        return false;
+    equivalent_ellipsoid(a, out);
+    if (stationary.u0 > 0.0) set_gust_turbulence(stationary, gains, out.water);
+    out.water.speed_alpha = air.speed_alpha;
+    out.water.speed_beta = air.speed_beta;
+    out.mass = static_cast<float>(a.mass);
+    out.air_mass = static_cast<float>(air_density * a.volume);
+    out.water_mass = static_cast<float>(water_density * a.volume);
+    out.air_density = static_cast<float>(air_density);
+    out.water_density = static_cast<float>(water_density);
+    if (!diagonal) narrow(a.center_of_buoyancy, out.center);
+
+    const double ratio = (a.mass + water_density * a.volume) / (a.mass + air_density * a.volume);
+    const Matrix6 dry = kernel_mass(a, diagonal, air_density), wet = kernel_mass(a, diagonal, water_density);
+    if (air.diagonal) {
+        for (size_t i = 0; i < 6; ++i) out.lambda[i] = static_cast<float>(ratio * wet[i * 7] / dry[i * 7] - 1.0);
+        return true;
+    }
+    Matrix6 more;
+    for (size_t i = 0; i < 36; ++i) more[i] = ratio * wet[i] - dry[i];
+    Modes modes;
+    if (!find_modes(dry, more, modes)) return false;
+    narrow(modes.rate, out.lambda);
+    narrow(modes.to, out.to);
+    narrow(modes.from, out.from);
+    return true;
+}
+
+} // namespace lr

@@ -1,0 +1,398 @@
+// What contacts do to bodies: Gauss-Seidel over the contacts of each body by itself, with its own mass and that of the fluid that it
+// moves along, first for the way of the substep and then for the velocity at its end (docs/maintainers/contact.md).
+#if defined(LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_
+#undef LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_
+#else
+#define LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_
+#endif
+
+#include "kernel/contact/collider_contact.h"
+#include "kernel/integrator/equations_of_motion-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::LR_KERNEL_NAMESPACE {
+
+constexpr uint32_t contact_sweeps = 16;
+
+// A contact in the body frame, in kernel units: an impulse p at the arm r is the twist impulse (p, r x p/(d s)). Directions: the
+// normal and two tangents.
+struct Row {
+    Twist along[3];         // the impulse along a direction; with a twist, what the point has of it
+    Twist response[3];      // of the body to it
+    VF inverse;             // 1 over what the normal velocity gains by a unit along the normal; 0 for an empty slot
+    VF to_first, to_second; // what the tangential ones gain by it
+    VF hold[3];             // inverse of what the tangential ones gain by each other, upper triangle
+    VF least;               // 1 over the most that a tangential one gains
+    VF target;              // normal velocity (or way) that it must have at least
+    VF surface[2];          // tangential velocity (or way) of the surface
+    VF friction;
+    VF pressed, dragged[2]; // impulses
+};
+
+HWY_INLINE Vec3 velocity_at(Twist t, Vec3 arm) {
+    return t.v + cross(t.u, arm);
+}
+HWY_INLINE VF product(const Twist& a, const Twist& b) {
+    return dot(a.v, b.v) + dot(a.u, b.u);
+}
+
+// The twist that a couple alone gives.
+template <bool kFull, class C> HWY_INLINE Twist turned_by(const C& c, Vec3 couple) {
+    const Vec3 none = zero3();
+    if constexpr (!kFull) return {none, scaled_by(c.inverse_spin_mass, couple)};
+    const float* const m = c.full_inverse;
+    const auto row = [&](int x, int y, int z) LR_LAMBDA {
+        return constant(m[x]) * couple.x + (constant(m[y]) * couple.y + constant(m[z]) * couple.z);
+    };
+    return {{row(3, 4, 5), row(8, 9, 10), row(12, 13, 14)}, {row(15, 16, 17), row(16, 18, 19), row(17, 19, 20)}};
+}
+
+// No unit couple gives more spin.
+template <bool kFull, class C> HWY_INLINE float most_turned(const C& c) {
+    const auto size = [](float x) { return x < 0.0f ? -x : x; };
+    if constexpr (!kFull)
+        return HWY_MAX(c.inverse_spin_mass[0], HWY_MAX(c.inverse_spin_mass[1], c.inverse_spin_mass[2]));
+    const float* const m = c.full_inverse; // rows of its block of spins
+    return HWY_MAX(m[15] + size(m[16]) + size(m[17]),
+                   HWY_MAX(size(m[16]) + m[18] + size(m[19]), size(m[17]) + size(m[19]) + m[20]));
+}
+
+// Of a slot's normal impulse: what the contact must be held with at once, and the new one.
+HWY_INLINE VF press(Row& r, VF normal, VF dust, VF relaxed = constant(1.3f)) {
+    const VF wanted = (r.target - normal) * r.inverse;
+    const auto change = [&](VF by) { return hn::Max(r.pressed + by, hn::Zero(DF())) - r.pressed; };
+    // Each lane by itself: what is under the dust stays as it is, in every later sweep too, however relaxed that is.
+    const auto counts = hn::Abs(change(wanted)) > dust * r.inverse;
+    const VF counted = hn::IfThenElseZero(counts, change(relaxed * wanted));
+    r.pressed += counted;
+    return counted;
+}
+
+// Friction against the slip (x, y). Within the cone the point is held; else the impulse goes straight against the slip.
+HWY_INLINE void drag(Row& r, VF x, VF y, VF dust, VF& step_x, VF& step_y) {
+    const VF slip = hn::Abs(x) + hn::Abs(y);
+    const auto slides = slip > dust;
+    const VF most = r.friction * r.pressed, most_squared = most * most;
+    VF to_x = r.dragged[0] - (r.hold[0] * x + r.hold[1] * y);
+    VF to_y = r.dragged[1] - (r.hold[1] * x + r.hold[2] * y);
+    to_x = hn::IfThenElse(slides, to_x, r.dragged[0]);
+    to_y = hn::IfThenElse(slides, to_y, r.dragged[1]);
+    // A little beyond is not worth a root, and would never end.
+    const VF beyond = constant(1.000001f) * most_squared;
+    const auto outside = to_x * to_x + to_y * to_y > beyond;
+    if (!hn::AllFalse(DF(), outside)) {
+        const VF less_x = hn::IfThenElseZero(slides, r.least * x);
+        const VF less_y = hn::IfThenElseZero(slides, r.least * y);
+        VF back_x = r.dragged[0] - less_x, back_y = r.dragged[1] - less_y;
+        const VF size = hn::Sqrt(back_x * back_x + back_y * back_y);
+        const VF factor = hn::Min(most * inverse_length(size), constant(1.0f));
+        back_x = factor * back_x;
+        back_y = factor * back_y;
+        to_x = hn::IfThenElse(outside, back_x, to_x);
+        to_y = hn::IfThenElse(outside, back_y, to_y);
+    }
+    step_x = to_x - r.dragged[0];
+    step_y = to_y - r.dragged[1];
+    r.dragged[0] = to_x;
+    r.dragged[1] = to_y;
+}
+
+// The couple against rolling and spinning, no more than `most`: its change.
+HWY_INLINE Vec3 hold_spin(Vec3& rolled, Vec3 spin, VF spin_hold, VF most, VF dust) {
+    const Vec3 wanted = rolled - spin_hold * spin;
+    Vec3 couple = select(greatest(spin) > dust, wanted, rolled);
+    const VF squared = dot(couple, couple);
+    const auto outside = squared > constant(1.000001f) * (most * most);
+    const VF less = most * inverse_length(hn::Sqrt(squared));
+    couple = hn::IfThenElse(outside, less, constant(1.0f)) * couple;
+    const Vec3 step = couple - rolled;
+    rolled = couple;
+    return step;
+}
+
+// Sweeps over the contacts, to and fro, until none changes the twist by more than `dust`.
+template <bool kFull, class C>
+HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF spin_hold, VF dust, Twist& t) {
+    const VF zero = hn::Zero(DF());
+    const bool rolls = !hn::AllTrue(DF(), hn::Eq(rolling, zero));
+    Vec3 rolled = zero3(); // impulse couple against rolling and spinning
+    for (uint32_t sweep = 0; sweep < contact_sweeps; ++sweep) {
+        VF change = zero, load = zero;
+        // Over-relaxed, but for the first: a body's only contact is done then, and exactly.
+        const VF relaxed = constant(sweep == 0 ? 1.0f : 1.3f);
+        for (uint32_t i = 0; i < count; ++i) {
+            Row& r = rows[(sweep & 1) == 0 ? i : count - 1 - i];
+            const VF more = press(r, product(r.along[0], t), dust, relaxed);
+            const VF x = more * r.to_first + product(r.along[1], t) - r.surface[0];
+            const VF y = more * r.to_second + product(r.along[2], t) - r.surface[1];
+            VF step_x, step_y;
+            drag(r, x, y, dust, step_x, step_y);
+            t = t + more * r.response[0] + step_x * r.response[1] + step_y * r.response[2];
+            load += r.pressed;
+            change = hn::Max(hn::Max(change, hn::Abs(more)), hn::Max(hn::Abs(step_x), hn::Abs(step_y)));
+        }
+        if (rolls) {
+            const Vec3 step = hold_spin(rolled, t.u, spin_hold, rolling * load, dust);
+            t += turned_by<kFull>(c, step);
+            change = hn::Max(change, greatest(step));
+        }
+        if (hn::AllTrue(DF(), hn::Eq(change, zero))) break;
+    }
+}
+
+// Two unit vectors across a normal (Duff et al. 2017).
+HWY_INLINE void tangents(Vec3 n, Vec3& first, Vec3& second) {
+    const VF one = constant(1.0f), zero = hn::Zero(DF());
+    const VF sign = hn::IfThenElse(n.z < zero, -one, one);
+    const VF a = -one / (sign + n.z), b = n.x * n.y * a;
+    first = {sign * n.x * (n.x * a) + one, sign * b, -(sign * n.x)};
+    second = {b, n.y * n.y * a + sign, -n.y};
+}
+
+// The inverse of a contact's response along its tangents to unit impulses: a and e each to its own, b to the other's.
+HWY_INLINE void set_hold(VF a, VF b, VF e, VF (&hold)[3], VF& least) {
+    const VF one = constant(1.0f), over = one / (a * e - b * b); // positive definite
+    hold[0] = e * over;
+    hold[1] = -(b * over);
+    hold[2] = a * over;
+    const VF half_gap = constant(0.5f) * (a - e);
+    const VF spread = hn::Sqrt(half_gap * half_gap + b * b);
+    least = one / (constant(0.5f) * (a + e) + spread);
+}
+
+template <bool kFull, class C> HWY_INLINE void set_row(const C& c, Vec3 normal, Vec3 arm, Row& r) {
+    Vec3 direction[3] = {normal, {}, {}};
+    tangents(normal, direction[1], direction[2]);
+    for (int k = 0; k < 3; ++k) {
+        r.along[k] = {direction[k], cross(arm, direction[k])};
+        r.response[k] = acceleration<kFull>(c, r.along[k]);
+    }
+    r.inverse = inverse_length(product(r.along[0], r.response[0]));
+    r.to_first = product(r.along[1], r.response[0]);
+    r.to_second = product(r.along[2], r.response[0]);
+    set_hold(product(r.along[1], r.response[1]), product(r.along[1], r.response[2]), product(r.along[2], r.response[2]),
+             r.hold, r.least);
+}
+
+HWY_INLINE void set_surface(Row& r, Vec3 velocity) {
+    r.surface[0] = dot(r.along[1].v, velocity);
+    r.surface[1] = dot(r.along[2].v, velocity);
+}
+
+// The way of a substep as a twist: along the body's axes as they are at its end, rotation by its chord.
+HWY_INLINE Twist way_of(Quaternion q0, Quaternion q, Vec3 moved, VF length) {
+    const VF zero = hn::Zero(DF());
+    const Quaternion back{-q0.x, -q0.y, -q0.z, q0.w};
+    const Quaternion turned = turn({zero, zero, zero, zero}, back, constant(1.0f), {q.x, q.y, q.z});
+    // turn() gives back (q, 0); the part of q.w is added here.
+    const VF w = turned.w + back.w * q.w;
+    const Vec3 angle{back.x * q.w + turned.x, back.y * q.w + turned.y, back.z * q.w + turned.z};
+    const VF twice = hn::IfThenElse(w < zero, constant(-2.0f), constant(2.0f));
+    return {to_body(q, moved), length * (twice * angle)};
+}
+
+// A twist is a small rotation. The whole of it is made smaller: what no contact is against, no part of it is against.
+HWY_INLINE VF small_part(Vec3 u, VF inverse) {
+    const VF half = constant(0.5f), large = greatest(u) * inverse;
+    return hn::Min(half / hn::Max(large, half), constant(1.0f));
+}
+
+// Of a point as far out as the reach, over d s.
+HWY_INLINE VF speed_of(const Twist& t, VF reach) {
+    return hn::Sqrt(dot(t.v, t.v)) + reach * hn::Sqrt(dot(t.u, t.u));
+}
+
+template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots) {
+    const BodyConstants& c = *b.body;
+    const VF zero = hn::Zero(DF()), one = constant(1.0f), half = constant(0.5f), h = constant(b.h);
+    const VF empty = constant(0.5f * no_contact), inverse_h = constant(1.0f / b.h);
+    Row rows[contact_slots];
+    uint32_t used[contact_slots];
+    for (size_t at = 0; at < b.count; at += hn::Lanes(DF())) {
+        uint32_t count = 0;
+        for (uint32_t k = 0; k < slots.used; ++k) {
+            store1(slots.slot[k].impulse, at, -one);
+            if (!hn::AllFalse(DF(), load1(slots.slot[k].gap, at) < empty)) used[count++] = k;
+        }
+        if (count == 0) continue;
+        const VF body_scale = load1(b.arrays, field_scale, at);
+        const VF length = body_scale * constant(c.length), inverse = one / length;
+        const VF reach = body_scale * constant(b.shape.reach);
+        Vec3 x = load3(b.arrays, field_x, at);
+        Quaternion q = load4(b.arrays, at);
+        const Vec3 x0 = load3(b.before, at);
+        const Quaternion q0 = load4(b.before + 3, at);
+        const Twist began{load3(b.before + 7, at), length * load3(b.before + 10, at)};
+        const VF round = constant(1e-6f) * greatest(x);
+        const VF slop = constant(1e-3f) * reach + round;
+
+        const Twist way = way_of(q0, q, x - x0, length);
+
+        Vec3 over[contact_slots]; // arms over d s
+        VF gap[contact_slots], before[contact_slots], bounce[contact_slots], depth = zero;
+        VF left[contact_slots]; // of the gap, of what is to be undone later
+        for (uint32_t k = 0; k < count; ++k) {
+            const ContactSlots::Slot& s = slots.slot[used[k]];
+            const Vec3 normal = load3(s.normal, at), arm = load3(s.arm, at), surface = load3(s.surface, at);
+            Row& r = rows[k];
+            over[k] = inverse * arm;
+            set_row<kFull>(c, to_body(q, normal), over[k], r);
+            r.pressed = r.dragged[0] = r.dragged[1] = zero;
+            gap[k] = load1(s.gap, at);
+            const auto empty_slot = gap[k] >= empty;
+            depth = hn::Max(depth, hn::IfThenElse(empty_slot, zero, -gap[k]));
+            r.inverse = hn::IfThenElse(empty_slot, zero, r.inverse);
+            const Vec3 path = load3(s.lag, at) + h * surface;
+            set_surface(r, to_body(q, path));
+            r.friction = hn::IfThenElse(empty_slot, zero, load1(s.friction, at));
+            // Of the point that touches: where it was, and how fast it came when the gap closed, between its speeds at the ends.
+            const Vec3 moved = x - x0 + to_world(q, arm) - to_world(q0, arm);
+            before[k] = gap[k] + dot(normal, path - moved);
+            // Deep overlap that it had already, as of a body that a collider was put on, is undone over a few substeps.
+            const VF gained = gap[k] - hn::Min(before[k], zero);
+            const VF push = hn::Max(gap[k], hn::Min(constant(-0.5f) * reach + gained, zero));
+            r.target = product(r.along[0], way) - push;
+            left[k] = gap[k] - push;
+            const Twist end{load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
+            const VF carried = dot(normal, surface);
+            const VF first = dot(normal, to_world(q0, velocity_at(began, over[k]))) - carried;
+            const VF last = dot(normal, to_world(q, velocity_at(end, over[k]))) - carried;
+            const VF closed = before[k] - gap[k];
+            const auto closes = hn::And(before[k] > slop, closed > zero);
+            const VF part = hn::IfThenElseZero(closes, hn::Min(before[k] / hn::Max(closed, constant(1e-30f)), one));
+            bounce[k] = part * (last - first) + first;
+        }
+        const VF rolling = constant(b.rolling) * (reach * inverse);
+        const VF spin_hold = constant(1.0f / most_turned<kFull>(c));
+        Twist moved = way;
+        project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-2f) * slop, moved);
+        Twist correction = moved - way;
+        const VF less = small_part(correction.u, inverse);
+        correction = less * correction;
+        VF touching[contact_slots];
+        for (uint32_t k = 0; k < count; ++k) {
+            gap[k] += product(rows[k].along[0], correction);
+            const auto touches = hn::Or(rows[k].pressed > zero, gap[k] <= slop);
+            touching[k] = hn::IfThenElseZero(touches, one);
+        }
+        if (!hn::AllTrue(DF(), hn::Eq(less, one))) {
+            // Of what is left where the turn was too large the deepest is undone along its normal, if that opens all others.
+            VF deepest = zero;
+            Vec3 up = zero3();
+            for (uint32_t k = 0; k < count; ++k) {
+                const auto deeper = left[k] - gap[k] > deepest;
+                deepest = hn::IfThenElse(deeper, left[k] - gap[k], deepest);
+                up = select(deeper, load3(slots.slot[used[k]].normal, at), up);
+            }
+            auto opens = hn::And(less<one, deepest> zero);
+            for (uint32_t k = 0; k < count; ++k)
+                opens = hn::And(opens, hn::Or(gap[k] >= empty, dot(up, load3(slots.slot[used[k]].normal, at)) >= zero));
+            correction.v = select(opens, correction.v + deepest * to_body(q, up), correction.v);
+            for (uint32_t k = 0; k < count; ++k) {
+                const VF risen = deepest * dot(up, load3(slots.slot[used[k]].normal, at)) + gap[k];
+                gap[k] = hn::IfThenElse(opens, risen, gap[k]);
+            }
+        }
+        x += to_world(q, correction.v);
+        q = normalised(turn(q, q, half * inverse, correction.u));
+
+        const Twist met{load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
+        Twist t = met;
+        const VF slow = constant(2.0f * b.gravity * b.h);
+        VF shallow = zero;      // the least gap that the substep began with
+        VF apart = zero;        // m/s, between the surfaces' velocities
+        Vec3 carried = zero3(); // velocity of the surface that it touches, if it is one
+        auto any_touch = reach < zero;
+        // A body that rests falls half of g h^2 in a substep and gains g h: the impulses that undo the one are a good guess of those
+        // that undo the other.
+        const auto rests = depth < constant(2.0f) * slop + constant(b.gravity * (b.h * b.h));
+        const VF guess = hn::IfThenElseZero(rests, constant(2.0f / b.h));
+        for (uint32_t k = 0; k < count; ++k) {
+            const auto there = load1(slots.slot[used[k]].gap, at) < empty;
+            const auto touches = hn::And(touching[k] > zero, there);
+            const Vec3 surface = load3(slots.slot[used[k]].surface, at);
+            carried = select(hn::AndNot(any_touch, touches), surface, carried);
+            any_touch = hn::Or(any_touch, touches);
+            apart = hn::Max(apart, hn::IfThenElseZero(touches, greatest(surface - carried)));
+        }
+        for (uint32_t k = 0; k < count; ++k) {
+            const ContactSlots::Slot& s = slots.slot[used[k]];
+            const Vec3 surface = to_body(q, load3(s.surface, at));
+            Row& r = rows[k];
+            set_row<kFull>(c, to_body(q, load3(s.normal, at)), over[k], r);
+            const auto touches = hn::And(touching[k] > zero, load1(s.gap, at) < empty);
+            const auto present = load1(s.gap, at) < empty;
+            r.inverse = hn::IfThenElseZero(hn::And(present, any_touch), r.inverse);
+            const VF back_off = hn::IfThenElseZero(bounce[k] < -slow, -(load1(s.restitution, at) * bounce[k]));
+            // Of a body that touches with another point, what does not yet may come as fast as it takes to touch in a substep: a
+            // body does not rock from one side to the other with what it falls in each.
+            const VF closing = -(hn::Max(gap[k], zero) * inverse_h);
+            r.target = dot(r.along[0].v, surface) + hn::IfThenElse(touches, back_off, closing);
+            set_surface(r, surface);
+            const VF kept = hn::IfThenElseZero(touches, guess);
+            r.pressed = kept * r.pressed;
+            for (VF& dragged : r.dragged) dragged = kept * dragged;
+            t = t + r.pressed * r.response[0] + r.dragged[0] * r.response[1] + r.dragged[1] * r.response[2];
+            shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
+        }
+        project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-3f) * slow, t);
+        // Seen from what it touches. Restitution and friction of several contacts together could give energy (Kane 1984), and still
+        // surfaces have none to give.
+        const Vec3 base = to_body(q, carried);
+        const Twist came{met.v - base, met.u};
+        Twist goes{t.v - base, t.u};
+        const auto energy = [&](const Twist& of) LR_LAMBDA {
+            const Twist p = momentum<kFull>(c, of);
+            return dot(p.v, of.v) + dot(p.u, of.u);
+        };
+        const VF creep = constant(0.01f * b.gravity * b.h);
+        const auto one_surface = apart <= creep;
+        const VF had = energy(came), has = energy(goes);
+        const auto gained = hn::And(has > had, one_surface);
+        const VF factor = hn::IfThenElse(gained, hn::Sqrt(had / hn::Max(has, constant(1e-30f))), one);
+        goes = factor * goes;
+
+        // What is left of the sweeps would make bodies at rest creep. One that neither moved before nor does now stays where it
+        // was, to the bit: less than 1/100 of gravity, half a degree of slope, does not get it going.
+        const VF lever = reach * inverse;
+        const Twist first{began.v - to_body(q0, carried), began.u};
+        auto stays = hn::And(speed_of(first, lever) < creep, speed_of(goes, lever) < creep);
+        stays = hn::And(hn::And(stays, any_touch), hn::And(one_surface, shallow > -(slop + slop)));
+        x = select(stays, x0 + h * carried, x);
+        q = select(stays, q0, q);
+        goes = select(stays, Twist{zero3(), zero3()}, goes);
+        t = {select(stays, to_body(q, carried), base) + goes.v, goes.u};
+
+        auto any_contact = reach < zero;
+        for (uint32_t k = 0; k < count; ++k) {
+            ContactSlots::Slot& s = slots.slot[used[k]];
+            const auto present = load1(s.gap, at) < empty;
+            any_contact = hn::Or(any_contact, present);
+            const auto touches = hn::And(touching[k] > zero, present);
+            store1(s.impulse, at, hn::IfThenElse(touches, rows[k].pressed, -one));
+        }
+        // A body without contacts must not see that another in its vector has some: not even by rounding.
+        const auto put = [&](VF value, size_t field) LR_LAMBDA {
+            store1(b.arrays, field, at, hn::IfThenElse(any_contact, value, load1(b.arrays, field, at)));
+        };
+        const auto put3 = [&](Vec3 v, size_t field)
+                              LR_LAMBDA { put(v.x, field), put(v.y, field + 1), put(v.z, field + 2); };
+        put3(x, field_x);
+        put3({q.x, q.y, q.z}, field_qx);
+        put(q.w, field_qw);
+        put3(without_dust(t.v), field_vx);
+        put3(without_dust(inverse * t.u), field_wx);
+    }
+}
+
+void resolve_contacts(const ContactBodies& b, ContactSlots& slots) {
+    if (b.body->diagonal)
+        resolve<false>(b, slots);
+    else
+        resolve<true>(b, slots);
+}
+
+} // namespace lr::LR_KERNEL_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,379 @@
+// Where bodies touch a plane or a heightfield: few points of each, that hold it best.
+#if defined(LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
+#undef LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
+#else
+#define LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
+#endif
+
+#include "kernel/contact/collider_contact.h"
+#include "kernel/integrator/equations_of_motion-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::LR_KERNEL_NAMESPACE {
+
+// The first sample, along an axis, of the cell at a place counted in cells.
+HWY_INLINE VF cell_at(const HeightGrid& grid, VF place, int axis) {
+    const VF last = constant(static_cast<float>(grid.counts[axis] - 2));
+    return hn::Max(hn::Min(hn::Floor(place), last), hn::Zero(DF()));
+}
+HWY_INLINE VF height_of(const HeightGrid& grid, VF i, VF k) {
+    const DI di;
+    const VI row = hn::Set(di, static_cast<int32_t>(grid.counts[0]));
+    return hn::GatherIndex(DF(), grid.heights, hn::ConvertTo(di, i) + hn::ConvertTo(di, k) * row);
+}
+// The triangle at a place of a cell: `upper`, with the corner (i, k + 1), or that with (i + 1, k).
+struct HeightTriangle {
+    VF h00, h11, corner;
+
+    template <class Mask> HWY_INLINE VF height(Mask upper, VF fu, VF fw, VF& along_u, VF& along_w) const {
+        along_w = hn::IfThenElse(upper, corner - h00, h11 - corner);
+        along_u = hn::IfThenElse(upper, h11 - corner, corner - h00);
+        return fu * along_u + (fw * along_w + h00);
+    }
+};
+template <class Mask> HWY_INLINE HeightTriangle triangle_of(const HeightGrid& grid, VF i, VF k, Mask upper) {
+    const VF one = constant(1.0f), next_i = i + one, next_k = k + one;
+    return {height_of(grid, i, k), height_of(grid, next_i, next_k),
+            height_of(grid, hn::IfThenElse(upper, i, next_i), hn::IfThenElse(upper, next_k, k))};
+}
+
+// The height of a heightfield below points in its frame, that at its outline where they are beyond.
+HWY_INLINE VF height_within(const HeightGrid& grid, Vec3 p) {
+    const auto within = [&](VF at, int axis) LR_LAMBDA {
+        const VF last = constant(static_cast<float>(grid.counts[axis] - 1));
+        return hn::Max(hn::Min(at * constant(grid.inverse_spacing[axis]), last), hn::Zero(DF()));
+    };
+    const VF u = within(p.x, 0), w = within(p.z, 1), i = cell_at(grid, u, 0), k = cell_at(grid, w, 1);
+    const VF fu = u - i, fw = w - k;
+    const auto upper = fw >= fu;
+    VF along_u, along_w;
+    return triangle_of(grid, i, k, upper).height(upper, fu, fw, along_u, along_w);
+}
+// How far above such a height what reaches so far may be and touch something; heights are rounded.
+HWY_INLINE VF most_above(VF reach, float secant, VF height) {
+    return reach * constant(secant) + constant(1e-6f) * hn::Abs(height);
+}
+
+// Of the surface below a point, in the surface's own frame.
+struct GroundSample {
+    VF gap;               // height above it along its normal
+    VF slope[2], inverse; // its normal is (slope[0], 1, slope[1]) inverse
+};
+
+HWY_INLINE Vec3 columns(const Matrix& m, Vec3 a) {
+    return a.z * m.row[2] + a.y * m.row[1] + a.x * m.row[0];
+}
+// A row-major matrix, transposed, times a vector.
+HWY_INLINE Vec3 columns(const float* m, Vec3 a) {
+    return a.x * broadcast(m) + a.y * broadcast(m + 3) + a.z * broadcast(m + 6);
+}
+
+// What lies below the bodies of a vector. Those smaller than half a cell meet no more than two by two cells, whose heights and normals
+// are fetched once; the samples are the same to the bit.
+class GroundBelow {
+public:
+    HWY_INLINE GroundBelow(const HeightGrid& g, Vec3 middle, VF radius) : grid_(g) {
+        few_ = false;
+        if (!g.heights) return;
+        const VF most = constant(0.45f);
+        const VF greatest = constant(HWY_MAX(g.inverse_spacing[0], g.inverse_spacing[1]));
+        few_ = hn::AllTrue(DF(), radius * greatest <= most);
+        if (!few_) return;
+        VF place[2][3];
+        for (int axis = 0; axis < 2; ++axis) {
+            const VF first = (axis == 0 ? middle.x : middle.z) - radius;
+            first_[axis] = cell_at(g, first * constant(g.inverse_spacing[axis]), axis);
+            const VF last = constant(static_cast<float>(g.counts[axis] - 1));
+            for (int k = 0; k < 3; ++k) place[axis][k] = hn::Min(first_[axis] + constant(static_cast<float>(k)), last);
+        }
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k) height_[i][k] = height_of(g, place[0][i], place[1][k]);
+        for (int i = 0; i < 2; ++i)
+            for (int k = 0; k < 2; ++k) {
+                const VF h00 = height_[i][k], h11 = height_[i + 1][k + 1];
+                const VF upper = height_[i][k + 1], lower = height_[i + 1][k];
+                inverse_[i][k][0] = inverse_of(slope(h11 - upper, 0), slope(upper - h00, 1));
+                inverse_[i][k][1] = inverse_of(slope(lower - h00, 0), slope(h11 - lower, 1));
+            }
+    }
+
+    HWY_INLINE GroundSample at(Vec3 p) const {
+        const VF zero = hn::Zero(DF());
+        if (!grid_.heights) return {p.y, {zero, zero}, constant(1.0f)};
+        const VF u = p.x * constant(grid_.inverse_spacing[0]);
+        const VF w = p.z * constant(grid_.inverse_spacing[1]);
+        const VF i = cell_at(grid_, u, 0), k = cell_at(grid_, w, 1), fu = u - i, fw = w - k;
+        const auto upper = fw >= fu;
+        HeightTriangle t;
+        VF inverse;
+        if (few_) {
+            const auto next_i = i > first_[0], next_k = k > first_[1];
+            const auto pick = [&](VF a, VF b, VF c, VF e) LR_LAMBDA { // of the cells (0, 0), (1, 0), (0, 1), (1, 1)
+                return hn::IfThenElse(next_k, hn::IfThenElse(next_i, e, c), hn::IfThenElse(next_i, b, a));
+            };
+            const auto& h = height_;
+            t.h00 = pick(h[0][0], h[1][0], h[0][1], h[1][1]);
+            t.h11 = pick(h[1][1], h[2][1], h[1][2], h[2][2]);
+            t.corner = hn::IfThenElse(upper, pick(h[0][1], h[1][1], h[0][2], h[1][2]),
+                                      pick(h[1][0], h[2][0], h[1][1], h[2][1]));
+            const auto& n = inverse_;
+            inverse = hn::IfThenElse(upper, pick(n[0][0][0], n[1][0][0], n[0][1][0], n[1][1][0]),
+                                     pick(n[0][0][1], n[1][0][1], n[0][1][1], n[1][1][1]));
+        } else {
+            t = triangle_of(grid_, i, k, upper);
+        }
+        VF along_u, along_w;
+        const VF surface = t.height(upper, fu, fw, along_u, along_w);
+        GroundSample s{zero, {slope(along_u, 0), slope(along_w, 1)}, zero};
+        s.inverse = few_ ? inverse : inverse_of(s.slope[0], s.slope[1]);
+        const auto outside = [&](VF at_axis, int axis) LR_LAMBDA {
+            return hn::Or(at_axis<zero, at_axis> constant(static_cast<float>(grid_.counts[axis] - 1)));
+        };
+        s.gap = hn::IfThenElse(hn::Or(outside(u, 0), outside(w, 1)), constant(no_contact), (p.y - surface) * s.inverse);
+        return s;
+    }
+
+private:
+    HWY_INLINE VF slope(VF rise, int axis) const { return -(rise * constant(grid_.inverse_spacing[axis])); }
+    static HWY_INLINE VF inverse_of(VF x, VF z) {
+        const VF one = constant(1.0f);
+        return one / hn::Sqrt(x * x + (z * z + one));
+    }
+
+    const HeightGrid& grid_;
+    bool few_;
+    VF first_[2];         // cell, of each axis
+    VF height_[3][3];     // along x, along z, from that cell on
+    VF inverse_[2][2][2]; // of the upper and the lower triangle of each
+};
+
+// Thick ones roll over their only point, and lie in a valley between several.
+inline bool is_flat(const ShapeConstants& s) {
+    const float(&a)[3] = s.semi_axes;
+    const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
+    return least < 0.2f * most;
+}
+inline uint32_t ellipsoid_points(const ShapeConstants& s, const GroundSurface& g) {
+    return is_flat(s) ? 8 : g.grid.heights ? 5 : 1;
+}
+
+// A point of the shape: of its core, m in the surface's frame from the centre of mass, and its gap.
+struct GroundPoint {
+    Vec3 at;
+    VF gap;
+};
+
+// In the frame of the surface.
+class GroundPoints {
+public:
+    HWY_INLINE GroundPoints(const ContactBodies& b, const GroundSurface& g, size_t at, VF radius)
+        : shape_(b.shape), scale_(load1(b.arrays, field_scale, at)),
+          local_(lr::HWY_NAMESPACE::rows(g.axes, load3(b.arrays, field_x, at) - broadcast(g.position))),
+          below_(g.grid, local_, radius) {
+        const Quaternion q = load4(b.arrays, at);
+        for (int k = 0; k < 3; ++k) turned_.row[k] = to_body(q, broadcast(g.axes + 3 * k));
+        for (int k = 0; k < 3; ++k) scaled_.row[k] = scale_ * turned_.row[k];
+        radius_ = scale_ * constant(b.shape.count == 0 ? 0.0f : b.shape.radius);
+    }
+
+    // Of a core point, at scale 1.
+    HWY_INLINE GroundPoint get(float x, float y, float z, GroundSample& sample) const {
+        const Vec3 p{constant(x), constant(y), constant(z)};
+        return point(scaled_ * p, sample);
+    }
+    // Of an ellipsoid the one nearest to the surface and others. The first is that below which the surface is nearest. A flat one
+    // that lies touches at a point that goes from rim to rim with the least tilt: four more are where it would touch if it were tilted
+    // a little more, and three at the mirrored normals, at the other rims. A thick one has four for the slopes around it.
+    HWY_INLINE GroundPoint of_ellipsoid(uint32_t k, GroundSample& sample) const {
+        const ShapeConstants& s = shape_;
+        const Vec3 axes = scale_ * broadcast(s.semi_axes), center = scale_ * broadcast(s.center);
+        const bool flat = is_flat(s);
+        const float(&a)[3] = s.semi_axes;
+        const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
+        Vec3 from = turned_ * center;
+        if (k != 0 && !flat) { // no farther than the reach, which is as far as cells are fetched
+            const VF beside = scale_ * constant((k & 1) != 0 ? most : -most);
+            VF& along = k <= 2 ? from.x : from.z;
+            along += beside;
+        }
+        GroundPoint p = point(from, sample);
+        const auto support = [&](Vec3 n) LR_LAMBDA {
+            const Vec3 stretched = times(axes, n);
+            const VF inverse = inverse_length(hn::Sqrt(dot(stretched, stretched)));
+            const Vec3 arm = center - inverse * times(axes, stretched);
+            return point(turned_ * arm, sample);
+        };
+        // On a slope the surface under the point of support is that under another point: a second look is enough for
+        // bodies smaller than the cells, and exact on a plane.
+        Vec3 n = columns(turned_, normal(sample));
+        p = support(n);
+        n = columns(turned_, normal(sample));
+        p = support(n);
+        if (k == 0 || !flat) return p;
+        const float tilt = 0.02f * (1.0f - least / most) * (1.0f - least / most);
+        const int shortest = a[0] == least ? 0 : a[1] == least ? 1 : 2;
+        VF* const along[3] = {&n.x, &n.y, &n.z};
+        VF &first = *along[(shortest + 1) % 3], &second = *along[(shortest + 2) % 3];
+        if (k <= 4) {
+            VF& tilted = k <= 2 ? first : second;
+            tilted += constant((k & 1) != 0 ? tilt : -tilt);
+        } else {
+            if (k != 6) first = -first;
+            if (k != 5) second = -second;
+        }
+        return support(n);
+    }
+    HWY_INLINE GroundSample sample_at(Vec3 at) const { return below_.at(local_ + at); }
+    HWY_INLINE VF gap_of(const GroundSample& sample) const { return sample.gap - radius_; }
+    // On the body's surface, body frame.
+    HWY_INLINE Vec3 arm(Vec3 at, Vec3 n) const { return columns(turned_, at - radius_ * n); }
+    static HWY_INLINE Vec3 normal(const GroundSample& s) {
+        return {s.slope[0] * s.inverse, s.inverse, s.slope[1] * s.inverse};
+    }
+
+private:
+    HWY_INLINE GroundPoint point(Vec3 at, GroundSample& sample) const {
+        sample = sample_at(at);
+        return {at, gap_of(sample)};
+    }
+
+    const ShapeConstants& shape_;
+    VF scale_, radius_;
+    Vec3 local_; // of the centre of mass
+    Matrix turned_, scaled_;
+    GroundBelow below_;
+};
+
+// Whether none of the bodies within `radius` about their centres can be near the surface: over a heightfield no steeper than `steepness`
+// a point that far away is lower above it by no more than that times the secant.
+HWY_INLINE bool far_above(const GroundSurface& g, Vec3 x, VF radius) {
+    const Vec3 p = lr::HWY_NAMESPACE::rows(g.axes, x - broadcast(g.position));
+    if (!g.grid.heights) return hn::AllFalse(DF(), p.y <= radius);
+    const VF height = height_within(g.grid, p);
+    return hn::AllFalse(DF(), p.y - height <= most_above(radius, g.grid.secant, height));
+}
+
+// How near a point must be to count: half a hundredth of the body, what it falls in a substep, and what its position is
+// rounded to.
+HWY_INLINE VF contact_margin(const ContactBodies& b, VF reach, Vec3 x) {
+    return constant(0.005f) * reach + (constant(1e-6f) * greatest(x) + constant(b.gravity * (b.h * b.h)));
+}
+
+// Slopes that differ by more than this, as the length of the difference of normals, meet in an edge between the points.
+constexpr float sharp = 0.2f;
+
+// The deepest point, the one farthest from it, and the farthest on either side of the line between them, those that touch
+// before those that nearly do: of a body that lies
+// flat, corners of the largest quadrilateral or nearly so.
+bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::Slot (&out)[manifold_slots],
+                  uint32_t* rough) {
+    const DU du;
+    const bool ellipsoid = b.shape.count == 0;
+    const uint32_t points_there = g.grid.heights ? b.shape.sample_count : b.shape.count;
+    const uint32_t count = ellipsoid ? ellipsoid_points(b.shape, g) : points_there;
+    bool any = false;
+    const VF empty = constant(no_contact), zero = hn::Zero(DF()), one = constant(1.0f);
+    GroundPoint points[most_ground_points];
+    // As SurfaceMotion::lag_at.
+    const float half = 0.5f * b.h;
+    const float turned = half * half * (g.spin[0] * g.spin[0] + g.spin[1] * g.spin[1] + g.spin[2] * g.spin[2]);
+    const VF less = hn::Sqrt(hn::Max(one - constant(turned), zero)) - one;
+    for (size_t at = 0; at < b.count; at += hn::Lanes(DF())) {
+        const VF reach = constant(b.shape.reach) * load1(b.arrays, field_scale, at);
+        const Vec3 x = load3(b.arrays, field_x, at);
+        const VF margin = contact_margin(b, reach, x);
+        for (ContactSlots::Slot& s : out) store1(s.gap, at, empty);
+        if (far_above(g, x, reach + (margin + margin))) continue;
+
+        const GroundPoints all(b, g, at, reach + margin);
+        Vec3 deepest = zero3();
+        VF least = empty, alike = one; // the cosine of the greatest angle to the first point's normal
+        Vec3 first_normal = deepest;
+        for (uint32_t k = 0; k < count; ++k) {
+            GroundSample sample;
+            points[k] =
+                ellipsoid ? all.of_ellipsoid(k, sample) : all.get(b.shape.x[k], b.shape.y[k], b.shape.z[k], sample);
+            const auto deeper = points[k].gap < least;
+            least = hn::IfThenElse(deeper, points[k].gap, least);
+            deepest = select(deeper, points[k].at, deepest);
+            if (k == 0) first_normal = GroundPoints::normal(sample);
+            const VF cosine = (first_normal.x * sample.slope[0] + (first_normal.z * sample.slope[1] + first_normal.y)) *
+                              sample.inverse;
+            alike = hn::Min(alike, cosine);
+        }
+        const auto touching = least < margin;
+        if (hn::AllFalse(DF(), touching)) continue;
+        any = true;
+        if (g.grid.heights) {
+            const auto uneven = hn::And(touching, alike < constant(1.0f - 0.5f * sharp * sharp));
+            store1(rough, at, hn::IfThenElseZero(hn::RebindMask(du, uneven), hn::Set(du, 1)));
+        }
+        const auto put = [&](uint32_t slot, Vec3 point, hn::Mask<DF> there) LR_LAMBDA {
+            const GroundSample sample = all.sample_at(point);
+            const Vec3 n = GroundPoints::normal(sample);
+            ContactSlots::Slot& s = out[slot];
+            const Vec3 p = x + columns(g.axes, point) - broadcast(g.position);
+            store3(s.arm, at, all.arm(point, n));
+            store3(s.normal, at, columns(g.axes, n));
+            store1(s.gap, at, hn::IfThenElse(there, all.gap_of(sample), empty));
+            const Vec3 spin = broadcast(g.spin), along = cross(spin, p);
+            store3(s.surface, at, broadcast(g.velocity) + along);
+            store3(s.lag, at, constant(b.h) * (less * along - constant(half) * cross(spin, along)));
+            store1(s.friction, at, constant(g.friction));
+            store1(s.restitution, at, constant(g.restitution));
+            store1(s.collider, at, hn::Set(du, g.collider));
+            return n;
+        };
+        const Vec3 normal = put(0, deepest, touching);
+        if (count < 2) continue;
+
+        // What touches holds the body; of the rest, what pushing the deepest point out may press in. Points nearer to each other than
+        // `apart` hold no better than one.
+        const VF deep = hn::Max(-least, zero);
+        const VF wide_margin = constant(0.1f) * reach + margin + (deep + deep);
+        const VF per_margin = one / margin, per_wide = constant(0.05f) / wide_margin;
+        const VF apart = constant(0.02f) * reach;
+        Vec3 second = deepest;
+        VF farthest = apart * apart;
+        auto found = one < zero;
+        for (uint32_t k = 0; k < count; ++k) {
+            const VF gap = points[k].gap;
+            const VF part = one - gap * per_margin;
+            const VF some = hn::Max(constant(0.05f) - gap * per_wide, zero);
+            const auto near = hn::And(touching, gap < wide_margin);
+            const VF weight = hn::IfThenElseZero(near, hn::Min(hn::Max(part, some), constant(2.0f)));
+            points[k].gap = weight; // from here on
+            const Vec3 r = points[k].at - deepest;
+            const VF value = weight * dot(r, r);
+            const auto more = value > farthest;
+            second = select(more, points[k].at, second);
+            farthest = hn::IfThenElse(more, value, farthest);
+            found = hn::Or(found, more);
+        }
+        put(1, second, found);
+        if (count < 3 || hn::AllFalse(DF(), found)) continue;
+        const Vec3 across = cross(normal, second - deepest);
+        const VF wide = apart * hn::Sqrt(dot(across, across));
+        Vec3 side[2] = {deepest, deepest};
+        VF most[2] = {wide, wide};
+        hn::Mask<DF> there[2] = {one < zero, one < zero};
+        for (uint32_t k = 0; k < count; ++k) {
+            const VF value = points[k].gap * dot(across, points[k].at - deepest);
+            for (int i = 0; i < 2; ++i) {
+                const VF out_there = i == 0 ? value : -value;
+                const auto more = out_there > most[i];
+                side[i] = select(more, points[k].at, side[i]);
+                most[i] = hn::IfThenElse(more, out_there, most[i]);
+                there[i] = hn::Or(there[i], more);
+            }
+        }
+        put(2, side[0], hn::And(found, there[0]));
+        if (count > 3) put(3, side[1], hn::And(found, there[1]));
+    }
+    return any;
+}
+
+} // namespace lr::LR_KERNEL_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,88 @@
+// Divergence: the limits of a body's state, and how a body beyond them is held: at its last valid pose, without motion, marked.
+// docs/reference/bodies.md
+#pragma once
+
+#include "base/lane_arrays.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace lr {
+
+// Beyond anything that calls accept: a body that gets farther or faster was carried there by numerical errors or absurd forces.
+inline constexpr float farthest_place = 1e10f;  // m, each coordinate
+inline constexpr float fastest_squared = 4e12f; // (2e6 m/s)^2
+// (1e9 rad/s)^2: what is a hundredth of a millimetre thin turns by some 1e7 where it only flutters.
+inline constexpr float fastest_spin_squared = 1e18f;
+inline constexpr float shortest_turn = 0.98f, longest_turn = 1.02f; // squares of a unit quaternion's length
+
+// Marks stored in place of the age's rounding: of a held body, and of one that will be held at the end of the step.
+inline constexpr float held_mark = -1e30f, fault_mark = -2e30f, least_age_rest = -1e29f;
+inline bool is_held(float age_rest) {
+    return age_rest <= least_age_rest;
+}
+
+// As in kernel/integrator/equations_of_motion-inl.h, to the bit. gusts: the body has a wake velocity.
+inline bool is_sane(const BatchArrays& a, size_t i, bool gusts) {
+    const auto at = [&](size_t field) { return a.field[field][i]; };
+    const auto size = [](float x) { return x < 0.0f ? -x : x; };
+    const auto squared = [&](size_t f) { return at(f) * at(f) + (at(f + 1) * at(f + 1) + at(f + 2) * at(f + 2)); };
+    const float turn = at(field_qx) * at(field_qx) +
+                       (at(field_qy) * at(field_qy) + (at(field_qz) * at(field_qz) + at(field_qw) * at(field_qw)));
+    bool sane = turn >= shortest_turn && turn <= longest_turn; // false for NaN, like the others
+    for (size_t f = field_x; f <= field_z; ++f) sane = sane && size(at(f)) <= farthest_place;
+    sane = sane && squared(field_vx) <= fastest_squared && squared(field_wx) <= fastest_spin_squared;
+    return sane && (!gusts || squared(field_gust_x) <= fastest_squared);
+}
+
+// Sets the flag; once per step is enough. Any thread. to: may be null.
+inline void note_fault(uint32_t* to) {
+    if (to) __atomic_store_n(to, 1u, __ATOMIC_RELAXED);
+}
+
+// before(field): the body's last valid values, from x to w of its orientation.
+template <class Before> void hold_body(const BatchArrays& a, size_t i, float mark, const Before& before) {
+    for (size_t f = field_x; f <= field_qw; ++f) a.field[f][i] = before(f);
+    for (size_t f = field_vx; f <= field_wz; ++f) a.field[f][i] = 0.0f;
+    for (size_t f = field_gust_x; f < field_count && a.field[f]; ++f) a.field[f][i] = 0.0f;
+    a.field[field_age_rest][i] = mark;
+}
+
+// After anything that may make it diverge. Returns whether it is held.
+template <class Before>
+bool hold_if_insane(const BatchArrays& a, size_t i, uint32_t* faults, const Before& before, bool gusts = false) {
+    const float age_rest = a.field[field_age_rest][i];
+    const bool held = is_held(age_rest);
+    if (!held && is_sane(a, i, gusts)) return false;
+    hold_body(a, i, held ? age_rest : fault_mark, before);
+    if (!held) note_fault(faults);
+    return true;
+}
+
+// The former state of a vector's bodies, for when one of them diverges.
+class BodiesBefore {
+public:
+    __attribute__((noinline)) void take(const BatchArrays& a, size_t begin, size_t count) {
+        for (size_t f = 0; f < field_count; ++f)
+            if (a.field[f]) std::copy_n(a.field[f] + begin, count, value_[f]);
+    }
+    // a: their present state; seconds: since then; gusts: as in is_sane().
+    __attribute__((noinline)) void hold(const BatchArrays& a, size_t begin, size_t count, float seconds, bool gusts,
+                                        uint32_t* faults) {
+        for (size_t i = 0; i < count; ++i) {
+            const float age = value_[field_age][i], age_rest = value_[field_age_rest][i];
+            if (is_held(age_rest)) {
+                a.field[field_age][begin + i] = age + seconds;
+                a.field[field_age_rest][begin + i] = age_rest;
+            }
+            hold_if_insane(
+                a, begin + i, faults, [&](size_t f) { return value_[f][i]; }, gusts);
+        }
+    }
+
+private:
+    float value_[field_count][lane_block];
+};
+
+} // namespace lr

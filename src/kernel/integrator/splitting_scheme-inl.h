@@ -1,0 +1,518 @@
+// The default scheme: half a step of damping, weight and noise, exactly; a step of Kirchhoff's equations without loads,
+// by a linearly implicit midpoint that keeps their energy; the other half (docs/maintainers/numerics.md). Stable whatever the step:
+// the first part contracts towards its own equilibrium, the second neither gains nor loses.
+#if defined(LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_
+#undef LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_
+#else
+#define LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_
+#endif
+
+#include "kernel/integrator/equations_of_motion-inl.h"
+#include "kernel/integrator/step.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::LR_KERNEL_NAMESPACE {
+
+// Kirchhoff's equations without loads over one step, for diagonal and for full mass matrices: the implicit midpoint, solved so that
+// the energy is kept whatever the step (docs/maintainers/numerics.md, "Free motion").
+
+// A 3x3 matrix by its columns.
+struct Columns {
+    Vec3 x, y, z;
+};
+
+// Cramer's rule. Positive definite plus skew is never singular; a Newton step's matrix may be, and is then found unsound.
+HWY_INLINE Vec3 solve(Columns m, Vec3 r) {
+    const Vec3 yz = cross(m.y, m.z);
+    const VF inverse = constant(1.0f) / dot(m.x, yz);
+    return inverse * Vec3{dot(r, yz), dot(r, cross(m.z, m.x)), dot(r, cross(m.x, m.y))};
+}
+
+// M11^-1 y.
+template <bool kFull, class C> HWY_INLINE Vec3 mobility(const C& c, Vec3 y) {
+    if constexpr (kFull) return symmetric3(c.inverse_translation, y);
+    return scaled_by(c.inverse_mass, y);
+}
+// rows(c.slip, x) and columns(c.slip, x) are C x and C^T x, C = M12^T M11^-1, full path only.
+
+// The three columns of a x for the unit vectors x.
+HWY_INLINE Columns cross_columns(Vec3 a) {
+    const VF zero = hn::Zero(DF());
+    return {{zero, a.z, -a.y}, {-a.z, zero, a.x}, {a.y, -a.x, zero}};
+}
+// S = M22 - C M12.
+template <bool kFull, class C> HWY_INLINE Columns reduced_rotation(const C& c) {
+    const VF zero = hn::Zero(DF());
+    if constexpr (!kFull)
+        return {{constant(c.spin_mass[0]), zero, zero},
+                {zero, constant(c.spin_mass[1]), zero},
+                {zero, zero, constant(c.spin_mass[2])}};
+    const auto* const m = c.reduced_rotation;
+    return {{constant(m[0]), constant(m[1]), constant(m[2])},
+            {constant(m[1]), constant(m[3]), constant(m[4])},
+            {constant(m[2]), constant(m[4]), constant(m[5])}};
+}
+
+// How far the middle of a step of M z' = S(mu) z, S skew, lies from its start: (M - h/2 S) dz = h/2 S z0. Energy is kept
+// whatever mu is. p, l: the momenta mu. g: h/2 over the length d s. With dv = M11^-1 p x u - C^T du
+//   (S - [l]x - [p]x M11^-1 [p]x + C [p]x + [p]x C^T) du = l x u0 + p x (v0 + M11^-1 p x u0) - C p x u0.
+// An increment, and not the middle itself: over many steps its rounding would show as a drift of energy.
+template <bool kFull, class C> HWY_INLINE Twist middle_increment(const C& c, Twist start, Twist mu, VF g) {
+    const Vec3 p = g * mu.v, l = g * mu.u;
+    const Vec3 pu = cross(p, start.u);
+    Vec3 r = cross(l, start.u) + cross(p, start.v + mobility<kFull>(c, pu));
+    if constexpr (!kFull) {
+        const VF a = constant(c.inverse_mass[0]), b = constant(c.inverse_mass[1]), d = constant(c.inverse_mass[2]);
+        const VF xx = p.x * p.x, yy = p.y * p.y, zz = p.z * p.z;
+        const VF kxy = d * (p.x * p.y), kxz = b * (p.x * p.z), kyz = a * (p.y * p.z);
+        const Columns m{{b * zz + (d * yy + constant(c.spin_mass[0])), -(kxy + l.z), l.y - kxz},
+                        {l.z - kxy, a * zz + (d * xx + constant(c.spin_mass[1])), -(kyz + l.x)},
+                        {-(kxz + l.y), l.x - kyz, a * yy + (b * xx + constant(c.spin_mass[2]))}};
+        const Vec3 du = solve(m, r);
+        return {scaled_by(c.inverse_mass, pu + cross(p, du)), du};
+    } else {
+        r -= rows(c.slip, pu);
+        const Columns s = reduced_rotation<true>(c), lx = cross_columns(l), px = cross_columns(p);
+        const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const auto* ct) LR_LAMBDA {
+            const Vec3 turned = cross(p, broadcast(ct) - mobility<true>(c, pe));
+            return se - le + rows(c.slip, pe) + turned;
+        };
+        const Columns m{column(s.x, lx.x, px.x, c.slip), column(s.y, lx.y, px.y, c.slip + 3),
+                        column(s.z, lx.z, px.z, c.slip + 6)};
+        const Vec3 du = solve(m, r);
+        return {mobility<true>(c, pu + cross(p, du)) - columns(c.slip, du), du};
+    }
+}
+
+// One Newton step for the implicit midpoint M (z - z0) = g f(z), f = (P x u, L x u + P x v), from the estimate z.
+// With y = dP for unknown and N = (1 + [g u]x)^-1: y = N (r_v + g P x du), dv = M11^-1 y - C^T du, dL = C y + S du,
+// where C = M12^T M11^-1 and S = M22 - C M12; what is left is three equations for du.
+template <bool kFull, class C> HWY_INLINE Twist newton_step(const C& c, Twist start_momentum, Twist z, VF g) {
+    const Twist mu = momentum<kFull>(c, z);
+    const Vec3 a = g * z.u, b = g * z.v, p = g * mu.v, l = g * mu.u;
+    const Vec3 rv = start_momentum.v - mu.v + cross(p, z.u);
+    const Vec3 ru = start_momentum.u - mu.u + (cross(l, z.u) + cross(p, z.v));
+
+    const VF inverse = constant(1.0f) / (constant(1.0f) + dot(a, a));
+    const auto n = [&](Vec3 x) LR_LAMBDA { return inverse * (x + dot(a, x) * a - cross(a, x)); };
+    // What momentum y adds to the three equations.
+    const auto coupled = [&](Vec3 y) LR_LAMBDA {
+        const Vec3 sum = cross(b, y) - cross(p, mobility<kFull>(c, y));
+        if constexpr (!kFull) return sum;
+        const Vec3 cy = rows(c.slip, y);
+        return sum + (cy + cross(a, cy));
+    };
+    // A column of the matrix for du: S e + a x S e - l x e + p x C^T e + coupled(N (p x e)).
+    const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const auto* ct) LR_LAMBDA {
+        const Vec3 sum = se + cross(a, se) - le + coupled(n(pe));
+        if constexpr (kFull) return sum + cross(p, broadcast(ct));
+        return sum;
+    };
+    const Columns s = reduced_rotation<kFull>(c), lx = cross_columns(l), px = cross_columns(p);
+    const Columns m{column(s.x, lx.x, px.x, c.slip), column(s.y, lx.y, px.y, c.slip + 3),
+                    column(s.z, lx.z, px.z, c.slip + 6)};
+    const Vec3 du = solve(m, ru - coupled(n(rv)));
+    const Vec3 y = n(rv + cross(p, du));
+    Vec3 dv = mobility<kFull>(c, y);
+    if constexpr (kFull) dv -= columns(c.slip, du);
+    return {z.v + dv, z.u + du};
+}
+
+// A body that moves by more than this many of its lengths in half a step turns more often than can be seen or resolved:
+// it is turned by less, with the same energy. Beyond a hundred, single precision would lose that too.
+inline constexpr float most_lengths = 8.0f;
+
+// The implicit midpoint turns a steady spin through 2 atan(w h/2) instead of w h, and the moment in the middle of the chord is
+// too small by (w h)^2/12: a step longer by that share, x^2/3 with x = w h/2, makes both right to fourth order.
+HWY_INLINE VF stretched(Vec3 u, VF g) {
+    const VF x2 = hn::Min(g * g * dot(u, u), constant(1.0f));
+    return g * (x2 * constant(1.0f / 3.0f) + constant(1.0f));
+}
+
+// From the start of a step to its middle, and the step that was taken.
+struct Solved {
+    Twist increment;
+    VF g;
+};
+template <bool kFull, class C> HWY_INLINE Solved solve_middle(const C& c, const Twist& from, VF full_g) {
+    const Twist start = momentum<kFull>(c, from);
+    const VF energy = dot(from.v, start.v) + dot(from.u, start.u); // twice it, over the mass unit
+    const VF lengths = full_g * hn::Sqrt(energy);
+    const VF g = full_g / hn::Max(lengths * constant(1.0f / most_lengths), constant(1.0f));
+    const Twist first = newton_step<kFull>(c, start, from, g);
+    const Twist second = newton_step<kFull>(c, start, first, g);
+    // The true middle has no more energy than the ends. Newton's steps may miss it by far where the step is too long to
+    // resolve: then the momenta of the start are better.
+    const Twist second_mu = momentum<kFull>(c, second);
+    const auto sound = dot(second.v, second_mu.v) + dot(second.u, second_mu.u) <= energy * constant(1.5f);
+    return {middle_increment<kFull>(c, from, select(sound, second_mu, start), g), g};
+}
+
+// Velocities in the middle of a step and at its end.
+struct Motion {
+    Twist middle, end;
+    VF g; // half the step that was taken over the length d s
+};
+
+// Bodies that one Newton step does not solve: two, and a middle that keeps the energy whatever they give.
+template <bool kFull, class C>
+static HWY_NOINLINE void resolve_motion(const C& c, const Twist& start, VF g, hn::Mask<DF> where, Motion& m) {
+    const auto energy = [&](const Twist& t) LR_LAMBDA {
+        const Twist p = momentum<kFull>(c, t);
+        return dot(t.v, p.v) + dot(t.u, p.u);
+    };
+    const Solved s = solve_middle<kFull>(c, start, g);
+    Twist end = start + (s.increment + s.increment);
+    // What rounding has added: much where a needle turns many times in a step. A body that got lost in it stays as it was.
+    const VF before = energy(start), after = energy(end), zero = hn::Zero(DF());
+    const auto sound = hn::And(after > zero, after <= before * constant(4.0f));
+    const VF factor = hn::Min(hn::Sqrt(before / hn::IfThenElse(sound, after, constant(1.0f))), constant(1.0f));
+    end = select(sound, {factor * end.v, factor * end.u}, start);
+    m.middle = select(where, select(sound, start + s.increment, start), m.middle);
+    m.end = select(where, end, m.end);
+    m.g = hn::IfThenElse(where, s.g, m.g);
+}
+
+// The implicit midpoint u1 = u0 + 2 g J^-1 (J u x u + P x v), P1 - P0 = 2 g P x u, at the middle. P there is
+// (1 + [g u]x)^-1 P0, so that only u is unknown; one Newton step finds it, for which P is P0 + g P0 x u. What that leaves
+// undone would show as energy: spin at the end is scaled by what is missing, and a body that would need more than `most_scaling`
+// is solved the long way.
+inline constexpr float most_scaling = 0.05f;
+// Beyond these, squares of lengths moved and of the tangent of half the angle turned in half the step, the long way too.
+inline constexpr float most_moved = 64.0f, most_turned = 4.0f;
+
+// (1 + [a]x)^-1 P less P, for the spin in the middle, and for that at the start, a.(P x a) being 0.
+HWY_INLINE Vec3 turned_by(Vec3 a, VF squared, Vec3 momentum) {
+    const Vec3 lag = cross(a, momentum);
+    return constant(1.0f) / (constant(1.0f) + squared) * (cross(a, lag) - lag);
+}
+HWY_INLINE Vec3 first_turn(Vec3 a, Vec3 pa) {
+    return constant(1.0f) / (constant(1.0f) + dot(a, a)) * (pa - cross(a, pa));
+}
+// What the spin must be multiplied by to lose the energy gained.
+HWY_INLINE VF spin_factor(VF gained, VF spin_energy) {
+    const VF share = gained / hn::Max(spin_energy, constant(1e-30f));
+    return hn::Sqrt(hn::Max(constant(1.0f) - share, hn::Zero(DF())));
+}
+HWY_INLINE hn::Mask<DF> unsolved(VF factor, VF moved, VF turned) {
+    const auto solved = hn::And(hn::Abs(factor - constant(1.0f)) <= constant(most_scaling),
+                                hn::And(moved <= constant(most_moved), turned <= constant(most_turned)));
+    return hn::Not(solved);
+}
+
+template <class C> HWY_INLINE Motion free_motion(const C& c, Twist start, VF g) {
+    const VF one = constant(1.0f);
+    const Vec3 v = start.v, u = start.u, momentum = scaled_by(c.mass, v);
+    const Vec3 a = g * u, b = g * v, p = g * momentum;
+    const auto products = [](Vec3 w) LR_LAMBDA { return Vec3{w.y * w.z, w.z * w.x, w.x * w.y}; };
+    // u' over the body: gyroscopic and Munk moment.
+    const auto turning = [&](Vec3 spin, Vec3 speed) LR_LAMBDA {
+        return scaled_by(c.gyroscopic, products(spin)) + scaled_by(c.munk, products(speed));
+    };
+    // Rows of 1 - g (derivative of u').
+    const Vec3 alpha{constant(c.munk_turn[0]) * b.z, constant(c.munk_turn[1]) * b.x, constant(c.munk_turn[2]) * b.y};
+    const Vec3 beta{constant(c.munk_turn[3]) * b.y, constant(c.munk_turn[4]) * b.z, constant(c.munk_turn[5]) * b.x};
+    const Vec3 rv = first_turn(a, cross(p, u));
+    const Vec3 r{alpha.x * rv.y + beta.x * rv.z, alpha.y * rv.z + beta.y * rv.x, alpha.z * rv.x + beta.z * rv.y};
+    const auto diagonal = [&](VF al, VF pa, VF be, VF pb) LR_LAMBDA { return be * pb + (one - al * pa); };
+    const auto after = [&](const auto& gy, VF spin, VF be, VF pa)
+                           LR_LAMBDA { return -(constant(gy) * spin + be * pa); };
+    const auto before = [&](const auto& gy, VF spin, VF al, VF pa) LR_LAMBDA { return al * pa - constant(gy) * spin; };
+    const auto* const gy = c.gyroscopic;
+    const Columns m{
+        {diagonal(alpha.x, p.z, beta.x, p.y), before(gy[1], a.z, alpha.y, p.y), after(gy[2], a.y, beta.z, p.z)},
+        {after(gy[0], a.z, beta.x, p.x), diagonal(alpha.y, p.x, beta.y, p.z), before(gy[2], a.x, alpha.z, p.z)},
+        {before(gy[0], a.y, alpha.x, p.x), after(gy[1], a.x, beta.y, p.y), diagonal(alpha.z, p.y, beta.z, p.x)}};
+    const Vec3 um = u + solve(m, r + g * turning(u, v));
+
+    const Vec3 am = g * um;
+    const VF turned = dot(am, am);
+    const Vec3 dp = turned_by(am, turned, momentum);
+    const Vec3 dv = scaled_by(c.inverse_mass, dp), vm = v + dv;
+    const Vec3 du = (g + g) * turning(um, vm), u1 = u + du;
+    // Kinetic energies at the end less those at the start: 4 P.dv and (l0 + l1).du.
+    const VF gained = constant(4.0f) * dot(momentum + dp, dv) + dot(scaled_by(c.spin_mass, u + u1), du);
+    const VF factor = spin_factor(gained, dot(scaled_by(c.spin_mass, u1), u1));
+    Motion out{{vm, um}, {vm + dv, factor * u1}, g};
+    if (const auto left = unsolved(factor, dot(p, b), turned); !hn::AllFalse(DF(), left))
+        resolve_motion<false>(c, start, g, left, out);
+    return out;
+}
+
+// The same for any mass matrix: v = M11^-1 P - C^T u and L = C P + S u with C = M12^T M11^-1 and S = M22 - C M12.
+template <class C> HWY_INLINE Motion free_motion_full(const C& c, Twist start, VF g) {
+    const Vec3 v = start.v, u = start.u;
+    const auto* const s = c.reduced_rotation;
+    const Vec3 momentum = symmetric6(c.full_mass, start).v, spin_momentum = symmetric3(s, u);
+    const Vec3 angular = rows(c.slip, momentum) + spin_momentum;
+    const Vec3 a = g * u, b = g * v, p = g * momentum, l = g * angular;
+    // Columns of H = (1 + [a]x) C + [b]x - [p]x M11^-1, and of 1 - g (derivative): (1 + [a]x) S - [l]x + [p]x C^T + H [p]x.
+    const auto column = [&](const auto& c0, const auto& c1, const auto& c2, const auto& m0, const auto& m1,
+                            const auto& m2) LR_LAMBDA {
+        const Vec3 slip{constant(c0), constant(c1), constant(c2)}, rate{constant(m0), constant(m1), constant(m2)};
+        return slip + cross(a, slip) - cross(p, rate);
+    };
+    const auto* const k = c.slip;
+    const auto* const n = c.inverse_translation;
+    Columns h{column(k[0], k[3], k[6], n[0], n[1], n[2]), column(k[1], k[4], k[7], n[1], n[3], n[4]),
+              column(k[2], k[5], k[8], n[2], n[4], n[5])};
+    h.x.y = h.x.y + b.z, h.x.z = h.x.z - b.y;
+    h.y.x = h.y.x - b.z, h.y.z = h.y.z + b.x;
+    h.z.x = h.z.x + b.y, h.z.y = h.z.y - b.x;
+    const auto turning = [&](const auto& s0, const auto& s1, const auto& s2, const auto* ct) LR_LAMBDA {
+        const Vec3 e{constant(s0), constant(s1), constant(s2)};
+        return e + cross(a, e) + cross(p, broadcast(ct));
+    };
+    Columns m{turning(s[0], s[1], s[2], k), turning(s[1], s[3], s[4], k + 3), turning(s[2], s[4], s[5], k + 6)};
+    m.x += p.z * h.y - p.y * h.z;
+    m.y += p.x * h.z - p.z * h.x;
+    m.z += p.y * h.x - p.x * h.y;
+    m.x.y = m.x.y - l.z, m.x.z = m.x.z + l.y;
+    m.y.x = m.y.x + l.z, m.y.z = m.y.z - l.x;
+    m.z.x = m.z.x - l.y, m.z.y = m.z.y + l.x;
+    const Vec3 rv = first_turn(a, cross(p, u));
+    const Vec3 hr = rv.x * h.x + (rv.y * h.y + rv.z * h.z);
+    const Vec3 r = cross(l, u) + cross(p, v) - hr;
+    const Vec3 dum = solve(m, r), um = u + dum;
+
+    const Vec3 am = g * um;
+    const VF turned = dot(am, am);
+    const Vec3 dp = turned_by(am, turned, momentum), pm = momentum + dp;
+    const Vec3 moved_by = symmetric3(n, dp), dragged_along = rows(c.slip, dp);
+    const Vec3 lm = angular + (dragged_along + symmetric3(s, dum));
+    const Vec3 vm = v + (moved_by - columns(c.slip, dum));
+    const Vec3 dl = (g + g) * (cross(lm, um) + cross(pm, vm));
+    const Vec3 spun = dl - (dragged_along + dragged_along); // S du
+    // S^-1 is the lower block of M^-1, the last six of its upper triangle.
+    const Vec3 du = symmetric3(c.full_inverse + 15, spun), u1 = u + du;
+    const VF gained = constant(4.0f) * dot(pm, moved_by) + dot(u + u1, spun);
+    const VF factor = spin_factor(gained, dot(spin_momentum + spun, u1));
+    const Vec3 scaled = factor * u1;
+    Motion out{{vm, um}, {v + (moved_by + moved_by) - columns(c.slip, scaled - u), scaled}, g};
+    if (const auto left = unsolved(factor, dot(p, b), turned); !hn::AllFalse(DF(), left))
+        resolve_motion<true>(c, start, g, left, out);
+    return out;
+}
+
+// Modes in which mass is the unit matrix and damping diagonal.
+template <class C> HWY_INLINE Twist to_modes(const C& c, Twist t) {
+    return general6<false>(c.to_modes, t);
+}
+template <class C> HWY_INLINE Twist from_modes(const C& c, Twist y) {
+    return general6<false>(c.from_modes, y);
+}
+template <class C> HWY_INLINE Twist force_to_modes(const C& c, Twist f) {
+    return general6<true>(c.from_modes, f);
+}
+
+// 1 + x + x^2/2 + x^3/6 and (1 + x/2 + x^2/6): exp(-x) = 1/D and (1 - exp(-x))/x = C/D to third order, both with the
+// right limits as x grows, so that a stiff body settles at its terminal velocity instead of ringing.
+struct Relaxation {
+    VF c, d;
+};
+HWY_INLINE Relaxation relaxation(VF x) {
+    x = hn::Min(x, constant(1e10f)); // D stays finite
+    const VF sixth = x * constant(1.0f / 6.0f);
+    const VF c = x * (constant(0.5f) + sixth) + constant(1.0f);
+    return {c, x * c + constant(1.0f)};
+}
+
+// Of the noise that leaves a mode's stationary variance exact, over h/4: over the whole step exp(-2x) = 1/D^2; variance
+// (1 - 1/D^4)/(4x) without the cancellation, as D - 1 = x C.
+HWY_INLINE VF quadruple_variance(const Relaxation& r, VF inverse) {
+    const VF one = constant(1.0f);
+    return r.c * inverse * ((one + inverse) * (inverse * inverse + one));
+}
+
+// One mode: y' = -x/tau y + f over tau, and the noise that leaves its stationary variance exact. `kick` is the noise
+// force times sqrt(2 tau).
+template <bool kNoise> HWY_INLINE VF relax(VF y, VF x, VF tau_f, VF kick) {
+    const Relaxation r = relaxation(x);
+    const VF inverse = constant(1.0f) / r.d;
+    const VF still = (tau_f * r.c + y) * inverse;
+    if constexpr (!kNoise) return still;
+    return kick * hn::Sqrt(constant(0.25f) * quadruple_variance(r, inverse)) + still;
+}
+
+// kUsual: LANGEVIN loads by speed, known when this is compiled.
+template <bool kUsual> HWY_INLINE bool without_loads(const StepInput& in) {
+    return !kUsual && in.loads == Loads::none;
+}
+template <bool kUsual> HWY_INLINE bool by_speed(const StepInput& in) {
+    return kUsual || in.clock == Clock::speed;
+}
+
+// A body whose axes are its modes. gauss is read only with noise.
+template <bool kNoise, bool kUsual, class C>
+HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6],
+                                   Body& b) {
+    const VF one = constant(1.0f), half = constant(0.5f), tau = constant(0.5f * in.h);
+    const Vec3 mobility = tau * broadcast(c.inverse_mass), spin_mobility = tau * broadcast(c.inverse_spin_mass);
+    Vec3 pull = times(mobility, to_body(b.q, held.weight)), couple{};
+    if (held.external) {
+        const Twist f = external_force<false>(c, *held.external, b.q);
+        pull += times(mobility, f.v);
+        couple = times(spin_mobility, f.u);
+    }
+    if (HWY_UNLIKELY(without_loads<kUsual>(in))) {
+        b.t.v += pull;
+        if (held.external) b.t.u += couple;
+        return;
+    }
+    // Damping is towards the fluid's own rotation: relax the spin through the fluid.
+    Vec3 fluid_spin{};
+    if (held.sheared) {
+        fluid_spin = to_body(b.q, held.fluid_spin);
+        b.t.u -= fluid_spin;
+    }
+    const Vec3 rate = broadcast(c.rate), spin_rate = broadcast(c.rate + 3);
+    VF share, beta = held.beta; // alpha tau
+    if (HWY_LIKELY(by_speed<kUsual>(in))) {
+        // Speed in the middle of the half step, estimated implicitly: it makes the damping of second order.
+        const VF unit = constant(c.speed_alpha) * held.inverse_length * tau;
+        const VF guess = unit * half * hn::Sqrt(dot(b.t.v, b.t.v));
+        const auto middle = [&](VF v, VF push, VF lambda)
+                                LR_LAMBDA { return (half * push + v) / (guess * lambda + one); };
+        const Vec3 m = each_axis(middle, b.t.v, pull, rate);
+        const VF s2 = dot(m, m), s = hn::Sqrt(s2);
+        share = unit * s;
+        if constexpr (kNoise) beta = hn::Sqrt(beta_unit * (s2 * s));
+    } else {
+        share = held.alpha * tau;
+    }
+    struct Relaxations {
+        Relaxation x, y, z;
+    };
+    const auto relaxations = [&](Vec3 by) LR_LAMBDA {
+        return Relaxations{relaxation(share * by.x), relaxation(share * by.y), relaxation(share * by.z)};
+    };
+    const Relaxations v = relaxations(rate), u = relaxations(spin_rate);
+    const auto pushed = [&](VF y, VF push, const Relaxation& x) LR_LAMBDA { return push * x.c + y; };
+    const Vec3 pulled = each_axis(pushed, b.t.v, pull, v);
+    Vec3 turned = b.t.u;
+    if (held.external) turned += times(couple, {u.x.c, u.y.c, u.z.c});
+    if constexpr (!kNoise) {
+        const auto settled = [](VF y, const Relaxation& x) LR_LAMBDA { return y / x.d; };
+        b.t.v = each_axis(settled, pulled, v);
+        b.t.u = each_axis(settled, turned, u);
+    } else {
+        beta *= constant(0.5f * in.sqrt_h);
+        const VF spin_beta = beta * constant(c.noise_spin);
+        const auto settled = [&](VF y, const Relaxation& x, VF kick) LR_LAMBDA {
+            const VF inverse = one / x.d;
+            return kick * hn::Sqrt(quadruple_variance(x, inverse)) + y * inverse;
+        };
+        const Twist g = broadcast6(gauss);
+        b.t.v = each_axis(settled, pulled, v, beta * times(rate, g.v));
+        b.t.u = each_axis(settled, turned, u, spin_beta * times(spin_rate, g.u));
+    }
+    if (held.sheared) b.t.u += fluid_spin;
+}
+
+// Weight, buoyancy and what acts from outside, along the modes.
+template <class C> HWY_INLINE Twist applied_to_modes(const C& c, const Held& held, Quaternion q) {
+    const Vec3 gravity = to_body(q, held.gravity);
+    if (held.uniform) {
+        const Twist f{rows(c.modes_of_gravity, gravity), rows(c.modes_of_gravity + 9, gravity)};
+        return held.external ? f + force_to_modes(c, external_force<true>(c, *held.external, q)) : f;
+    }
+    Twist f{to_body(q, held.weight), cross(broadcast(c.buoyancy), gravity)};
+    if (held.external) f += external_force<true>(c, *held.external, q);
+    return force_to_modes(c, f);
+}
+
+// Damping, weight, and at the end of a step noise, for half a substep; orientation held.
+template <bool kNoise, bool kUsual, class C>
+HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6],
+                               Body& b) {
+    const VF tau = constant(0.5f * in.h);
+    // Damping is towards the fluid's own rotation: relax the spin through the fluid.
+    const bool sheared = !without_loads<kUsual>(in) && held.sheared;
+    const auto fluid_spin = [&]() LR_LAMBDA { return to_body(b.q, held.fluid_spin); };
+    if (sheared) b.t.u -= fluid_spin();
+    const Twist tau_f = tau * applied_to_modes(c, held, b.q);
+    const Twist y = to_modes(c, b.t);
+    if (HWY_UNLIKELY(without_loads<kUsual>(in))) {
+        b.t += from_modes(c, tau_f);
+        return;
+    }
+    const Twist rate = broadcast6(c.rate);
+    VF alpha = held.alpha;
+    VF beta = held.beta;
+    if (HWY_LIKELY(by_speed<kUsual>(in))) {
+        // Speed in the middle of the half step, estimated implicitly: it makes the damping of second order.
+        const VF unit = constant(c.speed_alpha) * held.inverse_length;
+        const VF half_tau = constant(0.25f * in.h);
+        const VF guess = unit * hn::Sqrt(dot(b.t.v, b.t.v)) * half_tau;
+        const auto middle = [&](VF value, VF kick, VF lambda) LR_LAMBDA {
+            return (constant(0.5f) * kick + value) / (guess * lambda + constant(1.0f));
+        };
+        const Twist m = from_modes(c, each_axis6(middle, y, tau_f, rate));
+        const VF s2 = dot(m.v, m.v), s = hn::Sqrt(s2);
+        alpha = unit * s;
+        if constexpr (kNoise) beta = hn::Sqrt(beta_unit * (s2 * s));
+    }
+    const Twist x = alpha * tau * rate;
+    Twist kick = x;
+    if constexpr (kNoise) {
+        beta *= constant(in.sqrt_h);
+        kick = beta * general6<false>(c.modes_of_noise, broadcast6(gauss));
+    }
+    const auto relax_mode = [&](VF value, VF decay, VF push, VF by)
+                                LR_LAMBDA { return relax<kNoise>(value, decay, push, by); };
+    const Twist relaxed = each_axis6(relax_mode, y, x, tau_f, kick);
+    // The change only: to modes and back costs a rounding each time.
+    b.t += from_modes(c, {relaxed.v - y.v, relaxed.u - y.u});
+    if (sheared) b.t.u += fluid_spin();
+}
+
+// A step of Kirchhoff's equations without loads. Stretched: with the error of the turning made good, and along the velocities
+// at the ends: the middle one is the chord of an arc, too short by (w h)^2/8.
+template <bool kFull, bool kStretched = false, class C>
+HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
+    VF g = constant(0.5f * h) * held.inverse_length;
+    if constexpr (kStretched) g = stretched(b.t.u, g);
+    Motion m;
+    if constexpr (kFull)
+        m = free_motion_full(c, b.t, g);
+    else
+        m = free_motion(c, b.t, g);
+    // Orientation by Cayley's map of h w, on the group; half of it is the middle orientation.
+    const Quaternion q1 = normalised(turn(b.q, b.q, constant(1.0f), m.g * m.middle.u));
+    if constexpr (kStretched) {
+        b.x += constant(0.5f * h) * (to_world(b.q, b.t.v) + to_world(q1, m.end.v));
+    } else {
+        const Quaternion middle{b.q.x + q1.x, b.q.y + q1.y, b.q.z + q1.z, b.q.w + q1.w};
+        b.x += constant(h) * to_world_scaled(middle, m.middle.v);
+    }
+    b.q = q1;
+    b.t = m.end;
+}
+
+// Loads::none or langevin.
+template <bool kFull, bool kUsual, class C>
+HWY_INLINE void splitting_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6],
+                                  Body& b) {
+    const VF half = constant(0.5f * in.h);
+    if (HWY_UNLIKELY(!without_loads<kUsual>(in) && !by_speed<kUsual>(in))) {
+        VF beta_squared;
+        sample_table(in.table, b.age + half, held.alpha, beta_squared);
+        held.beta = hn::Sqrt(beta_squared);
+    }
+    if constexpr (kFull)
+        load_half_full<false, kUsual>(in, c, held, beta_unit, gauss, b);
+    else
+        load_half_diagonal<false, kUsual>(in, c, held, beta_unit, gauss, b);
+    free_step<kFull>(in.h, c, held, b);
+    if constexpr (kFull)
+        load_half_full<true, kUsual>(in, c, held, beta_unit, gauss, b);
+    else
+        load_half_diagonal<true, kUsual>(in, c, held, beta_unit, gauss, b);
+    b.x += constant(in.h) * held.wind;
+    grow_older(b, constant(in.h));
+}
+
+} // namespace lr::LR_KERNEL_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

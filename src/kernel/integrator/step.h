@@ -1,0 +1,94 @@
+// Steps a range of bodies of one batch through all substeps of a step, one body a lane.
+#pragma once
+
+#include "base/lane_arrays.h"
+#include "kernel/body_constants.h"
+#include "kernel/contact/body_contact.h"
+#include "kernel/contact/gjk_pairs.h"
+#include "kernel/water/water_loads.h"
+#include "kernel/wind/sample_wind.h"
+
+#include <cstdint>
+
+struct lr_batch_rules;
+
+namespace lr {
+
+// Forces over a step, by force_component. The step consumes those of bodies: it leaves zeros behind.
+struct ExternalInput {
+    bool any;
+    float batch[force_components]; // on each body
+    float* bodies;                 // on each by itself, force_components arrays
+    uint32_t used;                 // a bit for each vector of `bodies`, from component 0 on; the others are 0
+    size_t stride;                 // from one of these arrays to the next
+    bool clear = true;             // forces on bodies are for this call alone
+};
+
+struct StepInput {
+    uint64_t seed;
+    uint64_t first_substep; // time index of the noise
+    uint32_t substeps;
+    float h; // s, one substep
+    float sqrt_h, inverse_sqrt_h;
+    float gravity[3];    // m/s^2, world, less the acceleration of the uniform wind
+    float wind_begin[3]; // m/s, world: the uniform wind as the step begins,
+    float wind[3];       // and as it ends; linear between
+    bool wind_changes;
+    Loads loads;
+    Clock clock;
+    Integrator integrator;
+    BodyConstants body;
+    TableConstants table;
+    ExternalInput external;
+    const WaterBody* water;     // null without a surface
+    uint32_t* faults = nullptr; // set when a body diverges (kernel/divergence.h); null: not needed
+};
+
+// begin: a multiple of lane_block; end: of the target's lanes.
+using StepFunction = void(const StepInput&, const BatchArrays&, size_t begin, size_t end);
+// The paper's scheme is a reference, which need not be fast: compiled for one instruction set, used by all. The bits are the same.
+StepFunction step_rk4;
+
+inline constexpr uint32_t most_kill_volumes = 8;
+// Why bodies end. Volumes follow, in their order.
+enum Cause : uint32_t { cause_none, cause_not_finite, cause_age, cause_volume };
+inline constexpr uint32_t cause_count = cause_volume + most_kill_volumes;
+// Writes the first cause that holds for each body of [begin, end), multiples of lane_block. Returns whether there is any.
+using EndedFunction = bool(const lr_batch_rules&, const BatchArrays&, size_t begin, size_t end, uint32_t* cause);
+
+// Positions (and velocities) of bodies in the middle of a substep, world axes.
+using PredictFunction = void(const BatchArrays&, size_t begin, size_t end, float h, FieldBlock& out);
+// Winds at the block's positions.
+using EvaluateFunction = void(const FieldInstant&, size_t count, FieldBlock& block);
+// What a substep needs of them.
+using CombineFunction = void(float h, size_t count, const FieldBlock& block, FluidSample& out);
+// After the substep: bodies met the wind of their mean velocity over it, not that of their first.
+using SettleFunction = void(const BodyConstants&, float h, const FieldBlock& block, const FluidSample& sample,
+                            const BatchArrays&, size_t begin, size_t end, uint32_t* faults);
+
+struct KernelTarget {
+    int32_t simd; // LR_SIMD_*
+    int64_t hwy;  // Highway's bit for it
+    StepFunction* splitting;
+    EndedFunction* ended;
+    PredictFunction* predict;
+    EvaluateFunction* evaluate;
+    CombineFunction* combine;
+    SettleFunction* settle;
+    SurfaceTarget surface;
+    const ContactTarget* contact;
+    const BodyContactTarget* body_contact;
+    PairSearch* search_pairs;
+
+    void step(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) const {
+        (in.integrator == Integrator::rk4 ? &step_rk4 : splitting)(in, a, begin, end);
+    }
+};
+
+// Targets in this build, best first; `count` receives how many.
+const KernelTarget* built_targets(size_t& count);
+
+// The best target that this processor runs, or the one asked for (LR_SIMD_*); null when it cannot.
+const KernelTarget* find_target(int32_t simd);
+
+} // namespace lr

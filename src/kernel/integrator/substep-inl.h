@@ -1,0 +1,199 @@
+// One substep of one vector of bodies, whatever their loads and scheme.
+#if defined(LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_
+#undef LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_
+#else
+#define LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_
+#endif
+
+#include "kernel/integrator/equations_of_motion-inl.h"
+#include "kernel/integrator/splitting_scheme-inl.h"
+#include "kernel/integrator/step.h"
+#include "kernel/loads/aerodynamic_loads-inl.h"
+#include "kernel/math/gaussian_noise-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::LR_KERNEL_NAMESPACE {
+
+// Time derivative of the twist. P, L: momenta over mass unit; with w = u/(d s)
+//   P' = P x w + weight vector - alpha rho(V + A) v + noise
+//   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D (u - fluid spin) + noise
+// The Munk moment P x v carries the body's own momentum too, which is parallel to v and drops out.
+template <bool kFull, bool kAerodynamic, class C>
+HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Quaternion q, Twist t) {
+    const Twist p = momentum<kFull>(c, t);
+    Twist f;
+    f.v = to_body(q, held.weight) + held.inverse_length * cross(p.v, t.u);
+    f.u = held.inverse_length * (cross(p.u, t.u) + cross(p.v, t.v));
+    if constexpr (kFull) f.u += cross(broadcast(c.buoyancy), to_body(q, held.gravity));
+    if (held.external) f += external_force<kFull>(c, *held.external, q);
+    if (!kAerodynamic && in.loads == Loads::langevin) {
+        VF alpha = held.alpha;
+        if (in.clock == Clock::speed) alpha = constant(c.speed_alpha) * held.inverse_length * hn::Sqrt(dot(t.v, t.v));
+        if (held.sheared) t.u -= to_body(q, held.fluid_spin); // drag of the spin through the fluid
+        const Twist d = dragged<kFull>(c, t);
+        f.v = f.v + held.noise.v - alpha * d.v;
+        f.u = f.u + held.noise.u - alpha * d.u;
+    }
+    return acceleration<kFull>(c, f);
+}
+
+// One substep of the paper's scheme: classical Runge-Kutta, with the noise held over its stages (docs/maintainers/physics.md section
+// 4, docs/maintainers/numerics.md).
+template <bool kFull, bool kAerodynamic, class C>
+HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6], Body& b) {
+    const VF h = constant(in.h), half = constant(0.5f * in.h), quarter = constant(0.25f * in.h);
+    if (!kAerodynamic && in.loads == Loads::langevin) {
+        VF beta;
+        if (in.clock == Clock::speed) {
+            const VF s2 = dot(b.t.v, b.t.v);
+            beta = hn::Sqrt(beta_unit * (s2 * hn::Sqrt(s2)));
+        } else {
+            VF beta_squared;
+            sample_table(in.table, b.age + half, held.alpha, beta_squared);
+            beta = hn::Sqrt(beta_squared);
+        }
+        beta *= constant(in.inverse_sqrt_h);
+        const VF spin_beta = beta * constant(c.noise_spin);
+        held.noise = dragged<kFull>(c, {beta * broadcast(gauss), spin_beta * broadcast(gauss + 3)});
+    }
+    const auto rate = [&](Quaternion q, Twist t) LR_LAMBDA {
+        const Twist r = twist_rate<kFull, kAerodynamic>(in, c, held, q, t);
+        if constexpr (!kAerodynamic) return r;
+        if (held.sheared) t.u -= to_body(q, held.fluid_spin);
+        return r + acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held.inverse_length, t));
+    };
+    const auto spin = [&](Twist t) LR_LAMBDA { return held.inverse_length * t.u; };
+
+    const Twist k1 = rate(b.q, b.t);
+    const Vec3 w1 = spin(b.t);
+    Vec3 travel = to_world(b.q, b.t.v);
+    Quaternion turned = turn(b.q, b.q, constant(in.h / 12.0f), w1);
+
+    Quaternion q = turn(b.q, b.q, quarter, w1);
+    Twist t = b.t + half * k1;
+    const Twist k2 = rate(q, t);
+    const Vec3 w2 = spin(t);
+    Vec3 middle = to_world(q, t.v);
+    turned = turn(turned, q, constant(in.h / 6.0f), w2);
+
+    q = turn(b.q, q, quarter, w2);
+    t = b.t + half * k2;
+    const Twist k3 = rate(q, t);
+    const Vec3 w3 = spin(t);
+    middle += to_world(q, t.v);
+    turned = turn(turned, q, constant(in.h / 6.0f), w3);
+
+    q = turn(b.q, q, half, w3);
+    t = b.t + h * k3;
+    const Twist k4 = rate(q, t);
+    travel += to_world(q, t.v);
+    turned = turn(turned, q, constant(in.h / 12.0f), spin(t));
+
+    const VF sixth = constant(in.h / 6.0f);
+    b.x += h * held.wind;
+    b.x += sixth * (travel + (middle + middle));
+    const Twist inner = k2 + k3;
+    b.t += sixth * (k1 + k4 + (inner + inner));
+    b.q = normalised(turned);
+    grow_older(b, h);
+}
+
+// Forces from outside over a step, in the units of the kernel (body_constants.h). Those of bodies are taken: zeros are left for the next step.
+template <class C>
+static HWY_NOINLINE External take_external(const ExternalInput& in, const C& c, VF body_scale, size_t at) {
+    VF sum[force_components];
+    for (size_t i = 0; i < force_components; ++i) {
+        sum[i] = constant(in.batch[i]);
+        if ((in.used >> i / 3 & 1u) == 0) continue;
+        float* const own = in.bodies + i * in.stride + at;
+        sum[i] += load1(own, 0);
+        if (in.clear) store1(own, 0, hn::Zero(DF()));
+    }
+    const VF length = body_scale * constant(c.length);
+    const VF cube = body_scale * body_scale * body_scale;
+    const VF per_mass = constant(1.0f) / (cube * constant(c.unit_mass));
+    const VF per_moment = per_mass / length;
+    const auto vector = [&](size_t frame, size_t kind, VF unit) LR_LAMBDA {
+        const VF* const v = sum + force_component(frame, kind);
+        return Vec3{v[0] * unit, v[1] * unit, v[2] * unit};
+    };
+    External out;
+    for (size_t frame = 0; frame < 2; ++frame) {
+        out.force[frame] = {vector(frame, force_newton, per_mass), vector(frame, force_torque, per_moment)};
+        out.rate[frame] = {vector(frame, force_acceleration, constant(1.0f)), vector(frame, force_spin, length)};
+    }
+    return out;
+}
+
+// The uniform wind in the middle of a substep.
+HWY_INLINE Vec3 wind_of_substep(const StepInput& in, uint32_t i) {
+    const float part = (static_cast<float>(i) + 0.5f) / static_cast<float>(in.substeps);
+    float wind[3];
+    for (int k = 0; k < 3; ++k) wind[k] = in.wind_begin[k] + part * (in.wind[k] - in.wind_begin[k]);
+    return broadcast(wind);
+}
+
+// A body in its own patch of moving air: quasi-steady motion through it, then the patch's next velocity, which the body
+// meets with the world velocity it has.
+template <bool kFull, Integrator kIntegrator, class C>
+HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held, VU noise_seed, uint32_t substep,
+                                    Body& b) {
+    b.t.v -= to_body(b.q, b.gust);
+    const VF speed = hn::Sqrt(speed_squared(b.t.v));
+    VF alpha, variance;
+    if (HWY_LIKELY(in.clock == Clock::speed)) {
+        alpha = constant(c.aerodynamics.rate_of_gusts) * held.inverse_length * speed;
+        const VF laminar =
+            constant(c.aerodynamics.wake_reynolds) * constant(c.aerodynamics.viscosity) * held.inverse_length;
+        const VF turbulent = speed * speed / (speed + laminar);
+        variance = constant(c.aerodynamics.variance_of_gusts) * (turbulent * turbulent);
+    } else {
+        VF beta_squared;
+        sample_table(in.table, constant(0.5f) * constant(in.h) + b.age, alpha, beta_squared);
+        variance = constant(c.aerodynamics.gust_gain) * beta_squared / (alpha + alpha + constant(1e-20f));
+    }
+    b.x += constant(in.h) * b.gust;
+    VF gauss[6];
+    if constexpr (kIntegrator == Integrator::splitting) {
+        aerodynamic_splitting_substep<kFull>(in, c, held, b);
+        b.x += constant(in.h) * held.wind;
+        grow_older(b, constant(in.h));
+    } else {
+        rk4_substep<kFull, true>(in, c, held, hn::Zero(DF()), gauss, b);
+    }
+    three_gaussians(noise_seed, in.first_substep + substep, in.seed, gauss);
+    b.t.v += to_body(b.q, b.gust);
+    b.gust = without_dust(next_gust(b.gust, alpha, variance, in.h, gauss));
+}
+
+template <bool kFull, bool kAerodynamic, Integrator kIntegrator, bool kUsual = false, class C>
+HWY_INLINE void one_substep(const StepInput& in, const C& c, Held& held, VU noise_seed, uint32_t substep, VF beta_unit,
+                            Body& b) {
+    if constexpr (kAerodynamic) {
+        aerodynamic_substep<kFull, kIntegrator>(in, c, held, noise_seed, substep, b);
+        return;
+    }
+    VF gauss[6];
+    if (HWY_LIKELY(!without_loads<kUsual>(in)))
+        six_gaussians(noise_seed, in.first_substep + substep, in.seed, gauss);
+    else
+        for (VF& g : gauss) g = hn::Zero(DF());
+    if constexpr (kIntegrator == Integrator::splitting)
+        splitting_substep<kFull, kUsual>(in, c, held, beta_unit, gauss, b);
+    else
+        rk4_substep<kFull, false>(in, c, held, beta_unit, gauss, b);
+}
+
+// Calls f<kFull, kAerodynamic>() for the batch's. Bodies without loads go the way of LANGEVIN loads.
+template <class F> HWY_INLINE void for_variant(const StepInput& in, const F& f) {
+    const bool aerodynamic = in.loads == Loads::aerodynamic;
+    if (in.body.diagonal)
+        aerodynamic ? f.template operator()<false, true>() : f.template operator()<false, false>();
+    else
+        aerodynamic ? f.template operator()<true, true>() : f.template operator()<true, false>();
+}
+
+} // namespace lr::LR_KERNEL_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

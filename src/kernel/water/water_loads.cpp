@@ -1,0 +1,470 @@
+// Bodies between two fluids, compiled once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernel/water/water_loads.cpp"
+#include "hwy/foreach_target.h" // IWYU pragma: keep
+
+// Vectors one by one: two side by side spill so much here that they are slower, in twice the code.
+#ifndef LR_NO_PAIRS
+#define LR_NO_PAIRS
+#endif
+
+#include "hwy/highway.h"
+#include "kernel/derived_constants-inl.h"
+#include "kernel/integrator/equations_of_motion-inl.h"
+#include "kernel/integrator/splitting_scheme-inl.h"
+#include "kernel/integrator/substep-inl.h"
+#include "kernel/loads/aerodynamic_loads-inl.h"
+#include "kernel/water/water_loads.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::HWY_NAMESPACE {
+
+// A surface at a vector of points (docs/reference/wind_and_water.md).
+struct SurfaceSample {
+    VF height; // m above the plane
+    Vec3 normal, velocity, rate;
+};
+
+// exp(-x) for x >= 0, to 1e-6; zero in the end.
+HWY_INLINE VF decay(VF x) {
+    const VF y = hn::Min(x, constant(64.0f)) * constant(1.0f / 16.0f);
+    const VF d = polynomial({1.0f / 720.0f, 1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f}, y);
+    VF e = constant(1.0f) / d;
+    for (int i = 0; i < 4; ++i) e *= e;
+    return e;
+}
+
+HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, Vec3 x) {
+    const VF zero = hn::Zero(DF());
+    const Vec3 up = broadcast(s.up), from = x - broadcast(s.point);
+    VF sine[most_waves], cosine[most_waves];
+    SurfaceSample out{zero, up, broadcast(s.current), zero3()};
+    for (uint32_t i = 0; i < s.wave_count; ++i) {
+        const WaveInstant& w = s.waves[i];
+        const Vec3 k = broadcast(w.direction);
+        const VF turns = dot(k, from) * constant(w.turns_per_m) + constant(w.turn);
+        sin_cos_turn(turns - hn::Floor(turns), sine[i], cosine[i]);
+        out.height = constant(w.amplitude) * cosine[i] + out.height;
+        out.normal += constant(w.amplitude * w.number) * sine[i] * k;
+    }
+    out.normal = constant(1.0f) / hn::Sqrt(dot(out.normal, out.normal)) * out.normal;
+    // Motion fades with the depth below the surface itself (Wheeler's stretching): no wave rides on another's crest
+    // faster than it would on still water.
+    const VF depth = hn::Max(out.height - dot(up, from), zero);
+    for (uint32_t i = 0; i < s.wave_count; ++i) {
+        const WaveInstant& w = s.waves[i];
+        const Vec3 k = broadcast(w.direction);
+        const VF fade = decay(constant(w.number) * depth);
+        const VF v = fade * constant(w.speed), a = fade * constant(w.rate);
+        out.velocity = out.velocity + v * cosine[i] * k + v * sine[i] * up;
+        out.rate = out.rate + a * sine[i] * k + -(a * cosine[i]) * up;
+    }
+    return out;
+}
+
+// How a body lies in the surface, by its equivalent ellipsoid: cut by a plane, that is a sphere's cap.
+struct Immersion {
+    VF fraction;    // of the volume under the surface
+    Vec3 center;    // m, body frame: fraction times the submerged centre, from the centre of mass
+    VF half_height; // m, of the ellipsoid along the normal
+    VF second;      // 3/16 (1 - s^2)^2
+    Vec3 normal;    // body frame
+};
+
+// `blur`: m. A body thinner than the way that it falls in a substep counts as that thick, or it would miss the surface.
+HWY_INLINE Immersion immersed(const WaterBody& w, const SurfaceInstant& plane, VF body_scale, Quaternion q, Vec3 x,
+                              VF height, Vec3 normal, float blur) {
+    const VF one = constant(1.0f);
+    Immersion out;
+    out.normal = to_body(q, normal);
+    const Vec3 along = rows(w.axes, out.normal);
+    const Vec3 stretched = body_scale * body_scale * scaled_by(w.semi_axes_squared, along);
+    out.half_height = hn::Sqrt(dot(stretched, along) + constant(blur * blur));
+    const Vec3 middle = body_scale * broadcast(w.center);
+    const Vec3 up = broadcast(plane.up);
+    const VF above = dot(up, x + to_world(q, middle) - broadcast(plane.point));
+    const VF depth = (height - above) * dot(up, normal);
+    const VF s = hn::Max(hn::Min(depth / out.half_height, one), constant(-1.0f));
+    const VF s2 = s * s, rest = one - s2;
+    out.fraction = constant(0.25f) * (s * (constant(3.0f) - s2) + constant(2.0f));
+    out.second = constant(0.1875f) * (rest * rest);
+    const VF lowered = -(out.second / out.half_height);
+    out.center = out.fraction * middle + lowered * columns(w.axes, stretched);
+    return out;
+}
+
+// Constants of bodies of which a part f is in the lower fluid: rho(f) = rho_a + f (rho_w - rho_a) in everything that
+// goes with the fluid's density (docs/reference/wind_and_water.md).
+
+using LaneConstants = BodyConstantsOf<VF>;
+
+// Eigenvalues on the diagonal of `a`, eigenvectors in the columns of `v`. Cyclic Jacobi with a fixed number of sweeps:
+// it converges quadratically, and all lanes must do the same. Seven leave single precision's rounding for six rows.
+template <int N> static HWY_NOINLINE void eigen(VF (&a)[N][N], VF (&v)[N][N]) {
+    const VF zero = hn::Zero(DF()), one = constant(1.0f);
+    for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j) v[i][j] = i == j ? one : zero;
+    const auto rotate = [&](VF& x, VF& y, VF c, VF s) LR_LAMBDA {
+        const VF p = x, q = y;
+        x = c * p - s * q;
+        y = s * p + c * q;
+    };
+    for (int sweep = 0; sweep < N + 1; ++sweep)
+        for (int p = 0; p < N; ++p)
+            for (int q = p + 1; q < N; ++q) {
+                const VF gap = a[q][q] - a[p][p], twice = a[p][q] + a[p][q];
+                const VF root = hn::Sqrt(gap * gap + twice * twice);
+                const VF size = hn::Abs(gap) + root + constant(1e-30f);
+                const VF t = hn::IfThenElse(gap < zero, -twice, twice) / size;
+                const VF c = one / hn::Sqrt(t * t + one), s = t * c;
+                for (int k = 0; k < N; ++k) rotate(a[k][p], a[k][q], c, s);
+                for (int k = 0; k < N; ++k) rotate(a[p][k], a[q][k], c, s);
+                for (int k = 0; k < N; ++k) rotate(v[k][p], v[k][q], c, s);
+            }
+}
+
+// Shares of two sets of constants in their mean; each at its end exactly.
+struct Shares {
+    VF air, water;
+    HWY_INLINE VF operator()(float a, float w) const { return air * constant(a) + water * constant(w); }
+    template <size_t N> HWY_INLINE void operator()(const float (&a)[N], const float (&w)[N], VF (&out)[N]) const {
+        for (size_t i = 0; i < N; ++i) out[i] = (*this)(a[i], w[i]);
+    }
+};
+
+// The fraction's share of the fluid's mass.
+HWY_INLINE VF water_share(const WaterBody& w, VF f) {
+    const VF wet = f * constant(w.water_density);
+    return wet / ((constant(1.0f) - f) * constant(w.air_density) + wet);
+}
+
+HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const AerodynamicConstants& w, const Shares& mean,
+                                   VF wet, AerodynamicConstantsOf<VF>& out) {
+    // The dynamic viscosity goes with the fraction.
+    out.viscosity = Shares{constant(1.0f) - wet, wet}(a.viscosity, w.viscosity);
+    mean(a.drag, w.drag, out.drag);
+    mean(a.drag_blunt, w.drag_blunt, out.drag_blunt);
+    mean(a.drag_layer, w.drag_layer, out.drag_layer);
+    mean(a.drag_stokes, w.drag_stokes, out.drag_stokes);
+    mean(a.lift, w.lift, out.lift);
+    mean(a.lift_layer, w.lift_layer, out.lift_layer);
+    mean(a.lift_stokes, w.lift_stokes, out.lift_stokes);
+    mean(a.spin_lift, w.spin_lift, out.spin_lift);
+    mean(a.lift_moment, w.lift_moment, out.lift_moment);
+    mean(a.lift_moment_stalled, w.lift_moment_stalled, out.lift_moment_stalled);
+    mean(a.spin_drag, w.spin_drag, out.spin_drag);
+    mean(a.spin_drag_stream, w.spin_drag_stream, out.spin_drag_stream);
+    mean(a.spin_drag_stokes, w.spin_drag_stokes, out.spin_drag_stokes);
+    for (int i = 0; i < 3; ++i) out.roll[i] = hn::Sqrt(mean(a.roll[i] * a.roll[i], w.roll[i] * w.roll[i]));
+    // These do not depend on the fluid.
+    const auto same = [&](const auto& from, auto& to) LR_LAMBDA {
+        for (size_t i = 0; i < sizeof from / sizeof from[0]; ++i) to[i] = constant(from[i]);
+    };
+    same(a.broadside, out.broadside);
+    same(a.spin_weight, out.spin_weight);
+    same(a.axes, out.axes);
+    same(a.arm, out.arm);
+    out.lift_stall = constant(a.lift_stall);
+    out.rate_of_gusts = constant(a.rate_of_gusts);
+    out.variance_of_gusts = constant(a.variance_of_gusts);
+    out.wake_reynolds = constant(a.wake_reynolds);
+    out.gust_gain = constant(a.gust_gain);
+}
+
+static HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
+    set_frame(hn::Zero(DF()), constant(1.0f), eigen<3>, c);
+}
+
+// Modes in which mass is 1 and the turbulent damping diagonal: with Z = X (1 + f lambda)^-1/2 mass is 1 already, and
+// Jacobi turns Z^T W Z.
+static HWY_NOINLINE void langevin_modes(bool damped, const WaterBody& w, VF f, VF unit, LaneConstants& c) {
+    const VF one = constant(1.0f), root = hn::Sqrt(unit);
+    VF stretch[6], z[6][6], q[6][6];
+    for (int j = 0; j < 6; ++j) {
+        stretch[j] = hn::Sqrt(f * constant(w.lambda[j]) + one) / root;
+        for (int i = 0; i < 6; ++i) z[i][j] = constant(w.from[i * 6 + j]) / stretch[j];
+    }
+    if (!damped) {
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < 6; ++j) c.from_modes[i * 6 + j] = z[i][j];
+        return;
+    }
+    VF k[6][6];
+    for (int j = 0; j < 6; ++j) {
+        const VF mode[6] = {z[0][j], z[1][j], z[2][j], z[3][j], z[4][j], z[5][j]};
+        VF wz[6];
+        times_symmetric3(c.full_damping, mode, wz);
+        times_symmetric3(c.full_spin_damping, mode + 3, wz + 3);
+        for (int i = 0; i < 6; ++i) {
+            VF sum = z[0][i] * wz[0];
+            for (int m = 1; m < 6; ++m) sum = z[m][i] * wz[m] + sum;
+            k[i][j] = sum;
+        }
+    }
+    eigen(k, q);
+    for (int j = 0; j < 6; ++j) {
+        c.rate[j] = hn::Max(k[j][j], hn::Zero(DF()));
+        for (int i = 0; i < 6; ++i) {
+            VF from = z[i][0] * q[0][j];
+            VF to = q[0][j] * stretch[0] * constant(w.to[i]);
+            for (int m = 1; m < 6; ++m) {
+                from = z[i][m] * q[m][j] + from;
+                to = q[m][j] * stretch[m] * constant(w.to[m * 6 + i]) + to;
+            }
+            c.from_modes[i * 6 + j] = from;
+            c.to_modes[j * 6 + i] = to;
+        }
+    }
+    set_noise_of_modes(c);
+}
+
+template <bool kAerodynamic>
+HWY_INLINE void blend_full(bool damped, const BodyConstants& a, const WaterBody& w, VF f, VF unit, const Shares& mean,
+                           LaneConstants& c) {
+    mean(a.full_mass, w.water.full_mass, c.full_mass);
+    mean(a.full_damping, w.water.full_damping, c.full_damping);
+    mean(a.full_spin_damping, w.water.full_spin_damping, c.full_spin_damping);
+    // M^-1 = X (1 + f lambda)^-1 X^T, in units of U(f)
+    VF weight[6];
+    for (int m = 0; m < 6; ++m) weight[m] = unit / (f * constant(w.lambda[m]) + constant(1.0f));
+    for (int i = 0, n = 0; i < 6; ++i)
+        for (int j = i; j < 6; ++j, ++n) {
+            VF sum = weight[0] * constant(w.from[i * 6] * w.from[j * 6]);
+            for (int m = 1; m < 6; ++m) sum = weight[m] * constant(w.from[i * 6 + m] * w.from[j * 6 + m]) + sum;
+            c.full_inverse[n] = sum;
+        }
+    set_slip(constant(1.0f), c);
+    if constexpr (kAerodynamic)
+        aerodynamic_frame(c);
+    else
+        langevin_modes(damped, w, f, unit, c);
+}
+
+// unit: receives U(f)/U_a.
+template <bool kFull, bool kAerodynamic>
+static HWY_NOINLINE void blend(bool damped, const BodyConstants& a, const WaterBody& w, VF f, LaneConstants& c,
+                               VF& unit) {
+    const VF one = constant(1.0f), dry = one - f;
+    const VF ratio = constant(w.water.unit_mass / a.unit_mass);
+    unit = f * ratio + dry;
+    const Shares mean{dry / unit, f * ratio / unit};
+    c.length = constant(a.length);
+    c.unit_mass = unit * constant(a.unit_mass);
+    c.weight = mean(a.weight, w.water.weight);
+    mean(a.buoyancy, w.water.buoyancy, c.buoyancy);
+    c.speed_alpha = constant(a.speed_alpha);
+    c.speed_beta = constant(a.speed_beta);
+    c.noise_spin = constant(a.noise_spin);
+    mean(a.mass, w.water.mass, c.mass);
+    mean(a.spin_mass, w.water.spin_mass, c.spin_mass);
+    if constexpr (kAerodynamic)
+        blend_aerodynamics(a.aerodynamics, w.water.aerodynamics, mean, water_share(w, f), c.aerodynamics);
+    if constexpr (kFull) {
+        blend_full<kAerodynamic>(damped, a, w, f, unit, mean, c);
+        for (int i = 0; i < 3; ++i) {
+            c.inverse_mass[i] = c.full_inverse[upper6[i][i]];
+            c.inverse_spin_mass[i] = c.full_inverse[upper6[i + 3][i + 3]];
+        }
+        return;
+    }
+    mean(a.damping, w.water.damping, c.damping);
+    mean(a.spin_damping, w.water.spin_damping, c.spin_damping);
+    for (int i = 0; i < 3; ++i) {
+        c.inverse_mass[i] = one / c.mass[i];
+        c.inverse_spin_mass[i] = one / c.spin_mass[i];
+        c.rate[i] = c.damping[i] * c.inverse_mass[i];
+        c.rate[i + 3] = c.spin_damping[i] * c.inverse_spin_mass[i];
+    }
+    set_turning(c);
+}
+
+void near_surface(const SurfaceInstant& plane, float highest, const WaterBody& w, float dt, float gravity,
+                  const BatchArrays& a, size_t begin, size_t end, uint32_t* near) {
+    const DU du;
+    const VF fall = constant(highest + gravity * dt * dt), travel = constant(1.5f * dt);
+    for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
+        const Vec3 v = load3(a, field_vx, at);
+        const VF radius = constant(w.radius) * load1(a, field_scale, at);
+        const VF reach = travel * hn::Sqrt(dot(v, v)) + (radius + fall);
+        const VF above = dot(broadcast(plane.up), load3(a, field_x, at) - broadcast(plane.point));
+        const auto is_near = hn::RebindMask(du, above <= reach); // false for NaN
+        hn::Store(hn::IfThenElseZero(is_near, hn::Set(du, 1)), du, near + (at - begin));
+    }
+}
+
+void ahead_of(const BatchArrays& a, size_t count, float h, SurfaceBlock& out) {
+    for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
+        const Vec3 v = to_world(load4(a, at), load3(a, field_vx, at));
+        store3(out.position, at, within(load3(a, field_x, at) + constant(h) * v, 1e12f));
+    }
+}
+
+void evaluate_surface(const SurfaceInstant& plane, size_t count, SurfaceBlock& b) {
+    for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
+        const SurfaceSample s = sample_surface(plane, load3(b.position, at));
+        store1(b.height, at, s.height);
+        store3(b.normal, at, s.normal);
+        store3(b.velocity, at, s.velocity);
+        store3(b.rate, at, s.rate);
+    }
+}
+
+HWY_INLINE float blur_of(const StepInput& in, const WetSubstep& s) {
+    const float* const g = s.gravity;
+    const float squared = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+    return std::sqrt(squared) * (in.h * in.h);
+}
+
+HWY_NOINLINE Immersion immersed_at(const StepInput& in, const WetSubstep& s, const SurfaceBlock& b, size_t at,
+                                   VF body_scale, Quaternion q, Vec3 x) {
+    return immersed(*s.body, *s.plane, body_scale, q, x, load1(b.height, at), load3(b.normal, at), blur_of(in, s));
+}
+
+// Fluid that the body begins to move has to be set in motion: momentum is kept. Fluid that it leaves behind keeps its
+// own, and the body its velocity. Neither gains energy. v, u: relative to the lower fluid.
+template <bool kFull> HWY_INLINE Twist struck(const WaterBody& w, VF before, VF after, Twist t) {
+    const VF one = constant(1.0f);
+    const auto ratio = [&](VF lambda)
+                           LR_LAMBDA { return hn::Min((before * lambda + one) / (after * lambda + one), one); };
+    const Twist kept = each_axis6(ratio, broadcast6(w.lambda));
+    if constexpr (!kFull) return each_axis6([](VF x, VF part) LR_LAMBDA { return x * part; }, t, kept);
+    // The change alone: one that is zero must leave every bit.
+    const auto change = [&](VF y, VF part) LR_LAMBDA { return y * (part - one); };
+    return t + general6<false>(w.from, each_axis6(change, general6<false>(w.to, t), kept));
+}
+
+// Weight and buoyancy of a body between the fluids, over the mass unit. Where they pull back towards floating they are
+// weakened by 1 + h^2/4 times their steepest rate: with it the scheme, position Verlet, is stable for any substep.
+struct Floating {
+    Vec3 force;  // world
+    Vec3 torque; // body frame, over d s
+};
+HWY_NOINLINE Floating floating(const StepInput& in, const WetSubstep& s, const LaneConstants& c, const Immersion& at,
+                               VF body_scale, VF inverse_length, Quaternion q, Vec3 normal, Vec3 rate, VF wet) {
+    const WaterBody& w = *s.body;
+    const VF one = constant(1.0f), zero = hn::Zero(DF()), f = at.fraction, dry = one - f;
+    const VF per_unit = one / c.unit_mass;
+    const VF air = per_unit * constant(w.air_mass), water = per_unit * constant(w.water_mass);
+    const Vec3 gravity = broadcast(s.gravity), lower = gravity - rate;
+    Floating out;
+    out.force = per_unit * constant(w.mass) * (gravity - wet * rate);
+    out.force -= water * f * lower + air * dry * gravity;
+    const Vec3 middle = body_scale * broadcast(w.center);
+    const Vec3 from_water = cross(-water * at.center, to_body(q, lower));
+    const Vec3 from_air = cross(-air * (middle - at.center), to_body(q, gravity));
+    out.torque = inverse_length * (from_water + from_air);
+
+    const auto between = hn::And(f > zero, f < one);
+    const VF quarter = hn::IfThenElseZero(between, constant(0.25f * in.h * in.h));
+    const VF pull = water * hn::Sqrt(dot(gravity, gravity)) * quarter;
+    const VF stiff = pull / at.half_height;
+    const Vec3 n = at.normal, mobile = broadcast(c.inverse_mass);
+    const VF heave = stiff * constant(0.75f) * dot(n, times(mobile, n));
+    const VF less = one / (one + heave) - one;
+    out.force += less * dot(normal, out.force) * normal;
+
+    // About each axis of the ellipsoid.
+    const VF area = body_scale * body_scale, gyration = inverse_length * inverse_length;
+    const VF arm = pull * hn::Sqrt(dot(middle, middle));
+    const Vec3 spin = broadcast(c.inverse_spin_mass);
+    const auto weaker = [&](int i, VF torque) HWY_ATTR {
+        const float gap = w.semi_axes_squared[(i + 1) % 3] - w.semi_axes_squared[(i + 2) % 3];
+        const VF steep = stiff * at.second * (area * constant(gap < 0.0f ? -gap : gap)) + arm;
+        const Vec3 e = broadcast(w.axes + 3 * i);
+        const VF roll = steep * gyration * dot(e, times(spin, e));
+        return torque / (one + roll);
+    };
+    const Vec3 torque = rows(w.axes, out.torque);
+    out.torque = columns(w.axes, Vec3{weaker(0, torque.x), weaker(1, torque.y), weaker(2, torque.z)});
+    return out;
+}
+
+// By the splitting scheme, whatever the batch has in the air.
+template <bool kFull, bool kAerodynamic>
+HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
+    const WaterBody& w = *s.body;
+    const VF zero = hn::Zero(DF()), half = constant(0.5f * in.h);
+    const Vec3 none = zero3();
+    for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
+        Body b = load_body<kAerodynamic>(a, at);
+        const VF body_scale = load1(a, field_scale, at);
+        const VF length = body_scale * constant(in.body.length);
+        const VF inverse_length = constant(1.0f) / length;
+        const Vec3 spin = load3(a, field_wx, at);
+        Twist world{load3(a, field_vx, at), length * spin}; // of the body, body axes
+
+        const Quaternion q = normalised(turn(b.q, b.q, constant(0.25f * in.h), spin));
+        const Immersion begin = immersed_at(in, s, *s.begin, at, body_scale, b.q, b.x);
+        const Immersion middle = immersed_at(in, s, *s.middle, at, body_scale, q, load3(s.middle->position, at));
+        const VF f = middle.fraction;
+        store1(s.fraction, at, f);
+
+        const Vec3 lower = load3(s.middle->velocity, at), upper = load3(s.wind, at), rate = load3(s.middle->rate, at);
+        const Vec3 stream = to_body(b.q, lower);
+        world = struck<kFull>(w, begin.fraction, f, {world.v - stream, world.u});
+        world.v += stream;
+
+        LaneConstants c;
+        VF unit;
+        blend<kFull, kAerodynamic>(in.loads == Loads::langevin, in.body, w, f, c, unit);
+        const VF wet = water_share(w, f);
+        Held held;
+        held.inverse_length = inverse_length;
+        held.alpha = held.beta = zero;
+        held.wind = upper + wet * (lower - upper);
+        held.gravity = held.fluid_spin = none;
+        held.sheared = false;
+        held.uniform = false;
+        const Floating loads =
+            floating(in, s, c, middle, body_scale, inverse_length, q, load3(s.middle->normal, at), rate, wet);
+        held.weight = loads.force;
+        External external{};
+        for (Twist* t : {external.force, external.force + 1, external.rate, external.rate + 1}) *t = {none, none};
+        if (in.external.any) external = take_external(in.external, c, body_scale, at);
+        // In the body's frame: held in the world's, a step that turns the body otherwise than foreseen would bring it to bear
+        // on an axis about which there is neither torque nor inertia.
+        external.force[1].u += loads.torque;
+        held.external = &external;
+
+        // The fluid's acceleration is the frame's.
+        const Vec3 half_change = half * wet * rate;
+        b.t = {world.v - to_body(b.q, held.wind - half_change), world.u};
+        const VU noise_seed = load1(a.noise_seed, at);
+        const VF beta_unit = c.speed_beta * inverse_length;
+        one_substep<kFull, kAerodynamic, Integrator::splitting>(in, c, held, noise_seed, 0, beta_unit, b);
+
+        const Vec3 v = b.t.v + to_body(b.q, held.wind + half_change);
+        store_body<kAerodynamic>(a, at, b, v, inverse_length * b.t.u, in.h, in.faults);
+    }
+}
+
+void step_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
+    for_variant(in, [&]<bool kFull, bool kAerodynamic>()
+                        HWY_ATTR { step_wet_bodies<kFull, kAerodynamic>(in, s, a, count); });
+}
+
+template <bool kFull>
+HWY_NOINLINE void settle_bodies(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
+    for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
+        const Quaternion q = load4(a, at);
+        const VF body_scale = load1(a, field_scale, at);
+        const VF length = body_scale * constant(in.body.length);
+        const Immersion end = immersed_at(in, s, *s.end, at, body_scale, q, load3(a, field_x, at));
+        const Vec3 stream = to_body(q, load3(s.end->velocity, at));
+        const Twist t{load3(a, field_vx, at) - stream, length * load3(a, field_wx, at)};
+        Twist after = struck<kFull>(*s.body, load1(s.fraction, at), end.fraction, t);
+        after.v += stream;
+        const VF inverse_length = constant(1.0f) / length;
+        store_velocities(a, at, after.v, inverse_length * after.u, in.faults);
+    }
+}
+
+void settle_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
+    if (in.body.diagonal)
+        settle_bodies<false>(in, s, a, count);
+    else
+        settle_bodies<true>(in, s, a, count);
+}
+
+} // namespace lr::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

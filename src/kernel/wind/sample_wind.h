@@ -1,0 +1,77 @@
+// Wind fields as the kernel sees them: sources at one instant, and what they give at a block of bodies.
+// Host side: src/environment. Formulas: docs/reference/wind_and_water.md.
+#pragma once
+
+#include "base/lane_arrays.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace lr {
+
+// Bodies that are looked at together: 40 KB of both structs, nearly a first-level cache, and on the stack of a worker.
+inline constexpr size_t field_block = 256;
+static_assert(field_block % lane_block == 0);
+
+// Sums over sources at the positions of a block.
+struct FieldBlock {
+    alignas(64) float position[3][field_block]; // m, world
+    float velocity[3][field_block];             // m/s, of the bodies
+    float wind[3][field_block];                 // m/s
+    float change[3][field_block];               // m/s, of the uniform part over the substep
+    float rate[3][field_block];                 // m/s^2, partial derivative in time, without the uniform part
+    float gradient[9][field_block];             // 1/s, d wind_i / d x_j at 3 i + j
+    float reference[field_block];               // m/s, the speed of the field: no change over a substep is larger
+};
+
+// What a substep needs at the bodies of a block.
+struct FluidSample {
+    alignas(64) float wind[3][field_block]; // m/s, in the middle of the substep
+    float half_change[3][field_block];      // m/s, of the wind along the body's way over half the substep
+    float mean[3][field_block];             // m/s^2, of the fluid's acceleration and the one along the body's way
+    float difference[3][field_block];       // m/s^2, half of theirs
+    float spin[3][field_block];             // rad/s, half the vorticity
+};
+
+enum class SourceKind : int32_t { ground, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid };
+
+// One source (one octave of turbulence) at one instant. `reach`: nothing farther from `center` is touched; 0: no limit.
+// Of a grid: what lies beyond its samples, by the numbers of LR_WIND_OUTSIDE_*.
+enum Outside : int32_t { outside_zero, outside_clamp, outside_repeat };
+
+struct SourceInstant {
+    SourceKind kind;
+    float center[3], reach;
+    float position[3]; // of an axis, a nozzle, a plane, or of the first sample of a grid
+    float axis[3], side[3];
+    float motion[3]; // m/s, of the whole pattern
+
+    float strength;          // vortex: circulation / 2 pi; blower: speed at the nozzle; turbulence: times a unit vector
+    float core;              // vortex: core radius; blower: radius or half width of the nozzle
+    float inverse_radius_sq; // vortex: 1/radius^2, 0 without a limit
+    float inverse_length_sq; // vortex: 1/half length^2, 0 without a limit
+    float spread, range;     // blower
+    float half_length;       // line blower
+    float inverse_roughness; // ground, 1/m
+    float inverse_log;       // ground: 1/ln(1 + reference height / roughness)
+    float inverse_spacing[3]; // grid; turbulence: 1/cell in the first
+    float offset[3];          // turbulence: of the lattice, in cells, 0 to 1
+    float lattice[9];         // turbulence: its axes, row by row
+    int32_t cell[3];          // turbulence: whole cells of it
+    uint32_t seed;
+    float turn, turn_rate; // turbulence: phase of the slowest beat in turns, 0 to 1; 1/s
+    int32_t count[3];      // grid: samples
+    int32_t outside;       // grid: Outside
+    const float* frame[2]; // grid: three floats a sample
+    float part, part_rate; // grid: between the two frames; 1/s
+};
+
+struct FieldInstant {
+    float wind[3];   // m/s, uniform part in the middle of the substep
+    float change[3]; // m/s, of it over the substep
+    float reference; // m/s
+    uint32_t source_count;
+    const SourceInstant* sources;
+};
+
+} // namespace lr

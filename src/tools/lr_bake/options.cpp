@@ -1,0 +1,345 @@
+#include "tools/lr_bake/options.h"
+
+#include "asset/asset_data.h"
+#include "baker/printable_text.h"
+#include "tools/console.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+namespace lr::baker {
+namespace {
+
+constexpr int usage_error = 2;
+
+// The whole text or nothing, in no locale: "1e3" yes; "1e3x", " 1", "1,5" no. Infinity and NaN pass, to be refused by
+// range with their own fault.
+template <class Number> Number parse_number(std::string_view text, const char* option) {
+    Number value{};
+    const std::from_chars_result end = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end.ec == std::errc::result_out_of_range)
+        throw CLI::ValidationError(option, "'" + std::string(text) + "' is too large or too small");
+    if (end.ec != std::errc{} || end.ptr != text.data() + text.size())
+        throw CLI::ValidationError(option, "'" + std::string(text) + "' is not a number");
+    return value;
+}
+
+template <class Number, std::size_t N> std::array<Number, N> parse_list(std::string_view text, const char* option) {
+    std::array<Number, N> values{};
+    std::string_view rest = text;
+    for (std::size_t i = 0; i < N; ++i) {
+        const std::size_t comma = rest.find(',');
+        if ((comma == std::string_view::npos) != (i + 1 == N))
+            throw CLI::ValidationError(option, "'" + std::string(text) + "' is not " + std::to_string(N) +
+                                                   " numbers with commas between them");
+        values[i] = parse_number<Number>(rest.substr(0, comma), option);
+        if (i + 1 < N) rest.remove_prefix(comma + 1);
+    }
+    return values;
+}
+
+struct Texts {
+    std::string unit, up = "z", mesh, density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
+    std::string center_of_mass, mass_from, name;
+    std::string semi_axis[3];
+    std::string output, output_folder, jobs;
+    bool force = false;
+    std::string thickness, areal_density;
+    std::string width, alpha = "0.5", triangles = "2000", mask = "alpha", piece, speck = "0.001";
+};
+
+void add_mesh_options(CLI::App& command, Texts& texts) {
+    command
+        .add_option("--unit", texts.unit,
+                    "unit of the mesh and of every length given: m, cm or mm; file: as the file says (Collada, FBX), "
+                    "else m")
+        ->default_str("file")
+        ->type_name("UNIT");
+    command.add_option("--up", texts.up, "axis of the mesh that is rotated to +z: x, y, z, -x, -y or -z")
+        ->capture_default_str()
+        ->type_name("AXIS");
+    command.add_option("--mesh", texts.mesh, "only the mesh, node or object of this name, instead of all as one body")
+        ->type_name("NAME");
+    command
+        .add_option(
+            "--mass-from", texts.mass_from,
+            "a second mesh, in the same unit and frame, that has the mass: the layers of a folded sheet, or the "
+            "solid parts of a body that is hollow or ballasted")
+        ->type_name("MESH");
+}
+
+void add_sheet_options(CLI::App& command, Texts& texts) {
+    const std::string help = "the mesh is the middle surface of a sheet: open or closed, wound in any way";
+    CLI::Option* sheet = command.add_flag("--sheet", help);
+    command.add_option("--thickness", texts.thickness, "of the sheet, in the unit")->needs(sheet)->type_name("T");
+    command
+        .add_option("--areal-density", texts.areal_density,
+                    "mass of the sheet over its area, kg/m^2, instead of --density (paper: 0.08)")
+        ->needs(sheet)
+        ->type_name("KG_M2");
+}
+
+void add_card_options(CLI::App& command, Texts& texts) {
+    const auto add = [&](const char* option, std::string& text, const char* help, const char* type) {
+        return command.add_option(option, text, help)->type_name(type);
+    };
+    add("--width", texts.width, "of the whole image, in the unit", "W")->required();
+    add("--thickness", texts.thickness, "of the leaf, in the unit", "T")->required();
+    add("--areal-density", texts.areal_density, "mass of the leaf over its area, kg/m^2, instead of --density",
+        "KG_M2");
+    add("--unit", texts.unit, "unit of every length given: m, cm or mm", "UNIT")->default_str("m");
+    add("--alpha", texts.alpha, "the outline runs where the opacity has this value", "A")->capture_default_str();
+    add("--triangles", texts.triangles, "about this many triangles", "N")->capture_default_str();
+    add("--mask", texts.mask, "alpha, or luminance of a black-and-white mask", "CHANNEL")->capture_default_str();
+    add("--piece", texts.piece, "of several separate regions the N-th by size, or all as one body", "N|all")
+        ->default_str("1");
+    add("--speck", texts.speck, "leave out regions and holes below this part of the largest region", "PART")
+        ->capture_default_str();
+}
+
+void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
+    command.add_option("-o,--output", texts.output, "asset file to write")->type_name("OUT.lrb");
+    const auto add = [&](const char* option, std::string& text, const char* help, const char* type) {
+        command.add_option(option, text, help)->capture_default_str()->type_name(type);
+    };
+    add("--density", texts.density, "of the body, kg/m^3", "KG_M3");
+    add("--fluid", texts.fluid, "air (1.2,1.5e-5), water (998,1e-6), or density in kg/m^3 and viscosity in m^2/s",
+        "air|water|RHO,NU");
+    add("--grid", texts.grid, "cells of the turbulence grid: stream, across, up", "X,Y,Z");
+    add("--intensity", texts.intensity, "of the turbulence; 1 is the paper's 100 %", "I");
+    command.add_flag("--wake", line.bake.wake,
+                     "put the body, broadside, into the stream of the turbulence table: its shear makes turbulence");
+    command
+        .add_option(
+            "--center-of-mass", texts.center_of_mass,
+            "in the unit and frame of the mesh, after --up (of the ellipsoid: its centre), for a ballasted body")
+        ->type_name("X,Y,Z");
+    command.add_option("--name", texts.name, "name in the asset, instead of the file's")->type_name("NAME");
+    command.add_option("--report", line.report, "JSON report to write")->type_name("R.json");
+    command
+        .add_option("--plots", line.plots, "folder for pictures (SVG): turbulence, added mass, its entries and errors")
+        ->type_name("DIR");
+    command.add_flag("--if-changed", line.if_changed,
+                     "do nothing if the outputs were made by this baker from this input with these options");
+    command.add_flag("--quiet", line.quiet, "print errors only");
+}
+
+void add_batch_options(CLI::App& command, Texts& texts, CommandLine& line) {
+    command.add_option("IN", line.inputs, "files; more than one with --output-dir")->type_name("");
+    command.add_option("--list", line.list, "more of them: one path a line in this file, - for standard input")
+        ->type_name("FILE");
+    command
+        .add_option("-d,--output-dir", texts.output_folder,
+                    "folder for the assets, each named after its input; up-to-date ones are skipped. "
+                    "--report then names a folder too")
+        ->type_name("DIR");
+    command.add_option("-j,--jobs", texts.jobs, "bakes at once, as far as memory allows")
+        ->default_str("one for each processor")
+        ->type_name("N");
+    command.add_flag("--force", texts.force, "with a folder: bake all, up to date or not");
+}
+
+bool is_folder(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_directory(std::filesystem::path(std::u8string(path.begin(), path.end())), error);
+}
+
+// One input and -o FILE, or any number of inputs and a folder. A folder after -o is taken as one when it is written as
+// one, or when several inputs leave no other sense.
+void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line, bool ellipsoid) {
+    const bool several = line.inputs.size() > 1 || !line.list.empty();
+    if (!ellipsoid && line.inputs.empty() && command.count("--list") == 0) throw CLI::RequiredError("IN");
+    if (!ellipsoid && command.count("--list") > 0 && line.list.empty())
+        throw CLI::ValidationError("--list", "the file name is empty");
+    for (const std::string& input : line.inputs)
+        if (several && input.empty()) throw CLI::ValidationError("IN", "a file name is empty");
+    if (command.count("--report") > 0 && line.report.empty())
+        throw CLI::ValidationError("--report", "the file name is empty");
+    if (command.count("--plots") > 0 && line.plots.empty())
+        throw CLI::ValidationError("--plots", "the folder name is empty");
+    const bool to_folder = !ellipsoid && command.count("--output-dir") > 0;
+    if (to_folder == (command.count("--output") > 0))
+        throw CLI::ValidationError("--output", to_folder ? "not together with --output-dir"
+                                                         : "give an output file or --output-dir");
+    line.output = with_slashes(to_folder ? texts.output_folder : texts.output);
+    line.report = with_slashes(line.report);
+    line.plots = with_slashes(line.plots);
+    if (line.output.empty()) throw CLI::ValidationError("--output", "the file name is empty");
+    line.folders = to_folder || (!ellipsoid && is_folder(line.output) && (several || line.output.back() == '/'));
+    if (several && !line.folders)
+        throw CLI::ValidationError("--output", "several inputs need a folder: --output-dir DIR");
+    if (ellipsoid) return;
+    if (!line.folders && (texts.force || command.count("--jobs") > 0))
+        throw CLI::ValidationError(texts.force ? "--force" : "--jobs", "only with --output-dir");
+    if (command.count("--jobs") > 0) line.jobs = parse_number<unsigned>(texts.jobs, "--jobs");
+    if (command.count("--jobs") > 0 && (line.jobs < 1 || line.jobs > 1024))
+        throw CLI::ValidationError("--jobs", "'" + texts.jobs + "' is not from 1 to 1024");
+    if (line.folders) {
+        if (texts.force && line.if_changed) throw CLI::ValidationError("--force", "not together with --if-changed");
+        for (const char* const one : {"--name", "--mass-from"})
+            if (several && command.get_option_no_throw(one) && command.count(one) > 0)
+                throw CLI::ValidationError(one, "only for one input");
+        line.if_changed = !texts.force;
+    } else {
+        line.bake.mesh_path = line.inputs.front();
+    }
+}
+
+void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    bool known = false;
+    for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_x, UpAxis::minus_y, UpAxis::minus_z})
+        if (texts.up == up_name(up)) {
+            o.up = up;
+            known = true;
+        }
+    if (!known) throw CLI::ValidationError("--up", "'" + texts.up + "' is not x, y, z, -x, -y or -z");
+    if (command.count("--mass-from") > 0) {
+        if (texts.mass_from.empty()) throw CLI::ValidationError("--mass-from", "the file name is empty");
+        if (command.count("--center-of-mass") > 0)
+            throw CLI::ValidationError("--mass-from", "not together with --center-of-mass");
+        o.mass.emplace().path = texts.mass_from;
+    }
+    if (command.count("--mesh") == 0) return;
+    if (texts.mesh.empty()) throw CLI::ValidationError("--mesh", "the name is empty");
+    o.mesh = texts.mesh;
+}
+
+void read_thickness(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    if (command.count("--areal-density") > 0 && command.count("--density") > 0)
+        throw CLI::ValidationError("--areal-density", "give either this or --density");
+    o.sheet.emplace();
+    o.sheet->thickness = parse_number<double>(texts.thickness, "--thickness");
+    if (command.count("--areal-density") > 0)
+        o.sheet->areal_density = parse_number<double>(texts.areal_density, "--areal-density");
+}
+
+void read_sheet_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    if (command.count("--sheet") == 0) return;
+    if (command.count("--thickness") == 0) throw CLI::ValidationError("--sheet", "a sheet needs --thickness");
+    read_thickness(command, texts, o);
+}
+
+void read_card_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    CardOptions& card = o.card.emplace();
+    card.width = parse_number<double>(texts.width, "--width");
+    card.alpha = parse_number<double>(texts.alpha, "--alpha");
+    card.triangles = parse_number<uint32_t>(texts.triangles, "--triangles");
+    card.speck = parse_number<double>(texts.speck, "--speck");
+    if (texts.mask == "luminance")
+        card.channel = MaskChannel::luminance;
+    else if (texts.mask != "alpha")
+        throw CLI::ValidationError("--mask", "'" + texts.mask + "' is not alpha or luminance");
+    card.all_pieces = texts.piece == "all";
+    if (command.count("--piece") > 0 && !card.all_pieces) card.piece = parse_number<uint32_t>(texts.piece, "--piece");
+    if (texts.unit == "file") throw CLI::ValidationError("--unit", "'file' is not m, cm or mm");
+    read_thickness(command, texts, o);
+}
+
+void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
+    if (texts.unit == "m")
+        o.unit = Unit::m;
+    else if (texts.unit == "cm")
+        o.unit = Unit::cm;
+    else if (texts.unit == "mm")
+        o.unit = Unit::mm;
+    else if ((texts.unit == "file" && !o.semi_axes) || command.count("--unit") == 0)
+        o.unit = Unit::file;
+    else
+        throw CLI::ValidationError("--unit", "'" + texts.unit + "' is not m, cm or mm");
+    o.density = parse_number<double>(texts.density, "--density");
+    if (texts.fluid == "air") {
+        o.fluid_density = 1.2;
+        o.fluid_viscosity = 1.5e-5;
+    } else if (texts.fluid == "water") {
+        o.fluid_density = 998.0;
+        o.fluid_viscosity = 1.0e-6;
+    } else {
+        const auto [density, viscosity] = parse_list<double, 2>(texts.fluid, "--fluid");
+        o.fluid_density = density;
+        o.fluid_viscosity = viscosity;
+    }
+    o.cells = parse_list<uint32_t, 3>(texts.grid, "--grid");
+    o.intensity = parse_number<double>(texts.intensity, "--intensity");
+    if (command.count("--center-of-mass") > 0)
+        o.center_of_mass = parse_list<double, 3>(texts.center_of_mass, "--center-of-mass");
+    if (command.count("--name") > 0) o.name = texts.name;
+}
+
+} // namespace
+
+std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_code) {
+    CommandLine line;
+    Texts texts;
+    CLI::App app{"Makes Langevin Rigid assets: mass, added mass, turbulence tables and hull of a body in a fluid.",
+                 "lr_bake"};
+    app.set_version_flag("--version", "lr_bake " + std::string(baker_version()) + ", asset format " +
+                                          std::to_string(asset_format_version));
+    app.require_subcommand(1);
+    app.footer(
+        "Exit code: 0 success; 1 a numbered fault (docs/reference/asset_format.md explains each); 2 wrong usage.");
+
+    CLI::App* mesh = app.add_subcommand(
+        "mesh", "bake triangle meshes (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...), closed or sheets");
+    add_batch_options(*mesh, texts, line);
+    add_mesh_options(*mesh, texts);
+    add_sheet_options(*mesh, texts);
+    add_bake_options(*mesh, texts, line);
+
+    CLI::App* card = app.add_subcommand("card", "bake flat leaves cut out by the alpha channels of PNG images");
+    add_batch_options(*card, texts, line);
+    add_card_options(*card, texts);
+    add_bake_options(*card, texts, line);
+
+    CLI::App* ellipsoid = app.add_subcommand("ellipsoid", "bake a solid ellipsoid from closed forms");
+    const char* const axis_names[] = {"A", "B", "C"};
+    for (std::size_t i = 0; i < 3; ++i)
+        ellipsoid->add_option(axis_names[i], texts.semi_axis[i], "semi-axis, in the unit")->required()->type_name("");
+    ellipsoid->add_option("--unit", texts.unit, "unit of every length given: m, cm or mm")
+        ->default_str("m")
+        ->type_name("UNIT");
+    add_bake_options(*ellipsoid, texts, line);
+
+    CLI::App* info = app.add_subcommand("info", "print the contents of an asset");
+    info->add_option("F.lrb", line.asset, "asset file")->required()->type_name("");
+    info->add_flag("--json", line.json, "as JSON, in SI units");
+
+    CLI::App* check = app.add_subcommand("check", "exit code 0 if an asset is sound, 1 with numbered faults if not");
+    check->add_option("F.lrb", line.asset, "asset file")->required()->type_name("");
+
+    try {
+        app.parse(argc, argv);
+        if (info->parsed() || check->parsed()) {
+            line.command = info->parsed() ? CommandLine::Command::info : CommandLine::Command::check;
+            return line;
+        }
+        if (ellipsoid->parsed()) {
+            std::array<double, 3> axes{};
+            for (std::size_t i = 0; i < 3; ++i) axes[i] = parse_number<double>(texts.semi_axis[i], axis_names[i]);
+            line.bake.semi_axes = axes;
+        }
+        const CLI::App& command = mesh->parsed() ? *mesh : card->parsed() ? *card : *ellipsoid;
+        read_outputs(command, texts, line, ellipsoid->parsed());
+        if (mesh->parsed()) {
+            read_mesh_options(*mesh, texts, line.bake);
+            read_sheet_options(*mesh, texts, line.bake);
+        }
+        if (card->parsed()) read_card_options(*card, texts, line.bake);
+        read_bake_options(command, texts, line.bake);
+        return line;
+    } catch (const CLI::ParseError& error) {
+        exit_code = app.exit(error) == 0 ? 0 : usage_error;
+    }
+    return std::nullopt;
+}
+
+int wrong_usage(const std::string& what) {
+    std::fprintf(stderr, "%s\nRun with --help for more information.\n", printable(what).c_str());
+    return usage_error;
+}
+
+} // namespace lr::baker

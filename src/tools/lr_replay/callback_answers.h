@@ -1,0 +1,55 @@
+// What wind and surface callbacks have answered, by what they were asked.
+#pragma once
+
+#include "langevin_rigid.h"
+#include "recording/recording_format.h"
+
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+#include <unordered_map>
+#include <vector>
+
+namespace lr::replay {
+
+class Answers {
+public:
+    explicit Answers(uint32_t values) : values_(values) {}
+
+    void clear() {
+        places_.clear();
+        numbers_.clear();
+    }
+    void add(const unsigned char* data, size_t size); // of a record; throws Fault
+    // A float for each of `values`; false where it was never asked. Any thread, while none is added.
+    bool find(uint32_t batch, double time, float x, float y, float z, const float*& out) const;
+
+    bool recorded = true;            // else callbacks were left out
+    std::atomic<bool> missed{false}; // one was asked what it was not asked before
+    static void wind(void* self, const lr_wind_query* query);
+    static void surface(void* self, const lr_water_query* query);
+
+private:
+    struct Question {
+        uint32_t batch, x, y, z; // bits
+        uint64_t time;
+        bool operator==(const Question&) const = default;
+    };
+    struct HashOf {
+        size_t operator()(const Question& q) const {
+            recording::Hash hash(q.batch);
+            hash.add(q.time);
+            hash.add(q.x | uint64_t{q.y} << 32);
+            hash.add(q.z);
+            return static_cast<size_t>(hash.value());
+        }
+    };
+    template <class Query, class Take> void each(const Query& q, const Take& take);
+    static Question question(uint32_t batch, double time, float x, float y, float z);
+
+    uint32_t values_;
+    std::unordered_map<Question, size_t, HashOf> places_;
+    std::vector<float> numbers_;
+};
+
+} // namespace lr::replay

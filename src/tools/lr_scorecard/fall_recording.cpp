@@ -1,0 +1,96 @@
+#include "tools/lr_scorecard/fall_recording.h"
+
+#include <cmath>
+
+namespace lr::scorecard {
+namespace {
+
+double wide(float x) {
+    return static_cast<double>(x);
+}
+
+Eigen::Vector3d at(const float* const xyz[3], uint32_t i) {
+    return {wide(xyz[0][i]), wide(xyz[1][i]), wide(xyz[2][i])};
+}
+
+void store(const Eigen::Vector3d& from, float to[3]) {
+    for (int i = 0; i < 3; ++i) to[i] = static_cast<float>(from[i]);
+}
+
+std::vector<Sample> read(const World& world, lr_batch batch) {
+    lr_batch_view view = initialised(lr_batch_view_init);
+    require(lr_batch_get_view(world.get(), batch, &view), "lr_batch_get_view");
+    std::vector<Sample> samples(view.count);
+    for (uint32_t i = 0; i < view.count; ++i) {
+        const float* const* q = view.orientation;
+        samples[i].orientation = Eigen::Quaterniond(wide(q[3][i]), wide(q[0][i]), wide(q[1][i]), wide(q[2][i]));
+        samples[i].position = at(view.position, i);
+        samples[i].velocity = samples[i].orientation * at(view.velocity, i);
+        samples[i].spin = samples[i].orientation * at(view.spin, i);
+    }
+    return samples;
+}
+
+Sample between(const Sample& a, const Sample& b, double part) {
+    const auto mix = [part](const Eigen::Vector3d& x, const Eigen::Vector3d& y) -> Eigen::Vector3d {
+        return x + part * (y - x);
+    };
+    return {mix(a.position, b.position), mix(a.velocity, b.velocity), mix(a.spin, b.spin),
+            a.orientation.slerp(part, b.orientation)};
+}
+
+lr_batch add_bodies(const World& world, const Asset& asset, const Loads& loads, const std::vector<Start>& starts) {
+    std::vector<lr_body_desc> descs(starts.size(), initialised(lr_body_desc_init));
+    for (size_t i = 0; i < starts.size(); ++i) {
+        store(starts[i].position, descs[i].position);
+        store(starts[i].velocity, descs[i].linear_velocity);
+        store(starts[i].spin, descs[i].angular_velocity);
+        for (int k = 0; k < 4; ++k) descs[i].orientation[k] = static_cast<float>(starts[i].orientation.coeffs()[k]);
+    }
+    const auto count = static_cast<uint32_t>(starts.size());
+    const lr_batch batch = add_batch(world, asset, loads, count);
+    require(lr_body_create(world.get(), batch, descs.data(), count, nullptr), "lr_body_create");
+    return batch;
+}
+
+} // namespace
+
+std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<Start>& starts) {
+    lr_world_desc wd = initialised(lr_world_desc_init);
+    wd.worker_count = run.threads > 1 ? run.threads - 1 : 0;
+    wd.seed = run.seed;
+    wd.simd_target = run.simd_target;
+    wd.gravity[1] = static_cast<float>(-run.gravity);
+    const World world = make_world(wd);
+    float wind[3];
+    store(run.wind, wind);
+    require(lr_world_set_uniform_wind(world.get(), wind[0], wind[1], wind[2]), "lr_world_set_uniform_wind");
+    const lr_batch batch = add_bodies(world, asset, run.loads, starts);
+
+    const auto frames = static_cast<size_t>(std::floor(run.duration / run.interval + 1e-9)) + 1;
+    std::vector<Track> tracks(starts.size());
+    for (Track& t : tracks) {
+        t.interval = run.interval;
+        t.samples.reserve(frames);
+    }
+    std::vector<Sample> before = read(world, batch), after;
+    for (size_t i = 0; i < tracks.size(); ++i) tracks[i].samples.push_back(before[i]);
+    size_t frame = 1;
+    const double dt = wide(run.dt);
+    for (uint64_t step = 0; frame < frames; ++step) {
+        const double begin = dt * static_cast<double>(step), end = begin + dt;
+        const auto due = [&] { return static_cast<double>(frame) * run.interval <= end && frame < frames; };
+        const bool any = due();
+        if (any) before = read(world, batch);
+        require(lr_world_step(world.get(), run.dt, run.substeps), "lr_world_step");
+        if (!any) continue;
+        after = read(world, batch);
+        for (; due(); ++frame) {
+            const double part = (static_cast<double>(frame) * run.interval - begin) / dt;
+            for (size_t i = 0; i < tracks.size(); ++i) tracks[i].samples.push_back(between(before[i], after[i], part));
+        }
+    }
+    return tracks;
+}
+
+} // namespace lr::scorecard

@@ -1,0 +1,49 @@
+// Bodies let go in a world of their own, and what a camera with a clock would have seen of them.
+#pragma once
+
+#include "tools/lr_scorecard/runtime_handles.h"
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace lr::scorecard {
+
+// World frame, m and s. The measurements' "up" is +y, as the runtime's initial gravity has it.
+struct Sample {
+    Eigen::Vector3d position, velocity, spin;
+    Eigen::Quaterniond orientation;
+};
+
+// One body: samples at times 0, interval, 2 interval, ...
+struct Track {
+    double interval = 0.0;
+    std::vector<Sample> samples;
+};
+
+struct Start {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero(), velocity = position, spin = position;
+    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+};
+
+struct Run {
+    Loads loads;
+    double gravity = 9.81; // m/s^2, along -y
+    float dt = 1e-3f;      // s
+    uint32_t substeps = 1;
+    double duration = 1.0;  // s
+    double interval = 1e-2; // s between samples; between steps they are interpolated
+    uint64_t seed = 1;      // of the noise
+    uint32_t threads = 1;   // in all
+    int32_t simd_target = LR_SIMD_AUTO;
+    Eigen::Vector3d wind = Eigen::Vector3d::Zero();
+};
+
+// One track for each start, in that order.
+std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<Start>& starts);
+
+inline Eigen::Vector3d up() {
+    return Eigen::Vector3d::UnitY();
+}
+
+} // namespace lr::scorecard

@@ -1,0 +1,98 @@
+#include "tools/lr_scorecard/row.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace lr::scorecard {
+
+bool Check::holds() const {
+    if (!std::isfinite(value)) return rule == Rule::shown;
+    switch (rule) {
+    case Rule::relative:
+        return std::abs(value / reference - 1.0) <= tolerance;
+    case Rule::absolute:
+        return std::abs(value - reference) <= tolerance;
+    case Rule::at_most:
+        return value <= reference;
+    case Rule::at_least:
+        return value >= reference;
+    case Rule::shown:
+        return true;
+    }
+    return false;
+}
+
+void RowResult::add(std::string what, Rule rule, double value, double reference, double tolerance, std::string unit) {
+    checks.push_back({std::move(what), rule, value, reference, tolerance, std::move(unit)});
+}
+
+void RowResult::show(std::string what, double value, std::string unit) {
+    add(std::move(what), Rule::shown, value, 0.0, 0.0, std::move(unit));
+}
+
+bool RowResult::holds() const {
+    return std::all_of(checks.begin(), checks.end(), [](const Check& c) { return c.holds(); });
+}
+
+void Context::parallel(size_t count, const std::function<void(size_t)>& job) const {
+    std::atomic<size_t> next{0}, done{0};
+    std::mutex mutex; // of `progress` and `failure`
+    std::exception_ptr failure;
+    const auto work = [&] {
+        for (size_t i = next++; i < count; i = next++) {
+            try {
+                job(i);
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                if (!failure) failure = std::current_exception();
+                next = count;
+                return;
+            }
+            const std::lock_guard lock(mutex);
+            ++done;
+            if (progress) progress(static_cast<double>(done) / static_cast<double>(count));
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (uint32_t i = 1; i < std::min<size_t>(threads, count); ++i) others.emplace_back(work);
+        work();
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+std::span<const Row> all_rows() {
+    static constexpr Row rows[] = {
+        {"kirchhoff", "exact", "Force-free motion keeps energy, |p| and p.l", "exact", 1.0, 0.15, run_kirchhoff},
+        {"sphere", "exact", "A spinning force-free sphere goes straight", "exact", 0.05, 0.05, run_sphere},
+        {"galilean", "exact", "In a uniform wind as in still air, carried along", "exact", 0.05, 0.05, run_galilean},
+        {"buoyancy", "exact", "Buoyancy above the centre of mass is stable, below is not", "linear theory", 0.05, 0.05,
+         run_buoyancy},
+        {"lamb", "exact", "Added mass of ellipsoids", "Lamb, Hydrodynamics, art. 114-115", 1.7, 0.4, run_lamb},
+        {"thin-disc", "exact", "Added mass of a thin disc", "Lamb, art. 102, 108", 1.2, 0.4, run_thin_disc},
+        {"rectangles", "exact", "Added mass of rectangles without thickness", "published values; physics.md, 2.2", 1.6,
+         1.3, run_rectangles},
+        {"k-epsilon", "exact", "Decay, shear, divergence and grid of the turbulence tables", "closed forms", 4.0, 4.0,
+         run_k_epsilon},
+        {"langevin", "exact", "Stationary Langevin velocity: variance and autocorrelation", "Pope 1994", 0.5, 0.2,
+         run_langevin},
+        {"card", "exact", "Falling card in two dimensions", "Andersen, Pesavento and Wang 2005", 0.8, 0.2, run_card},
+        {"discs", "measured", "Paper discs dropped at random", "Howison et al. 2020", 1.6, 1.4, run_discs},
+        {"time-step", "measured", "Discs at dt = 1/120 s, 1 substep, against 1 ms", "own, converged", 5.0, 2.0,
+         run_time_step},
+        {"phase-map", "measured", "Discs over Re and I*: steady, periodic, chaotic, tumbling", "Field et al. 1997",
+         30.0, 8.0, run_phase_map},
+        {"leaf", "paper", "The paper's leaf released at 75 and 30 degrees", "paper, Fig. 3", 0.2, 0.1, run_leaf},
+        {"paper-plane", "paper", "The paper's plane of 8.3 cm at 0.2 m/s", "paper, Fig. 4", 0.6, 0.6, run_paper_plane},
+        {"rubber-ellipsoid", "paper", "Rubber ellipsoid in water, with and without turbulent loads", "paper, Fig. 5",
+         0.1, 0.1, run_rubber_ellipsoid},
+        {"tables", "paper", "Turbulence table at Re 3.8e3 on 32x32x16", "paper, Fig. 2", 0.2, 0.2, run_tables},
+        {"cost", "paper", "Time of a step and of a bake", "paper, section 7 and Table 2", 0.6, 0.4, run_cost}};
+    return rows;
+}
+
+} // namespace lr::scorecard

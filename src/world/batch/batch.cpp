@@ -1,0 +1,485 @@
+#include "world/batch/batch.h"
+
+#include "kernel/body_constants.h"
+#include "kernel/divergence.h"
+#include "kernel/limits.h"
+#include "world/batch/lifecycle.h"
+#include "world/schedule/step_chunks.h"
+#include "world/sleep/sleeping_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lr {
+namespace {
+
+constexpr uint32_t mark_bit = 1u << 31; // above every generation
+
+// An ellipsoid's hull is slightly smaller than the ellipsoid.
+double reach_of(const AssetData& a) {
+    const auto norm = [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); };
+    const auto& b = a.center_of_buoyancy;
+    double reach = 0.5 * a.length_d + norm(b[0], b[1], b[2]);
+    const std::vector<float>& v = a.hull.vertices;
+    for (size_t i = 0; i + 3 <= v.size(); i += 3)
+        reach = std::max(reach,
+                         norm(static_cast<double>(v[i]), static_cast<double>(v[i + 1]), static_cast<double>(v[i + 2])));
+    return reach;
+}
+
+} // namespace
+
+Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
+                     uint32_t index, uint32_t first_generation, lr_status& status) {
+    status = LR_ERROR_OUT_OF_MEMORY;
+    Batch* const batch = allocator.make<Batch>(allocator, asset.data.length_d);
+    if (!batch) return nullptr;
+    batch->settings_ = settings;
+    batch->index_ = index;
+    batch->first_generation_ = first_generation;
+    batch->asset_ = &asset;
+    batch->reach_ = reach_of(asset.data);
+    retain(asset);
+    batch->step.loads = settings.loads;
+    batch->step.clock = settings.clock;
+    batch->step.integrator = settings.integrator;
+    batch->step.faults = &batch->faults.noted;
+    const bool usable = make_body_constants(asset.data, asset.diagonal, settings.fluid_density, batch->step.body) &&
+                        batch->set_aerodynamics(asset.data.aerodynamics, settings.gains);
+    if (!usable)
+        status = LR_ERROR_INTERNAL;
+    else if (batch->allocate(capacity) && batch->set_asset_table())
+        status = LR_OK;
+    if (status == LR_OK) return batch;
+    destroy(batch);
+    return nullptr;
+}
+
+void Batch::destroy(Batch* batch) {
+    if (batch) batch->allocator_->end(batch);
+}
+
+Batch::Batch(Allocator& allocator, double length) : pace(length), allocator_(&allocator) {}
+
+Batch::~Batch() {
+    release(asset_);
+}
+
+bool Batch::allocate(uint32_t capacity) {
+    const size_t lanes = whole_blocks(capacity);
+    if (!columns_.reserve(*allocator_, part_body, lanes) ||
+        (settings_.loads == Loads::aerodynamic && !columns_.reserve(*allocator_, part_gust, lanes)) ||
+        !dense_.allocate(*allocator_, capacity) || !generations_.allocate(*allocator_, capacity))
+        return false;
+    capacity_ = capacity;
+    for (size_t f = 0; f < field_count; ++f)
+        arrays_.field[f] = columns_.row<float>(f < field_gust_x ? f : column_gust + (f - field_gust_x));
+    arrays_.noise_seed = columns_.row<uint32_t>(column_noise_seed);
+    for (uint32_t i = 0; i < capacity; ++i) {
+        dense_[i] = free_bit | (i + 1);
+        generations_[i] = first_generation_;
+    }
+    free_first_ = 0;
+    free_last_ = capacity - 1;
+    return true;
+}
+
+lr_body Batch::add(const BodyState& state) {
+    const uint32_t slot = free_first_;
+    free_first_ = dense_[slot] & ~free_bit;
+    if (awake_ < count_) {
+        move(awake_, count_);
+        columns_.clear(awake_, awake_ + 1);
+        ++revision_;
+    }
+    ++count_;
+    const uint32_t index = awake_++;
+    const uint32_t generation = generations_[slot];
+    last_generation_ = std::max(last_generation_, generation);
+    dense_[slot] = index;
+    const lr_body id = pack(BodyHandle{slot, generation, index_});
+    columns_.row<lr_body>(column_ids)[index] = id;
+    write(index, state);
+    arrays_.noise_seed[index] = state.noise_seed;
+    users()[index] = state.user;
+    if (events_) events_->clear(slot);
+    return id;
+}
+
+void Batch::remove(lr_body body) {
+    const uint32_t slot = unpack(body).slot;
+    const uint32_t index = dense_[slot], last = count_ - 1;
+    if (count_ == capacity_)
+        free_first_ = slot;
+    else
+        dense_[free_last_] = free_bit | slot;
+    free_last_ = slot;
+    generations_[slot] = next_generation(generations_[slot]);
+    dense_[slot] = free_bit;
+    if (events_) events_->clear(slot);
+    if (awake_ < count_) ++revision_;
+    uint32_t hole = index;
+    if (rests(index)) {
+        resting_->leave(slot);
+    } else {
+        hole = --awake_;
+        move(hole, index);
+    }
+    move(last, hole);
+    columns_.clear(last, last + 1);
+    --count_;
+}
+
+void Batch::move(uint32_t from, uint32_t to) {
+    if (from == to) return;
+    columns_.copy(from, to);
+    moved(to);
+}
+
+void Batch::swap(uint32_t a, uint32_t b) {
+    if (a == b) return;
+    columns_.swap(a, b);
+    moved(a);
+    moved(b);
+}
+
+void Batch::moved(uint32_t index) {
+    dense_[unpack(ids()[index]).slot] = index;
+    const uint32_t* const noted = columns_.row<uint32_t>(column_noted);
+    if (noted && noted[index] != 0) cut_noted_[index / cut_bodies] = 1;
+}
+
+bool Batch::held(uint32_t index) const {
+    return !rests(index) && is_held(arrays_.field[field_age_rest][index]);
+}
+
+void Batch::judge(uint32_t index) {
+    hold_if_insane(arrays_, index, &faults.noted, [&](size_t f) { return arrays_.field[f][index]; });
+}
+
+uint32_t Batch::rest(uint32_t index) {
+    if (held(index)) arrays_.field[field_age_rest][index] = 0.0f; // an ordinary sleeping body from now on
+    if (awake_ == count_) resting_->begin();
+    const uint32_t to = --awake_;
+    swap(index, to);
+    columns_.clear(to, to + 1, column_gust, 3);
+    columns_.row<double>(column_birth)[to] =
+        resting_->birth_of(arrays_.field[field_age][to], arrays_.field[field_age_rest][to]);
+    columns_.clear(to, to + 1, field_vx, 6);
+    columns_.clear(to, to + 1, column_force, force_components);
+    lie_down(to);
+    return to;
+}
+
+// Its birth is set. It keeps its box if it has lain in this pose before.
+void Batch::lie_down(uint32_t index) {
+    const uint32_t slot = unpack(ids()[index]).slot;
+    const float scale = arrays_.field[field_scale][index];
+    if (!resting_->has_box(slot)) resting_->set_box(slot, bounds(asset_->meeting, scale, pose_of(arrays_, index)));
+    resting_->enter(index, slot, vector_in(arrays_.field, field_x, index), scale);
+}
+
+uint32_t Batch::wake(uint32_t index) {
+    resting_->leave(unpack(ids()[index]).slot);
+    resting_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_rest][index]);
+    oldest_ = std::max(oldest_, static_cast<double>(arrays_.field[field_age][index]));
+    columns_.clear(index, index + 1, column_birth, 1);
+    columns_.clear(index, index + 1, column_gust, 3); // see WakeByFlow
+    columns_.clear(index, index + 1, column_rest_time, 1);
+    columns_.clear(index, index + 1, column_stay, stay_rows);
+    if (events_) events_->note(unpack(ids()[index]).slot, noted_waking);
+    swap(index, awake_);
+    ++revision_;
+    return awake_++;
+}
+
+void Batch::wake_all() {
+    while (awake_ < count_) wake(awake_);
+}
+
+void Batch::wake_in(const Box& box) {
+    if (awake_ == count_) return;
+    const Double3 low = to_double(box.low), high = to_double(box.high);
+    const auto look_at = [&](uint32_t index) {
+        const double reach = reach_ * wide(arrays_.field[field_scale][index]);
+        const Double3 x = to_double(vector_in(arrays_.field, field_x, index));
+        if (x.x + reach >= low.x && x.x - reach <= high.x && x.y + reach >= low.y && x.y - reach <= high.y &&
+            x.z + reach >= low.z && x.z - reach <= high.z)
+            wake(index);
+    };
+    if (resting_->grid.visit(box, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
+    // A body that wakes swaps places with one that was already visited.
+    for (uint32_t i = awake_; i < count_; ++i) look_at(i);
+}
+
+// Spheres around where they are and may have come to since.
+Box Batch::box() const {
+    const auto reach = static_cast<float>(1.0001 * reach_), behind = static_cast<float>(1.0001 * pace.behind());
+    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+    for (uint32_t i = 0; i < count_; ++i) {
+        float r = reach * arrays_.field[field_scale][i];
+        if (behind > 0.0f) r += behind * length(vector_in(arrays_.field, field_vx, i));
+        for (size_t k = 0; k < 3; ++k) {
+            const float x = arrays_.field[field_x + k][i];
+            low[k] = std::min(low[k], x - r);
+            high[k] = std::max(high[k], x + r);
+        }
+    }
+    // Places are rounded, here and by whoever draws a body.
+    for (size_t k = 0; k < 3 && count_ != 0; ++k) {
+        low[k] = std::max(low[k] - 1e-6f * std::abs(low[k]), -FLT_MAX);
+        high[k] = std::min(high[k] + 1e-6f * std::abs(high[k]), FLT_MAX);
+    }
+    return {vector_of(low), vector_of(high)};
+}
+
+bool Batch::reserve_rest() {
+    // The contact shape may extend slightly beyond the reach.
+    const double most = std::max(reach(), static_cast<double>(asset_->meeting.shape.reach));
+    return columns_.reserve(*allocator_, part_rest, whole_blocks(capacity_)) &&
+           resting_.reserve(*allocator_, capacity_, most, index_, columns_.row<double>(column_birth));
+}
+
+bool Batch::reserve_contact() {
+    const uint32_t lanes = whole_blocks(capacity_);
+    if (columns_.has(part_contact)) return true;
+    if (!reserve_rest() || !cut_noted_.allocate(*allocator_, cut_count(lanes))) return false;
+    std::fill_n(cut_noted_.data(), cut_noted_.size(), uint8_t{0});
+    return columns_.reserve(*allocator_, part_contact, lanes);
+}
+
+bool Batch::any_contact() const {
+    bool any = columns_.any(column_rest_time, count_) || columns_.any(column_stay, count_);
+    for (size_t k = 0; k < most_touches && !any; ++k) any = columns_.any(column_touching + k, count_);
+    return any;
+}
+
+void Batch::forget(uint32_t index) {
+    columns_.clear(index, index + 1, column_force, column_noise_seed - column_force);
+}
+
+void Batch::forget_touched_bodies() {
+    const ContactCache book = contact_cache();
+    for (uint32_t i = 0; i < count_ && book.rest_time; ++i) {
+        size_t kept = 0;
+        for (const uint32_t* touching : book.touching)
+            if (touching[i] != touching_body) book.touching[kept++][i] = touching[i];
+        for (; kept < most_touches; ++kept) book.touching[kept][i] = 0;
+    }
+}
+
+void Batch::make_ages_exact() {
+    for (uint32_t i = awake_; i < count_; ++i)
+        resting_->age_of(i, arrays_.field[field_age][i], arrays_.field[field_age_rest][i]);
+}
+
+ContactCache Batch::contact_cache() {
+    ContactCache book;
+    book.rest_time = columns_.row<float>(column_rest_time);
+    for (size_t k = 0; k < stay_rows; ++k) book.stay[k] = columns_.row<float>(column_stay + k);
+    for (size_t k = 0; k < most_touches; ++k) book.touching[k] = columns_.row<uint32_t>(column_touching + k);
+    book.comes_to_rest = [](void* batch, uint32_t index) { static_cast<Batch*>(batch)->note_rest(index); };
+    book.batch = this;
+    if (events_) book.notes = events_->notes(ids());
+    return book;
+}
+
+void Batch::note_rest(uint32_t index) {
+    __atomic_store_n(&columns_.row<uint32_t>(column_noted)[index], 1u, __ATOMIC_RELAXED);
+    __atomic_store_n(&cut_noted_[index / cut_bodies], uint8_t{1}, __ATOMIC_RELAXED);
+}
+
+// Both clear the marks that they report.
+bool Batch::take_cut(uint32_t cut) {
+    return std::exchange(cut_noted_[cut], uint8_t{0}) != 0;
+}
+bool Batch::take_note(uint32_t index) {
+    return std::exchange(columns_.row<uint32_t>(column_noted)[index], 0u) != 0;
+}
+
+// Backwards, so that a marked body never moves to an index that was already visited.
+void Batch::settle_noted() {
+    if (!columns_.has(part_contact)) return;
+    for (uint32_t cut = cut_count(padded_awake()); cut-- > 0;) {
+        if (!take_cut(cut)) continue;
+        const uint32_t begin = cut * cut_bodies;
+        for (uint32_t i = std::min(begin + cut_bodies, awake_); i-- > begin;)
+            if (take_note(i)) {
+                if (events_) events_->note(unpack(ids()[i]).slot, noted_landing);
+                rest(i);
+            }
+    }
+}
+
+// Forwards, so that a body moved into another's place was already visited.
+void Batch::wake_noted() {
+    if (!columns_.has(part_contact)) return;
+    const uint32_t shared = awake_ / cut_bodies; // shared with awake bodies, which may be marked for sleep
+    for (uint32_t cut = shared, end = cut_count(count_); cut < end; ++cut) {
+        if (cut == shared ? cut_noted_[cut] == 0 : !take_cut(cut)) continue;
+        const uint32_t begin = cut * cut_bodies;
+        for (uint32_t i = std::max(begin, awake_); i < std::min(begin + cut_bodies, count_); ++i)
+            if (take_note(i)) wake(i);
+    }
+}
+
+bool Batch::find(lr_body body, uint32_t& index) const {
+    const BodyHandle h = unpack(body);
+    if (h.slot >= capacity_ || h.batch != index_) return false;
+    const uint32_t at = dense_[h.slot];
+    if (at >= count_ || ids()[at] != body) return false;
+    index = at;
+    return true;
+}
+
+bool Batch::mark(uint32_t index) {
+    uint32_t& generation = generations_[unpack(ids()[index]).slot];
+    if (generation & mark_bit) return false;
+    generation |= mark_bit;
+    return true;
+}
+
+void Batch::unmark(uint32_t index) {
+    generations_[unpack(ids()[index]).slot] &= ~mark_bit;
+}
+
+BodyState Batch::read(uint32_t index) const {
+    BodyState s{};
+    for (size_t f = 0; f < field_count && arrays_.field[f]; ++f) s.value[f] = arrays_.field[f][index];
+    s.noise_seed = arrays_.noise_seed[index];
+    s.user = users()[index];
+    if (rests(index)) resting_->age_of(index, s.value[field_age], s.value[field_age_rest]);
+    return s;
+}
+
+void Batch::grow_older(double seconds) {
+    oldest_ += seconds;
+    if (oldest_ <= static_cast<double>(most_age)) return;
+    oldest_ = 0.0;
+    for (uint32_t i = 0; i < awake_; ++i) {
+        float& age = arrays_.field[field_age][i];
+        oldest_ = std::max(oldest_, static_cast<double>(age));
+        if (age <= most_age) continue;
+        age = most_age;
+        if (!is_held(arrays_.field[field_age_rest][i])) arrays_.field[field_age_rest][i] = 0.0f;
+    }
+}
+
+void Batch::write(uint32_t index, const BodyState& state) {
+    oldest_ = std::max(oldest_, static_cast<double>(state.value[field_age]));
+    for (size_t f = 0; f < field_count && arrays_.field[f]; ++f) arrays_.field[f][index] = state.value[f];
+}
+
+// Loads off the body's axes or centre of buoyancy need the full path. A diagonal asset's own loads do not.
+bool Batch::is_diagonal_with(const AerodynamicData& loads) const {
+    constexpr std::array<double, 9> body_axes{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+    const AerodynamicData& own = asset_->data.aerodynamics;
+    return asset_->diagonal && ((loads.axes == own.axes && loads.center == own.center) ||
+                                (loads.axes == body_axes && loads.center == std::array<double, 3>{}));
+}
+
+bool Batch::make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const {
+    out = step.body;
+    out.diagonal = is_diagonal_with(loads);
+    if (!make_aerodynamics(asset_->data, loads, gains, asset_->diagonal, settings_.fluid_density, settings_.viscosity,
+                           out))
+        return false;
+    if (stationary_.u0 > 0.0) set_gust_turbulence(stationary_, gains, out);
+    return true;
+}
+
+bool Batch::can_use(const AerodynamicData& loads, const Gains& gains) const {
+    BodyConstants ignored;
+    return make_loads(loads, gains, ignored);
+}
+
+bool Batch::set_aerodynamics(const AerodynamicData& loads, const Gains& gains) {
+    BodyConstants body;
+    if (!make_loads(loads, gains, body)) return false;
+    aerodynamics_ = loads;
+    settings_.gains = gains;
+    step.body = body;
+    water_made_ = false;
+    return true;
+}
+
+const WaterBody* Batch::water_body(const lr_water_desc& surface, bool& failed) {
+    if (!water_made_ || water_density_ != surface.density || water_viscosity_ != surface.viscosity) {
+        water_density_ = surface.density;
+        water_viscosity_ = surface.viscosity;
+        water_usable_ = make_water_body(asset_->data, aerodynamics_, settings_.gains, stationary_, asset_->diagonal,
+                                        settings_.fluid_density,
+                                        std::max(static_cast<double>(surface.density), settings_.fluid_density),
+                                        static_cast<double>(surface.viscosity), step.body, water_);
+        water_made_ = true;
+        failed = failed || !water_usable_;
+    }
+    return water_usable_ ? &water_ : nullptr;
+}
+
+bool Batch::reserve_forces() {
+    const size_t lanes = whole_blocks(capacity_);
+    if (!columns_.reserve(*allocator_, part_forces, lanes)) return false;
+    external.use(columns_.row<float>(column_force), lanes);
+    return true;
+}
+
+bool Batch::reserve_lifecycle() {
+    const uint32_t lanes = whole_blocks(capacity_);
+    return columns_.reserve(*allocator_, part_life, lanes) && lifecycle_.reserve(*allocator_, lanes);
+}
+
+bool Batch::set_table(const TableView& t, bool of_asset) {
+    Buffer<float> table;
+    if (!table.allocate(*allocator_, size_t{2} * t.count)) return false;
+    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): samples are there where their memory was
+    const auto chi = [&](uint32_t i) { return static_cast<double>(t.chi[i]); };
+    const auto epsilon = [&](uint32_t i) { return static_cast<double>(t.epsilon[i]); };
+    for (uint32_t i = 0; i < t.count; ++i) {
+        table[i] = static_cast<float>(langevin_alpha(chi(i), t.c0, settings_.gains));
+        table[t.count + i] = static_cast<float>(langevin_beta_squared(epsilon(i), t.c0, settings_.gains));
+    }
+    table_.swap(table);
+    step.table = {table_.data(), table_.data() + t.count, static_cast<float>(1.0 / t.dt),
+                  static_cast<float>(t.count - 1), settings_.loop};
+    const TurbulenceSample stationary{chi(t.stationary), epsilon(t.stationary), t.u0, t.l, t.c0};
+    set_speed_turbulence(stationary, settings_.gains, step.body);
+    stationary_ = of_asset ? TurbulenceSample{} : stationary;
+    return set_aerodynamics(aerodynamics_, settings_.gains);
+}
+
+TurbulenceSample Batch::strongest_turbulence(const TurbulenceSample& stationary, double& least_rate,
+                                             double& most_rate) const {
+    const auto rounded = [](double v) { return static_cast<double>(static_cast<float>(v)); };
+    if (stationary.u0 > 0.0) {
+        least_rate = rounded(1.0 / most_interval);
+        most_rate = rounded(1.0 / least_interval);
+        return {most_chi, most_epsilon, stationary.u0, stationary.l, stationary.c0};
+    }
+    const AssetData& a = asset_->data;
+    const TurbulenceData& t = a.turbulence;
+    least_rate = most_rate = rounded(1.0 / (t.dt * a.length_l / a.u0));
+    const double chi = *std::max_element(t.chi.begin(), t.chi.end()),
+                 epsilon = *std::max_element(t.epsilon.begin(), t.epsilon.end());
+    return {rounded(chi * (a.u0 / a.length_l)), rounded(epsilon * (a.u0 * a.u0 * a.u0 / a.length_l)), a.u0, a.length_l,
+            t.c0};
+}
+
+bool Batch::set_asset_table() {
+    const AssetData& a = asset_->data;
+    const TurbulenceData& t = a.turbulence;
+    const auto count = static_cast<uint32_t>(t.chi.size());
+    Buffer<float> samples;
+    if (!samples.allocate(*allocator_, size_t{2} * count)) return false;
+    const double rate = a.u0 / a.length_l, power = a.u0 * a.u0 * a.u0 / a.length_l;
+    for (uint32_t i = 0; i < count; ++i) {
+        samples[i] = static_cast<float>(t.chi[i] * rate);
+        samples[count + i] = static_cast<float>(t.epsilon[i] * power);
+    }
+    const TableView view{
+        samples.data(), samples.data() + count, count, t.stationary, t.dt * a.length_l / a.u0, a.u0, a.length_l, t.c0};
+    return set_table(view, true);
+}
+
+} // namespace lr

@@ -1,0 +1,234 @@
+// All bodies of one asset: dense arrays, and the slots behind the handles.
+#pragma once
+
+#include "asset/asset.h"
+#include "base/allocator.h"
+#include "base/handles.h"
+#include "base/lane_arrays.h"
+#include "collision/body_narrow_phase.h"
+#include "collision/collider_contact_group.h"
+#include "kernel/body_copies.h"
+#include "kernel/integrator/step.h"
+#include "world/batch/body_columns.h"
+#include "world/batch/external_forces.h"
+#include "world/events/contact_events.h"
+#include "world/schedule/batch_schedule.h"
+#include "world/sleep/sleeping_bodies.h"
+#include "world/step/step_near_colliders.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace lr {
+
+class Lifecycle;
+
+struct BatchSettings {
+    Loads loads = Loads::langevin;
+    Clock clock = Clock::speed;
+    Integrator integrator = Integrator::splitting;
+    bool loop = false;
+    Gains gains;
+    double fluid_density = 1.2; // kg/m^3
+    double viscosity = 1.5e-5;  // m^2/s, kinematic
+};
+
+// A body's state in the frames of storage: position and orientation in the world, velocities in the body frame.
+struct BodyState {
+    float value[field_count];
+    uint32_t noise_seed;
+    uint64_t user;
+};
+
+// k-epsilon samples in the units of the bake.
+struct TableView {
+    const float* chi;
+    const float* epsilon;
+    uint32_t count, stationary;
+    double dt, u0, l, c0;
+};
+
+// Diverged bodies: held where they were last valid, or ended. docs/reference/bodies.md
+struct BodyFaults {
+    uint32_t noted = 0; // set in a step in which a body diverges (StepInput::faults)
+    uint32_t last = 0;  // bodies, in the last step
+    uint64_t total = 0;
+};
+
+// Settings that may change at any time: numbers of 32 bits, or structs of them. Snapshots hold them as they are here.
+struct BatchOptions {
+    int32_t divergence_policy = LR_DIVERGENCE_AUTO;
+    uint32_t reserved = 0; // a whole number of eight bytes
+};
+inline const char* wrong_in(const BatchOptions& o) {
+    if (o.divergence_policy < LR_DIVERGENCE_AUTO || o.divergence_policy > LR_DIVERGENCE_REMOVE) return "unknown policy";
+    return o.reserved != 0 ? "reserved is not 0" : nullptr;
+}
+// Those that are not initial are part of the world's hash.
+template <class Mix> void hash(const BatchOptions& options, const Mix& mix) {
+    using Words = std::array<uint32_t, sizeof options / 4>;
+    const auto words = std::bit_cast<Words>(options), initial = std::bit_cast<Words>(BatchOptions());
+    for (uint32_t k = 0; k < words.size(); ++k)
+        if (words[k] != initial[k]) mix(words[k] | uint64_t{k} << 32);
+}
+
+class Batch {
+public:
+    static constexpr uint32_t free_bit = 1u << 31; // above every dense index
+
+    // Null after an error: LR_ERROR_OUT_OF_MEMORY or LR_ERROR_INTERNAL.
+    static Batch* create(Allocator& allocator, const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
+                         uint32_t index, uint32_t first_generation, lr_status& status);
+    static void destroy(Batch* batch);
+
+    lr_body add(const BodyState& state); // count() < capacity(); awake
+    void remove(lr_body body);           // find(body) holds
+    // The dense index of a living body; false for a stale one.
+    bool find(lr_body body, uint32_t& index) const;
+    // False if marked already. Marks last for one call.
+    bool mark(uint32_t index);
+    void unmark(uint32_t index);
+    BodyState read(uint32_t index) const;
+    void write(uint32_t index, const BodyState& state); // all but noise seed and user
+    // After a step; ages stop at most_age (kernel/limits.h).
+    void grow_older(double seconds);
+
+    // Both leave the old table in place when they fail.
+    bool set_table(const TableView& table, bool of_asset = false);
+    bool set_asset_table();
+    // An upper bound of all samples of a table with this stationary sample (u0 is 0 for the asset's own table), and the range of
+    // rates (1/s) at which samples follow each other.
+    TurbulenceSample strongest_turbulence(const TurbulenceSample& stationary, double& least_rate,
+                                          double& most_rate) const;
+    // Sets quasi-steady loads other than the asset's own. False if they cannot be used; nothing has then changed.
+    bool set_aerodynamics(const AerodynamicData& loads, const Gains& gains);
+    bool can_use(const AerodynamicData& loads, const Gains& gains) const;
+    const AerodynamicData& aerodynamics() const { return aerodynamics_; }
+    const Gains& gains() const { return settings_.gains; }
+
+    // Bodies [0, awake()) are awake, [awake(), count()) asleep and not stepped. The order in either part has no meaning.
+    uint32_t count() const { return count_; }
+    uint32_t awake() const { return awake_; }
+    uint32_t capacity() const { return capacity_; }
+    uint32_t padded_count() const { return whole_blocks(count_); }
+    uint32_t padded_awake() const { return whole_blocks(awake_); }
+    bool rests(uint32_t index) const { return index >= awake_; }
+    bool held(uint32_t index) const; // it diverged and is held
+    void judge(uint32_t index);      // checks an awake body for divergence after a change of its velocity
+    // Return the body's new index. A body that falls asleep loses its velocities and forces; on waking its age is exact.
+    uint32_t rest(uint32_t index); // awake, and reserve_rest() has held
+    uint32_t wake(uint32_t index); // asleep
+    void wake_all();
+    void wake_in(const Box& box); // sleeping bodies whose boxes, position +- reach() times scale, overlap it
+    // Calls function for sleeping bodies whose contact box overlaps `box`. Any thread, while no body falls asleep or wakes.
+    template <class Function> void look_at_resting(const Box& box, Function&& function) const {
+        if (awake_ == count_) return;
+        const auto look_at = [&](uint32_t slot) {
+            if (overlap(resting_->box(slot), box)) function(dense_[slot]);
+        };
+        if (resting_->grid.visit(box, count_ - awake_, look_at)) return;
+        for (uint32_t i = awake_; i < count_; ++i) look_at(unpack(ids()[i]).slot);
+    }
+    bool reserve_rest();                                       // false when out of memory
+    SleepingBodies* resting() const { return resting_.get(); } // null before reserve_rest()
+    // Updates the ages of sleeping bodies in the arrays.
+    void make_ages_exact();
+    double reach() const { return reach_; } // m: no part of a body of scale 1 is farther from its centre of mass
+    Box box() const;                        // of all bodies; with none, from FLT_MAX to -FLT_MAX
+    // Grows whenever sleeping bodies wake, end, or change their indices.
+    uint64_t revision() const { return revision_; }
+
+    // Allocates the per-body records of contact; false when out of memory.
+    bool reserve_contact();
+    bool any_contact() const;     // whether any record is not empty
+    void forget(uint32_t index);  // a body respawned or was placed: clears its contacts and forces
+    void forget_touched_bodies(); // their batch has no body contact any more
+    // Marks a body of a stepped chunk to fall asleep at the end of the step. Any thread.
+    void note_rest(uint32_t index);
+    void settle_noted(); // after the step
+    void wake_noted();   // wakes the sleeping bodies marked before that
+    const lr_asset& asset() const { return *asset_; }
+    const BodyColumns& columns() const { return columns_; }
+    const BatchArrays& arrays() const { return arrays_; }
+    const lr_body* ids() const { return columns_.row<lr_body>(column_ids); }
+    uint64_t* users() const { return columns_.row<uint64_t>(column_user); }
+    uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
+    const BatchSettings& settings() const { return settings_; }
+
+    // Its constants in water, recomputed when the water or the loads have changed. Null if the batch cannot be in water; `failed`
+    // is then set once.
+    const WaterBody* water_body(const lr_water_desc& surface, bool& failed);
+
+    ExternalForces external;
+    bool reserve_forces(); // for forces on single bodies; false when out of memory
+
+    Lifecycle* lifecycle() const { return lifecycle_.get(); } // null before the first rules or emitter
+    bool reserve_lifecycle();                                 // false when out of memory
+
+    lr_batch_contact contact = initial_contact;
+    ContactCache contact_cache();
+
+    ContactEvents* events() const { return events_.get(); }                   // null while events are off
+    bool reserve_events() { return events_.reserve(*allocator_, capacity_); } // false when out of memory
+    void drop_events() { events_.reset(); }
+
+    BodyFaults faults;
+    BatchOptions options;
+    StepInput step{}; // constants of the shape, filled up by World::step
+    BatchClock pace;
+
+private:
+    friend class SnapshotAccess;
+    friend class Allocator;
+    Batch(Allocator& allocator, double length);
+    ~Batch();
+    bool allocate(uint32_t capacity);
+    void move(uint32_t from, uint32_t to); // to an unused place
+    void swap(uint32_t a, uint32_t b);
+    void moved(uint32_t index); // a body has moved to this index
+    void lie_down(uint32_t index);
+    bool take_cut(uint32_t cut);
+    bool take_note(uint32_t index);
+    bool is_diagonal_with(const AerodynamicData& loads) const;
+    bool make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const;
+
+    Allocator* allocator_;
+    const lr_asset* asset_ = nullptr;
+    BatchSettings settings_;
+    uint32_t index_ = 0;
+    uint32_t capacity_ = 0, count_ = 0, awake_ = 0;
+    uint64_t revision_ = 0;
+    double reach_ = 0.0;
+    uint32_t first_generation_ = 1, last_generation_ = 0;
+    BatchArrays arrays_{};
+    BodyColumns columns_;
+    Buffer<uint8_t> cut_noted_;    // whether bodies of a cut are marked
+    Buffer<uint32_t> dense_;       // by slot: the body's dense index, or free_bit and the next free slot
+    Buffer<uint32_t> generations_; // by slot: of the body in it, or of the next
+    // A queue of free slots, so that a slot is reused as late as possible. Undefined while all slots are in use.
+    uint32_t free_first_ = 0, free_last_ = 0;
+    Buffer<float> table_, next_table_; // alpha, then beta^2; next_table_ has another length while a snapshot is checked
+    AerodynamicData aerodynamics_;
+    WaterBody water_{};
+    bool water_made_ = false, water_usable_ = false; // for these:
+    float water_density_ = 0.0f, water_viscosity_ = 0.0f;
+    TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
+    double oldest_ = 0.0;           // s, upper bound of the ages of awake bodies
+    Owned<Lifecycle> lifecycle_;
+    Owned<SleepingBodies> resting_;
+    Owned<ContactEvents> events_;
+};
+
+// Calls move(), which steps lanes [begin, end), and preserves sleeping bodies in the last lanes.
+template <class Move> void move_awake(const Batch& batch, uint32_t begin, uint32_t end, const Move& move) {
+    const uint32_t first = std::max(begin, batch.awake()), past = std::min(end, batch.count());
+    if (first >= past) return move();
+    const auto index = [first](uint32_t i) { return first + i; };
+    BodyCopies<lane_block> kept;
+    kept.take(batch.arrays(), past - first, index);
+    move();
+    kept.put_back(batch.arrays(), index);
+}
+
+} // namespace lr

@@ -1,0 +1,110 @@
+// The per-body state of a batch: one table of columns, by dense index. Allocation, clearing, moving, hashes and snapshots loop over it.
+#pragma once
+
+#include "base/allocator.h"
+#include "collision/contact_cache.h"
+#include "kernel/limits.h"
+
+#include <array>
+#include <bit>
+#include <cfloat>
+#include <cstdint>
+
+namespace lr {
+
+// Memory is allocated by part: every batch has part_body, the others follow when they are first needed.
+enum ColumnPart : uint32_t { part_body, part_rest, part_gust, part_life, part_forces, part_contact, column_parts };
+
+enum class Hashed : uint8_t {
+    never,
+    always,
+    awake,  // of awake bodies
+    rare,   // where it is not 0: most are 0
+    birth,  // of sleeping bodies
+    remnant // of awake bodies, where it is not 0
+};
+
+struct Column {
+    ColumnPart part = part_body;
+    uint32_t width = 0; // bytes of a value, 4 or 8
+    Hashed hashed = Hashed::never;
+    uint32_t tag = 0;              // in the hash
+    float low = 0.0f, high = 0.0f; // allowed range in a snapshot; both 0: not checked by itself
+    bool saved = true;
+    uint32_t empty = 0; // bits of unused lanes
+};
+
+// The order of hashing. Columns before column_birth are BatchArrays::field.
+enum ColumnIndex : uint32_t {
+    column_birth = field_gust_x,
+    column_gust,
+    column_life = column_gust + field_count - field_gust_x,
+    column_force,
+    column_rest_time = column_force + force_components,
+    column_touching,
+    column_stay = column_touching + most_touches,
+    column_noted = column_stay + stay_rows,
+    column_noise_seed,
+    column_ids,
+    column_user,
+    column_count
+};
+
+constexpr std::array<Column, column_count> make_columns() {
+    constexpr float most = FLT_MAX;
+    constexpr auto one = std::bit_cast<uint32_t>(1.0f);
+    std::array<Column, column_count> all{};
+    const auto rows = [&all](size_t first, size_t count, Column column) {
+        for (size_t i = first; i < first + count; ++i, ++column.tag) all[i] = column;
+    };
+    using enum Hashed;
+    // Velocities have no limits here: a step checks them for divergence.
+    rows(field_x, 3, {part_body, 4, always, field_x, -farthest_place, farthest_place});
+    rows(field_qx, 10, {part_body, 4, always, field_qx, -most, most});
+    all[field_qw].empty = one;
+    rows(field_scale, 1, {part_body, 4, always, field_scale, least_scale, most_scale, true, one});
+    rows(field_age, 1, {part_body, 4, awake, field_age, 0.0f, most_age});
+    rows(field_age_rest, 1, {part_body, 4, remnant, field_age_rest, -most, most});
+    rows(column_birth, 1, {part_rest, 8, birth}); // s, on the clock of sleeping bodies
+    rows(column_gust, 3, {part_gust, 4, always, field_gust_x, -most, most});
+    rows(column_life, 1, {part_life, 4, rare, field_count}); // how often a body has respawned
+    rows(column_force, force_components, {part_forces, 4, rare, 64, -most, most});
+    // ContactCache: time it has lain still; what it touches; time it has stayed in place, with its way and turn since.
+    rows(column_rest_time, 1, {part_contact, 4, rare, 128, 0.0f, most});
+    rows(column_touching, most_touches, {part_contact, 4, rare, 129});
+    rows(column_stay, 1, {part_contact, 4, rare, 136, 0.0f, most});
+    rows(column_stay + 1, stay_rows - 1, {part_contact, 4, rare, 137, -most, most});
+    rows(column_noted, 1, {part_contact, 4, never, 0, 0.0f, 0.0f, false}); // marked for sleep or waking
+    rows(column_noise_seed, 1, {part_body, 4, never});
+    rows(column_ids, 1, {part_body, 8, never});
+    rows(column_user, 1, {part_body, 8, never});
+    return all;
+}
+inline constexpr std::array<Column, column_count> body_columns = make_columns();
+
+class BodyColumns {
+public:
+    // Allocates an empty part for `lanes` bodies, a multiple of lane_block. False when out of memory.
+    bool reserve(Allocator& allocator, ColumnPart part, size_t lanes);
+    bool has(ColumnPart part) const { return memory_[part].size() != 0; }
+
+    // Null if its part is not allocated.
+    unsigned char* bytes(size_t column) const { return data_[column]; }
+    template <class T> T* row(size_t column) const { return static_cast<T*>(static_cast<void*>(data_[column])); }
+
+    void copy(uint32_t from, uint32_t to);
+    void swap(uint32_t a, uint32_t b);
+    // Clears lanes [begin, end), in all columns or some.
+    void clear(uint32_t begin, uint32_t end, size_t first = 0, size_t count = column_count);
+
+    // Whether any of the first `count` bodies has a value other than 0.
+    bool any(size_t column, uint32_t count) const;
+    // A sum over bodies, so that their order does not matter. The first `awake` are awake.
+    uint64_t hash(uint32_t awake, uint32_t count) const;
+
+private:
+    unsigned char* data_[column_count] = {};
+    Buffer<unsigned char> memory_[column_parts];
+};
+
+} // namespace lr

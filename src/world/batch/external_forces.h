@@ -1,0 +1,49 @@
+// External forces on a batch: on single bodies over the next step, and on all of them until changed.
+#pragma once
+
+#include "base/pose.h"
+#include "kernel/integrator/step.h"
+#include "kernel/limits.h"
+
+namespace lr {
+
+// Null if valid, else the reason.
+inline const char* wrong_batch_force(const float (&force)[force_components]) {
+    return within(force, most_force) ? nullptr : "a component is over 1e9";
+}
+
+class ExternalForces {
+public:
+    // Sets the rows for single bodies, `stride` apart; before, there are no forces on single bodies.
+    void use(float* rows, size_t stride) { rows_ = rows, stride_ = stride; }
+    void add(uint32_t index, size_t frame, size_t kind, Double3 value);
+
+    void set_batch(const float (&force)[force_components]);
+    const float (&batch() const)[force_components] { return batch_; }
+    bool pending() const { return used_ != 0; } // on single bodies
+
+    // Scales forces on single bodies by `part`: they act over 1/part of the intended time.
+    void spread(float part, uint32_t count);
+    void fill(ExternalInput& in) const; // for a step
+    void stepped() { used_ = 0; }       // the kernel has left zeros
+    void restored(bool pending) { used_ = pending ? all_vectors : 0; }
+
+private:
+    static constexpr uint32_t all_vectors = (1u << force_components / 3) - 1;
+
+    float batch_[force_components] = {};
+    bool on_batch_ = false;
+    uint32_t used_ = 0; // a bit for each vector that is not 0 on all bodies
+    float* rows_ = nullptr;
+    size_t stride_ = 0;
+};
+
+struct Kick {
+    Double3 v, w; // m/s and rad/s, body frame
+};
+
+// The change of velocity by an impulse (N s) and an angular impulse (N m s), body frame, including the added mass:
+// (M + added)^-1 of them.
+Kick impulse_response(const BodyConstants& body, double scale, const Kick& impulse);
+
+} // namespace lr

@@ -1,0 +1,109 @@
+// Spawning and ending of a batch's bodies at the end of each step, by its emitter and its rules.
+#pragma once
+
+#include "base/allocator.h"
+#include "base/pose.h"
+#include "kernel/integrator/step.h"
+#include "langevin_rigid.h"
+#include "world/batch/batch.h"
+
+#include <cstdint>
+
+namespace lr {
+
+Outcome check(const lr_batch_rules& rules);
+Outcome check(const lr_emitter_desc& desc);
+
+// Where and how bodies spawn: the distributions of an lr_emitter_desc.
+class Emitter {
+public:
+    Emitter() = default;
+    explicit Emitter(const lr_emitter_desc& desc); // checked
+
+    // The body with this noise seed in this life, at age 0: the same wherever and whenever it is drawn.
+    BodyState draw(uint64_t seed, uint32_t noise_seed, uint32_t life) const;
+
+private:
+    lr_emitter_desc desc_{};
+    Quaternion<double> orientation_{}, pose_{}; // of the shape; of bodies, if fixed
+    Double3 axis_{};                            // of the cone of velocities,
+    RightAngles across_{};                      // and across it
+    double cone_ = 0.0;                         // 1 - cos(spread)
+};
+
+class Lifecycle {
+public:
+    bool allocate(Allocator& allocator, uint32_t lanes);
+
+    void set_rules(const lr_batch_rules* rules);      // null removes them
+    void set_emitter(const lr_emitter_desc* emitter); // null removes it; a pending fraction of a spawn is kept
+    bool has_rules() const { return state_.has_rules != 0; }
+    bool has_emitter() const { return state_.has_emitter != 0; }
+    bool respawns() const { return has_rules() && state_.rules.action == LR_END_RESPAWN; }
+
+    // In each step: judge() for all awake bodies, from any threads, each for whole cuts (world/schedule/step_chunks.h); then
+    // judge_rest() and finish() once.
+    void judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end);
+    // Checks sleeping bodies if the rules may give a new answer for them.
+    void judge_rest(EndedFunction ended, Batch& batch);
+    void finish(Batch& batch, lr_world& world, double dt);
+    // Between these calls: ends an awake body because it diverged, whatever the rules; and whether rules end it.
+    void end_for_fault(uint32_t index);
+    bool ends(uint32_t index) const;
+    // For a step of the world in which the batch waits.
+    void pass();
+
+    // Spawns at most `count` bodies; returns how many had room.
+    uint32_t emit(Batch& batch, lr_world& world, uint32_t count, lr_body* out_ids);
+
+    void report(lr_batch_counts& out) const;
+    // The kind of event of bodies that the rules ended in the step.
+    int32_t ended_kind() const { return ended_respawned_ ? LR_EVENT_RESPAWNED : LR_EVENT_KILLED; }
+
+    // Saved in snapshots, besides the lives.
+    struct State {
+        uint32_t has_rules, has_emitter;
+        lr_batch_rules rules;
+        lr_emitter_desc emitter;
+        uint32_t padding;
+        double due, burst_clock; // bodies; s since the last burst
+        uint64_t spawned, destroyed, respawned, missed;
+    };
+    const State& state() const { return state_; }
+    // Whether it affects future steps.
+    bool in_use() const {
+        return has_rules() || has_emitter() || state_.spawned + state_.destroyed + state_.respawned != 0;
+    }
+    static bool consistent(const State& state);
+    void restore(const State& state);
+
+private:
+    void end_bodies(Batch& batch, lr_world& world);
+    void respawn(Batch& batch, const lr_world& world, uint32_t index);
+    template <class Function> void for_ended(uint32_t begin, uint32_t end, Function&& function);
+    void bear(Batch& batch, lr_world& world, double dt);
+
+    State state_{};
+    Emitter emitter_;
+    bool rest_judged_ = false; // in this step
+    bool faulted_ = false;     // some bodies end in this step whatever the rules
+    Buffer<uint32_t> cause_;   // by dense index, of the step
+    Buffer<uint8_t> cut_has_ended_;
+    // Of the last step.
+    uint32_t ended_ = 0, spawned_ = 0, missed_ = 0;
+    bool ended_respawned_ = false;
+    uint32_t by_cause_[cause_count] = {};
+};
+
+// Bodies of all batches that diverged in a step (BodyFaults), for the log.
+struct FaultReport {
+    uint32_t count = 0;
+    lr_batch batch{}; // of the first, by batch and noise seed
+    uint32_t noise_seed = 0;
+};
+
+// At the end of a step of the batch, before its rules end bodies.
+void settle_faults(lr_world& world, Batch& batch, lr_batch handle, FaultReport& report);
+void log_faults(const lr_world& world, const FaultReport& report);
+
+} // namespace lr

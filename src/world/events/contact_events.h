@@ -1,0 +1,85 @@
+// The events of a batch: collected during a step, reported at its end. docs/reference/bodies.md
+#pragma once
+
+#include "base/allocator.h"
+#include "collision/colliders.h"
+#include "collision/contact_cache.h"
+#include "langevin_rigid.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace lr {
+
+class Batch;
+
+// The events of a world's last step. Those beyond its capacity are counted.
+struct EventList : StepList<lr_event> {
+    uint32_t kinds = 0;
+    uint64_t lost = 0, total_lost = 0;
+
+    bool on() const { return items.size() != 0; }
+    void begin_step() { count = 0, lost = 0; }
+    void tell(const lr_event& event) {
+        if ((kinds & 1u << (event.kind - 1)) != 0 && !add(event)) ++lost, ++total_lost;
+    }
+};
+
+// Indexed by the slots of bodies, which are fixed while they live.
+class ContactEvents {
+public:
+    bool allocate(Allocator& allocator, uint32_t capacity);
+
+    // Before a step of the batch. looks: its bodies are tested against colliders in it.
+    void begin_step(bool looks);
+    TouchNotes notes(const lr_body* ids);
+    // A collider has been destroyed: a slot may now hold another one.
+    void recheck() { all_ = true; }
+
+    void note(uint32_t slot, Note what) { noted_[slot] |= what; }
+    // It was put back to sleep before it moved.
+    void take_back(uint32_t slot, Note what) { noted_[slot] &= static_cast<uint8_t>(~what); }
+    // A body that ends, before it does; at most once per body and step. for_fault: it diverged.
+    void note_ended(const Batch& batch, uint32_t index, bool for_fault);
+    // The slot has a new body, or none.
+    void clear(uint32_t slot);
+    // Takes contacts from the batch's arrays, without events.
+    void resume(const Batch& batch, const Colliders& colliders);
+
+    // At the end of a step of the world; stepped: the batch took part in it. ended: LR_EVENT_KILLED or LR_EVENT_RESPAWNED.
+    void tell(const Batch& batch, lr_batch handle, const Colliders& colliders, bool stepped, int32_t ended,
+              EventList& to);
+
+private:
+    struct Ended {
+        lr_body body;
+        uint64_t user;
+        float position[3];
+        uint8_t notes;
+    };
+    // A body, alive or ended, in the order of reporting.
+    struct Entry {
+        uint32_t noise_seed, slot;
+        uint32_t at; // dense index, or place among the ended
+    };
+    static constexpr uint32_t ended_bit = 1u << 31; // above every index
+    struct Held {
+        lr_collider collider[most_touches]; // 0 after the last
+        bool has(lr_collider one) const {
+            return std::find(collider, collider + most_touches, one) != collider + most_touches;
+        }
+    };
+    Held now_held(const Batch& batch, uint32_t index, const Colliders& colliders) const;
+    Held still_held(uint32_t slot, const Colliders& colliders) const;
+    void tell_body(const Batch& batch, uint32_t index, lr_batch handle, const Colliders& colliders, bool stepped,
+                   EventList& to);
+
+    Buffer<uint8_t> noted_;
+    Buffer<Held> held_; // at the end of the last step
+    Buffer<Meetings> met_;
+    StepList<Ended> ended_;
+    StepList<Entry> entries_;
+    bool all_ = false, looks_ = false;
+};
+
+} // namespace lr

@@ -1,0 +1,186 @@
+#include "world/sleep/sleeping_bodies.h"
+
+#include "collision/pair_contacts.h"
+#include "kernel/limits.h"
+#include "world/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lr {
+namespace {
+
+// From this age on rounding is carried along, as the kernel does for awake bodies.
+constexpr float plain_age = 2.0f; // s
+constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double slack = 200.0; // s: the largest rounding error of an age
+
+struct Neighbour {
+    uint32_t batch, noise_seed, index;
+    bool operator<(const Neighbour& other) const {
+        return batch != other.batch             ? batch < other.batch
+               : noise_seed != other.noise_seed ? noise_seed < other.noise_seed
+                                                : index < other.index;
+    }
+};
+
+bool equal(Vector a, Vector b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+// The first few by batch and noise seed, each once, in any order of insertion.
+struct Neighbours {
+    Neighbour found[most_resting];
+    uint32_t count = 0;
+
+    void take(const Neighbour& one) {
+        uint32_t at = count;
+        while (at > 0 && one < found[at - 1]) --at;
+        if (at > 0 && !(found[at - 1] < one)) return;
+        if (at == most_resting) return;
+        count = std::min(count + 1, most_resting);
+        for (uint32_t i = count - 1; i > at; --i) found[i] = found[i - 1];
+        found[at] = one;
+    }
+};
+
+} // namespace
+
+bool withstands(Vector held, Vector wind) {
+    const float squared = dot(held, held), along = dot(held, wind);
+    if (!(squared > 0.0f)) return dot(wind, wind) == 0.0f;
+    if (along < 0.0f || along > 1.1f * squared) return false;
+    const Vector across = wind - along / squared * held;
+    return dot(across, across) <= 0.02f * squared;
+}
+
+bool SleepingBodies::allocate(Allocator& allocator, uint32_t capacity, double reach, uint32_t phase, double* births) {
+    if (!boxes_.allocate(allocator, capacity) || !grid.create(allocator, capacity, reach)) return false;
+    phase_ = phase % rule_steps;
+    births_ = births;
+    for (uint32_t slot = 0; slot < capacity; ++slot) forget_box(slot);
+    begin();
+    return true;
+}
+
+void SleepingBodies::begin() {
+    state_ = {};
+    state_.steps = phase_;
+    earliest_ = never;
+}
+
+void SleepingBodies::forget_box(uint32_t slot) {
+    boxes_[slot].low.x = std::numeric_limits<float>::quiet_NaN();
+}
+
+void SleepingBodies::enter(uint32_t index, uint32_t slot, Vector position, float scale) {
+    state_.tried = 0;
+    earliest_ = std::min(earliest_, births_[index]);
+    grid.insert(slot, position, scale);
+}
+
+void SleepingBodies::age_of(uint32_t index, float& age, float& age_rest) const {
+    const double exact = std::clamp(state_.clock - births_[index], 0.0, static_cast<double>(most_age));
+    age = static_cast<float>(exact);
+    age_rest = age >= plain_age ? static_cast<float>(static_cast<double>(age) - exact) : 0.0f;
+}
+
+bool SleepingBodies::pass(double seconds, uint32_t steps) {
+    state_.clock += seconds;
+    state_.steps += steps;
+    if (state_.steps < rule_steps) return false;
+    state_.steps %= rule_steps;
+    return true;
+}
+
+bool SleepingBodies::withstood(const float (&wind)[3]) {
+    const float(&held)[3] = state_.wind;
+    if (!withstands({held[0], held[1], held[2]}, {wind[0], wind[1], wind[2]})) {
+        state_.tried = 0;
+        std::copy(wind, wind + 3, state_.wind);
+    }
+    if (state_.tried == rule_steps) return true;
+    ++state_.tried;
+    return false;
+}
+
+// The oldest body decides, rounded as its age will be; a needless yes changes nothing.
+bool SleepingBodies::in_question(float max_age) const {
+    return state_.unjudged != 0 || (max_age > 0.0f && static_cast<float>(state_.clock - earliest_) >= max_age);
+}
+
+void SleepingBodies::answered(uint32_t begin, uint32_t end, float max_age) {
+    state_.unjudged = 0;
+    earliest_ = never;
+    for (uint32_t i = begin; i < end; ++i) {
+        const bool stays = max_age <= 0.0f || static_cast<float>(state_.clock - births_[i]) < max_age;
+        if (stays) earliest_ = std::min(earliest_, births_[i]);
+    }
+}
+
+bool SleepingBodies::consistent(const State& s) {
+    return s.steps < rule_steps && s.unjudged <= 1 && s.tried <= rule_steps && in_range(s.clock, 0.0, most_time) &&
+           !wrong_wind(s.wind);
+}
+
+bool SleepingBodies::consistent(const State& s, double birth) {
+    return in_range(birth, -(static_cast<double>(most_age) + slack), s.clock + slack);
+}
+
+RestingNeighbours::RestingNeighbours(const lr_world& world, uint32_t slot) : world_(&world), slot_(slot) {
+    world.pairs.visit_partners(slot, [&](uint32_t other) {
+        const Batch& batch = *world.batches[other].batch;
+        any_ = any_ || batch.awake() < batch.count();
+    });
+}
+
+uint32_t RestingNeighbours::touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to, float margin,
+                                       RestingTouch (&out)[most_resting]) const {
+    const Batch& own = *world_->batches[slot_].batch;
+    const PairBody moving = pair_body(own.asset().meeting, scale, from, to);
+    const float within = margin + moving.way();
+    const Box box = grown(bounds(own.asset().meeting, scale, from), within);
+    Neighbours near;
+    world_->pairs.visit_partners(slot_, [&](uint32_t other) {
+        const Batch& batch = *world_->batches[other].batch;
+        batch.look_at_resting(box, [&](uint32_t index) {
+            const uint32_t its = batch.arrays().noise_seed[index];
+            // A copy of a sleeping body does not touch its original.
+            if (other == slot_ && its == noise_seed && equal(pose_of(batch.arrays(), index).position, from.position))
+                return;
+            near.take({other, its, index});
+        });
+    });
+    PairBody others[most_resting];
+    PairBatch pairs(world_->target->search_pairs);
+    const auto found = [&](uint32_t n, const WayContact* contacts, uint32_t count) {
+        out[n].count = count;
+        for (uint32_t k = 0; k < count; ++k) {
+            out[n].contact[k] = contacts[k].begin;
+            out[n].contact[k].gap = contacts[k].end;
+        }
+    };
+    for (uint32_t n = 0; n < near.count; ++n) {
+        const Neighbour& one = near.found[n];
+        const Batch& batch = *world_->batches[one.batch].batch;
+        const Pose pose = pose_of(batch.arrays(), one.index);
+        others[n] = {&batch.asset().meeting, batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
+        pairs.find(moving, others[n], margin, n, found);
+    }
+    pairs.finish(found);
+    uint32_t count = 0;
+    for (uint32_t n = 0; n < near.count; ++n) {
+        if (out[n].count == 0) continue;
+        if (n != count) out[count] = out[n];
+        RestingTouch& touch = out[count++];
+        const Batch& batch = *world_->batches[near.found[n].batch].batch;
+        touch.batch = near.found[n].batch;
+        touch.index = near.found[n].index;
+        touch.friction = pair_friction(own.contact, batch.contact);
+        touch.restitution = pair_restitution(own.contact, batch.contact);
+    }
+    return count;
+}
+
+} // namespace lr

@@ -1,0 +1,178 @@
+#include "world/sleep/wake.h"
+
+#include "base/step_workers.h"
+#include "world/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+constexpr uint32_t chunk_bodies = 8 * cut_bodies; // sleeping; few of them have their turn
+constexpr auto most = static_cast<uint32_t>(field_block);
+
+// A body would move if it gains this share of gravity over the substep in spite of its contacts: above the limit of the static
+// lock, so that nothing wakes only to lie still again.
+constexpr float going = 0.05f;
+
+constexpr uint32_t grain = 256; // bodies
+// Times the speed of a still body: a fall by a tenth of the reach. Slower bodies, as in a settling heap, only wake bodies that
+// they touch.
+constexpr float hits = 100.0f;
+
+// The first cut with sleeping bodies.
+uint32_t first_cut(const Batch& batch) {
+    return batch.awake() / cut_bodies * cut_bodies;
+}
+
+void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float still) {
+    const Batch& batch = *world.batches[slot].batch;
+    const BatchArrays& a = batch.arrays();
+    const float scale = a.field[field_scale][i], reach = batch.asset().shape.reach * scale;
+    const Vector v = vector_in(a.field, field_vx, i);
+    const float turns = reach * length(vector_in(a.field, field_wx, i));
+    if (!(length(v) + turns > hits * still * std::sqrt(reach))) return;
+    // Box of its way in the step.
+    const Pose pose = pose_of(a, i);
+    const Box box = bounds(batch.asset().meeting, scale, pose);
+    const Vector way = dt * rotate(pose.rotation, v), none{0.0f, 0.0f, 0.0f};
+    const Box around = grown({box.low + low_of(way, none), box.high + high_of(way, none)},
+                             std::min(dt * turns, 2.0f * reach) + 0.005f * reach);
+    world.pairs.visit_partners(slot, [&](uint32_t other) {
+        Batch& partner = *world.batches[other].batch;
+        partner.look_at_resting(around, [&](uint32_t index) { partner.note_rest(index); });
+    });
+}
+
+} // namespace
+
+WakeByFlow::WakeByFlow(lr_world& world, StepItem* items, const StepTime& time)
+    : world_(&world), items_(items), time_(time), surface_{world.target, &world.surface, time, world.gravity} {
+    world.each_batch([&](Batch& batch, uint32_t slot) {
+        if (batch.awake() == batch.count() || !batch.columns().has(part_contact)) return;
+        if (batch.contact.layers == 0 && !world.pairs.meets(slot)) return;
+        if (!world.wind.active() && !world.surface.present() && batch.resting()->withstood(world.wind.uniform.wind))
+            return;
+        items_[item_count_++] = {&batch, world.handle(slot), chunks_};
+        chunks_ += (batch.count() - first_cut(batch) + chunk_bodies - 1) / chunk_bodies;
+    });
+}
+
+void WakeByFlow::run(const FloatMode& mode) {
+    if (chunks_ == 0) return;
+    for (uint32_t i = 0; i < item_count_; ++i) {
+        bool unfit = false;
+        StepInput& in = items_[i].batch->step;
+        world_->fill_input(*items_[i].batch, time_, world_->substep_count, world_->wind.uniform.wind, unfit);
+        in.sqrt_h = std::sqrt(in.h);
+        in.inverse_sqrt_h = 1.0f / in.sqrt_h;
+    }
+    // All at the same moment: the field is prepared once.
+    if (world_->wind.active()) world_->wind.prepare(time_, world_->wind.uniform, 0, 1, world_->seed);
+    const uint64_t bodies = uint64_t{chunks_} * chunk_bodies / turns;
+    const auto helpers =
+        static_cast<uint32_t>(std::min<uint64_t>(world_->step_workers.helpers(), bodies / helper_work));
+    const auto try_chunk = [this](uint32_t chunk) {
+        const StepItem& item = *item_at(items_, item_count_, chunk);
+        const Batch& batch = *item.batch;
+        const uint32_t begin = first_cut(batch) + (chunk - static_cast<uint32_t>(item.begin)) * chunk_bodies;
+        try_range(item, std::max(begin, batch.awake()), std::min(begin + chunk_bodies, batch.count()));
+    };
+    world_->step_workers.run(chunks_, helpers, try_chunk, mode);
+}
+
+// Bodies that touch nothing were put to sleep by the caller, and stay asleep.
+void WakeByFlow::try_range(const StepItem& item, uint32_t begin, uint32_t end) {
+    const Batch& batch = *item.batch;
+    const uint32_t* const noise_seed = batch.arrays().noise_seed;
+    const uint32_t* const touching = batch.columns().row<uint32_t>(column_touching);
+    if (!touching) return; // its batch is not among the items
+    const auto turn = static_cast<uint32_t>(world_->step_count % turns);
+    uint32_t index[most], count = 0;
+    for (uint32_t i = begin; i < end; ++i) {
+        if (noise_seed[i] % turns != turn || touching[i] == 0) continue;
+        index[count++] = i;
+        if (count < most) continue;
+        try_bodies(item, index, count);
+        count = 0;
+    }
+    if (count != 0) try_bodies(item, index, count);
+}
+
+void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_t count) {
+    Batch& batch = *item.batch;
+    const StepInput& in = batch.step;
+    const bool field = world_->wind.active(), remembers = in.loads == Loads::aerodynamic;
+    BodyCopies<field_block> copies;
+    copies.take(batch.arrays(), count, [&](uint32_t i) { return index[i]; });
+    BatchArrays arrays = copies.arrays();
+    float winds[3 * field_block]; // m/s, x y z of each
+    for (uint32_t i = 0; i < count; ++i)
+        put(field ? vector_in(copies.field, field_x, i) : vector_of(in.wind), winds + size_t{3} * i);
+    if (field)
+        sample_field(*world_->target, world_->wind, time_.begin + 0.5 * time_.h, item.handle, winds, count, winds);
+    alignas(64) uint32_t wet[most] = {};
+    if (in.water) {
+        world_->target->surface.near(world_->surface.at(time_.begin), world_->surface.highest(), *in.water,
+                                     static_cast<float>(time_.h), length(vector_of(world_->gravity)), arrays, 0,
+                                     copies.padded, wet);
+    }
+    // A sleeping body needs no wake velocity: its column stores the wind that it has withstood.
+    uint32_t tried[most], tried_count = 0;
+    Vector wind[most];
+    for (uint32_t i = 0; i < count; ++i) {
+        const Vector w = vector_of(winds + size_t{3} * i), held = vector_in(copies.field, field_gust_x, i);
+        if (wet[i] == 0 && (remembers ? withstands(held, w) : dot(w, w) == 0.0f)) continue;
+        wind[tried_count] = w;
+        tried[tried_count++] = index[i];
+    }
+    if (tried_count == 0) return;
+    copies.take(batch.arrays(), tried_count, [&](uint32_t i) { return tried[i]; });
+    const uint32_t padded = copies.padded;
+    // In the arrays these values are outdated.
+    for (uint32_t i = 0; i < padded; ++i)
+        batch.resting()->age_of(tried[std::min(i, tried_count - 1)], copies.field[field_age][i],
+                                copies.field[field_age_rest][i]);
+    for (size_t f = field_gust_x; f <= field_gust_z; ++f) std::fill_n(copies.field[f], padded, 0.0f);
+    if (!remembers) arrays.field[field_gust_x] = arrays.field[field_gust_y] = arrays.field[field_gust_z] = nullptr;
+    StepInput one = in;
+    one.external.used = 0;
+    const WaterStep* const surface = world_->surface.present() ? &surface_ : nullptr;
+    ContactRun run = contact_run(*world_, batch, surface, time_, static_cast<float>(time_.h));
+    const RestingNeighbours neighbours(*world_, unpack(item.handle).index);
+    if (neighbours.any()) run.step.resting = &neighbours;
+    if (field)
+        step_in_field({world_->target, &world_->wind, time_, 0, 1, surface}, one, &run, arrays, item.handle,
+                      tried_count, 0, padded);
+    else
+        step_near_colliders(run, one, arrays, item.handle, tried_count, 0, padded);
+    const float limit = going * run.step.gravity * in.h;
+    for (uint32_t i = 0; i < tried_count; ++i) {
+        const auto size = [&](size_t f) { return length(vector_in(copies.field, f, i)); };
+        const float reach = batch.asset().shape.reach * copies.field[field_scale][i];
+        if (size(field_vx) + reach * size(field_wx) > limit) {
+            batch.note_rest(tried[i]);
+        } else if (remembers) {
+            put_in(batch.arrays().field, field_gust_x, tried[i], wind[i]);
+        }
+    }
+}
+
+void wake_before_hit(lr_world& world, float dt, const FloatMode& mode) {
+    const Workers workers(world.step_workers, mode);
+    const float still = still_speed(length(vector_of(world.gravity)));
+    bool any = false;
+    world.each_batch([&](const Batch& batch, uint32_t slot) {
+        if (batch.awake() == 0 || !RestingNeighbours(world, slot).any()) return;
+        any = true;
+        workers.run(batch.awake(), grain, [&](uint32_t begin, uint32_t end) {
+            for (uint32_t i = begin; i < end; ++i) note_ahead(world, slot, i, dt, still);
+        });
+    });
+    world.each_batch([&](Batch& batch, uint32_t slot) {
+        if (any && world.pairs.meets(slot)) batch.wake_noted();
+    });
+}
+
+} // namespace lr

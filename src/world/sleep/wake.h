@@ -1,0 +1,42 @@
+// Wakes sleeping bodies that are about to be hit, or that wind or water would move.
+#pragma once
+
+#include "base/float_mode.h"
+#include "world/schedule/step_chunks.h"
+#include "world/step/step_in_wind.h"
+#include "world/step/step_near_colliders.h"
+
+#include <cstdint>
+
+struct lr_world;
+
+namespace lr {
+
+// Wakes bodies that are about to be hit in the coming step of dt (s), so that they take the blow as awake bodies.
+void wake_before_hit(lr_world& world, float dt, const FloatMode& mode);
+
+// Wakes bodies that wind or water would move: each in turn is tried by a substep of a copy.
+class WakeByFlow {
+public:
+    // A body's turn comes in one of so many steps of the world, by its noise seed.
+    static constexpr uint32_t turns = 16;
+
+    // items: room for as many as the world has batches. h: s, a substep of the step.
+    WakeByFlow(lr_world& world, StepItem* items, const StepTime& time);
+
+    // Marks the bodies that would move, for Batch::wake_noted().
+    void run(const FloatMode& mode);
+
+private:
+    void try_range(const StepItem& item, uint32_t begin, uint32_t end);
+    void try_bodies(const StepItem& item, const uint32_t* index, uint32_t count);
+
+    lr_world* world_;
+    StepItem* items_;
+    uint32_t item_count_ = 0;
+    uint32_t chunks_ = 0;
+    StepTime time_; // one substep
+    WaterStep surface_;
+};
+
+} // namespace lr

@@ -1,0 +1,104 @@
+// Layout of a snapshot: the world's header, wind sources, colliders, pairs of batches, and for each batch a header and its pieces.
+// Everything is little-endian and a multiple of 8 bytes. docs/reference/snapshots.md
+#pragma once
+
+#include "asset/asset.h"
+#include "environment/water.h"
+#include "kernel/body_constants.h"
+#include "world/batch/batch.h"
+#include "world/batch/body_columns.h"
+#include "world/batch/lifecycle.h"
+#include "world/schedule/batch_schedule.h"
+#include "world/sleep/sleeping_bodies.h"
+#include "world/snapshot/collider_snapshot.h"
+#include "world/snapshot/snapshot_bytes.h"
+#include "world/snapshot/wind_snapshot.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace lr {
+
+inline constexpr uint64_t snapshot_magic = 0x31304e53444c524cull; // "LRLDSN01"
+// After a release any change of the layout or of a record raises it. Other versions are refused.
+inline constexpr uint32_t snapshot_version = 1;
+
+struct SnapshotHeader {
+    uint64_t magic;
+    uint32_t version;
+    uint32_t batch_slots;
+    uint64_t size; // of everything
+    uint64_t seal; // over everything but this field
+    uint64_t seed;
+    uint64_t step_count, substep_count;
+    double time;
+    StepScheduler::Record pacing;
+    float gravity[3];
+    float wind[3];
+    uint32_t next_noise_seed;
+    uint32_t link_count; // of BatchPairs, after the colliders
+    WindSnapshot::Head wind_field;
+    ColliderSnapshot::Head colliders;
+    Water::Record surface;
+};
+
+// Fields of absent parts are 0.
+struct SnapshotBatch {
+    uint64_t content_hash; // of the asset
+    uint32_t capacity;     // 0 for a slot without a batch
+    uint32_t count, awake;
+    uint32_t generation, body_generation; // of the slot
+    uint32_t first_generation, last_generation;
+    uint32_t free_first, free_last;
+    uint32_t table_count;
+    float inverse_dt;
+    float speed_alpha, speed_beta;
+    uint32_t parts; // a bit for each ColumnPart present
+    Gains gains;
+    TurbulenceSample stationary;
+    AerodynamicData aerodynamics;
+    BatchClock::Record pace;
+    BatchOptions options;
+    uint64_t diverged;
+    SleepingBodies::State rest;
+    lr_batch_contact contact;
+    float force[force_components];
+    Lifecycle::State lifecycle;
+};
+static_assert(std::is_trivially_copyable_v<SnapshotHeader> && std::is_trivially_copyable_v<SnapshotBatch>);
+static_assert(sizeof(SnapshotHeader) >= 64);
+static_assert(sizeof(SnapshotHeader) % 8 == 0 && sizeof(SnapshotBatch) % 8 == 0);
+
+// Pieces of a batch: its columns; then dense indices and generations, by slot; then both halves of its table.
+enum BatchPiece : uint32_t { piece_dense = column_count, piece_generations, piece_alpha, piece_beta, batch_pieces };
+
+// Bytes of a piece, without padding.
+constexpr uint64_t piece_bytes(const SnapshotBatch& h, uint32_t piece) {
+    if (piece >= piece_dense) return 4 * uint64_t{piece < piece_alpha ? h.capacity : h.table_count};
+    const Column& column = body_columns[piece];
+    return column.saved && (h.parts >> column.part & 1u) != 0 ? uint64_t{column.width} * h.count : 0;
+}
+
+// A batch in a snapshot of any alignment.
+class SavedBatch {
+public:
+    explicit SavedBatch(const unsigned char* from)
+        : header(value_at<SnapshotBatch>(from, 0)), pieces_(from + sizeof header) {
+        for (uint32_t piece = 0; piece < batch_pieces && header.capacity != 0; ++piece) {
+            begin_[piece] = size_;
+            size_ += padded_bytes(piece_bytes(header, piece));
+        }
+    }
+    uint64_t bytes() const { return sizeof header + size_; }
+    const unsigned char* at(size_t piece) const { return pieces_ + begin_[piece]; }
+    template <class T = uint32_t> T value(size_t piece, uint64_t index) const { return value_at<T>(at(piece), index); }
+    SnapshotBatch header;
+
+private:
+    const unsigned char* pieces_;
+    uint64_t begin_[batch_pieces] = {}, size_ = 0;
+};
+
+} // namespace lr

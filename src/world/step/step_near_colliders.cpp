@@ -1,0 +1,125 @@
+#include "world/step/step_near_colliders.h"
+
+#include "kernel/divergence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
+
+using States = BodyCopies<field_block>;
+
+uint32_t bodies_from(const States& states, uint32_t first) {
+    return std::min(lanes, states.count - first);
+}
+
+// After substep `substep` of the step: resolves the contacts of a group, and updates how long its bodies have lain still.
+void touch(const ContactRun& run, ContactGroup& group, const States& states, const NearContacts& near,
+           const BatchArrays& arrays, const LaneRow* before, uint32_t first, uint32_t substep, uint32_t* faults) {
+    const ContactSubstep now = contact_substep(run.time, substep, before);
+    group.collect(now);
+    group.solve(now);
+    for (uint32_t i = 0; i < contact_lanes; ++i)
+        hold_if_insane(arrays, i, faults, [&](size_t f) { return before[f][i]; });
+    if (!run.book.rest_time) return;
+    for (uint32_t i = 0; i < bodies_from(states, first); ++i) {
+        if (is_held(states.field[field_age_rest][first + i])) continue;
+        const BodyAfter body = body_after(run, group, i, near.index(first + i), states.field, first + i, before);
+        enter_body(run.book, body, may_rest(*run.step.settings), now.h, substep + 1 == run.time.substeps,
+                   [&](uint32_t collider) { return group.meeting(i, collider, now); });
+    }
+}
+
+// Bodies that were far throughout the step touch nothing.
+void leave(const ContactCache& book, const NearContacts& near, uint32_t begin, uint32_t end) {
+    if (!book.rest_time) return;
+    for (uint32_t i = begin; i < end; ++i) {
+        if (near.holds(i)) continue;
+        book.rest_time[i] = 0.0f;
+        if (book.stay[0][i] != 0.0f)
+            for (float* row : book.stay) row[i] = 0.0f;
+        if (book.notes.noted && book.touching[0][i] != 0) book.notes.noted[book.notes.slot(i)] |= noted_touch;
+        for (uint32_t* row : book.touching) row[i] = 0;
+    }
+}
+
+// Sorts bodies: in the air, moving in contact, nearly still. The solver sweeps until the last body of a vector is done, so similar
+// ones should share vectors.
+void arrange(const ContactCache& book, NearContacts& near) {
+    if (!book.rest_time) return;
+    near.arrange(3, [&](uint32_t i) { return book.touching[0][i] == 0 ? 0u : book.rest_time[i] == 0.0f ? 1u : 2u; });
+}
+
+void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, States& states, const NearContacts& near,
+                uint32_t first) {
+    const BatchArrays arrays = states.arrays(first);
+    const uint32_t count = bodies_from(states, first);
+    ContactGroup group(run.step, in.body, arrays, count);
+    alignas(64) LaneRow before[pose_fields];
+    for (uint32_t i = 0; i < in.substeps; ++i) {
+        for (size_t f = 0; f < pose_fields; ++f) std::copy_n(arrays.field[f], contact_lanes, before[f]);
+        StepInput one = substep_of(in, i);
+        states.lend_forces(one.external, first);
+        step_lanes(*run.target, run.surface, {run.time.begin + i * run.time.h, run.time.h, 1}, one, arrays, batch,
+                   count, 0, lanes);
+        touch(run, group, states, near, arrays, before, first, i, in.faults);
+    }
+}
+
+} // namespace
+
+void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
+                         uint32_t live, uint32_t begin, uint32_t end) {
+    const auto step = [&](uint32_t from, uint32_t to) {
+        step_lanes(*run.target, run.surface, run.time, in, arrays, batch, live, from, to);
+    };
+    for (uint32_t at = begin, last = begin; at < end; at = last) {
+        NearContacts near(run.step, arrays, live, at, end, run.step.dt);
+        last = near.end();
+        leave(run.book, near, at, std::min(last, live));
+        if (near.count() == 0) {
+            step(at, last);
+            continue;
+        }
+        arrange(run.book, near);
+        States states;
+        const auto index = [&](uint32_t i) { return near.index(i); };
+        states.take(arrays, near.count(), index);
+        states.take_forces(in.external, index, true);
+        step_others(
+            at, last, [&](uint32_t block) { return near.others(block); }, step);
+        for (uint32_t first = 0; first < near.count(); first += lanes) step_group(run, in, batch, states, near, first);
+        states.put_back(arrays, index);
+    }
+}
+
+ContactPass::ContactPass(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, uint32_t live,
+                         uint32_t begin, uint32_t end, uint32_t substep)
+    : run_(&run), body_(&in.body), faults_(in.faults), arrays_(&arrays), substep_(substep),
+      near_(run.step, arrays, live, begin, end, static_cast<float>(run.time.h)) {
+    if (substep + 1 == run.time.substeps) leave(run.book, near_, begin, std::min(end, live));
+    arrange(run.book, near_);
+    for (size_t f = 0; f < pose_fields && near_.count() != 0; ++f)
+        for (uint32_t i = 0; i < field_block; ++i)
+            before_[f][i] = arrays.field[f][near_.index(std::min(i, near_.count() - 1))];
+}
+
+void ContactPass::resolve() {
+    if (near_.count() == 0) return;
+    States states;
+    const auto index = [this](uint32_t i) { return near_.index(i); };
+    states.take(*arrays_, near_.count(), index);
+    for (uint32_t first = 0; first < near_.count(); first += lanes) {
+        const BatchArrays arrays = states.arrays(first);
+        ContactGroup group(run_->step, *body_, arrays, bodies_from(states, first));
+        alignas(64) LaneRow before[pose_fields];
+        for (size_t f = 0; f < pose_fields; ++f) std::copy_n(before_[f] + first, contact_lanes, before[f]);
+        touch(*run_, group, states, near_, arrays, before, first, substep_, faults_);
+    }
+    states.put_back(*arrays_, index);
+}
+
+} // namespace lr

@@ -1,0 +1,63 @@
+// Steps bodies near colliders: copies them out of a block, steps them, resolves their contacts, and puts them back.
+#pragma once
+
+#include "collision/collider_contact_group.h"
+#include "collision/contact_cache.h"
+#include "kernel/integrator/step.h"
+#include "world/step/step_near_water.h"
+
+#include <cmath>
+
+namespace lr {
+
+// A batch in a step.
+struct ContactRun {
+    ContactStep step;
+    const KernelTarget* target;
+    const WaterStep* surface; // null without water
+    StepTime time;
+    ContactCache book;
+    float still; // m/s over sqrt(reach in m): bodies in contact that are slower lie still
+};
+
+// Substep `substep` of the step, at whose beginning bodies were as in `before`.
+inline ContactSubstep contact_substep(const StepTime& time, uint32_t substep, const LaneRow* before) {
+    const auto n = static_cast<float>(time.substeps), first = static_cast<float>(substep);
+    return {before, first / n, static_cast<float>(substep + 1) / n, static_cast<float>(time.h)};
+}
+
+// rows, at: the body after the substep; before: the body before it.
+template <class Rows>
+BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t lane, uint32_t index, const Rows& rows,
+                     uint32_t at, const LaneRow* before) {
+    BodyAfter body = body_moved(index, *run.step.shape, rows[field_scale][at], run.still, vector_in(rows, field_vx, at),
+                                vector_in(rows, field_wx, at), pose_in(before, lane), pose_in(rows, at));
+    body.touches = group.touches(lane);
+    group.touched(lane, body.now);
+    return body;
+}
+
+// Steps [begin, end) through all substeps of a step in a uniform wind.
+void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
+                         uint32_t live, uint32_t begin, uint32_t end);
+
+// In a wind field: the bodies of [begin, end), at most field_block, that may touch something within a substep.
+class ContactPass {
+public:
+    // Before substep `substep` of the step.
+    ContactPass(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, uint32_t live, uint32_t begin,
+                uint32_t end, uint32_t substep);
+    // After it.
+    void resolve();
+
+private:
+    const ContactRun* run_;
+    const BodyConstants* body_;
+    uint32_t* faults_;
+    const BatchArrays* arrays_;
+    uint32_t substep_;
+    NearContacts near_;
+    alignas(64) float before_[pose_fields][field_block];
+};
+
+} // namespace lr

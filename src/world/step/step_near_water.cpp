@@ -1,0 +1,99 @@
+#include "world/step/step_near_water.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr {
+namespace {
+
+constexpr auto lanes = static_cast<uint32_t>(lane_block), most = static_cast<uint32_t>(field_block);
+
+} // namespace
+
+NearBodies::NearBodies(const WaterStep& step, const StepInput& in, const BatchArrays& from, uint32_t live,
+                       uint32_t begin, uint32_t end, double dt, bool forget)
+    : step_(&step), begin_(begin), live_(live) {
+    step.target->surface.near(step.surface->at(step.time.begin), step.surface->highest(), *in.water,
+                              static_cast<float>(dt), length(vector_of(step.gravity)), from, begin, end, near_);
+    for (uint32_t i = begin; i < std::min(end, live); ++i)
+        if (near_[i - begin] != 0) index_[count_++] = i;
+    if (count_ == 0) return;
+    copies_.take(from, count_, [this](uint32_t i) { return index_[i]; });
+    copies_.take_forces(
+        in.external, [this](uint32_t i) { return index_[i]; }, forget);
+}
+
+bool NearBodies::others(uint32_t begin) const {
+    for (uint32_t i = begin; i < std::min(begin + lanes, live_); ++i)
+        if (near_[i - begin_] == 0) return true;
+    return false;
+}
+
+void NearBodies::set_wind(const float (&wind)[3][field_block]) {
+    windy_ = true;
+    for (size_t k = 0; k < 3; ++k)
+        copies_.gather(
+            wind[k], [this](uint32_t i) { return index_[i] - begin_; }, wind_[k]);
+}
+
+void NearBodies::sample(double time, lr_batch batch, SurfaceInstant& plane, SurfaceBlock& block) {
+    plane = step_->surface->at(time);
+    step_->target->surface.surface(plane, copies_.padded, block);
+    if (step_->surface->callback()) step_->surface->ask(time, batch, count_, plane, block);
+}
+
+void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32_t count) {
+    const SurfaceTarget& kernel = step_->target->surface;
+    const BatchArrays bodies = copies_.arrays();
+    StepInput one = in;
+    one.substeps = 1;
+    copies_.lend_forces(one.external);
+    SurfaceInstant plane;
+    SurfaceBlock blocks[3];
+    SurfaceBlock *begin = blocks, *const middle = blocks + 1, *end = blocks + 2;
+    const auto h = static_cast<float>(step_->time.h);
+    kernel.ahead(bodies, copies_.padded, 0.0f, *begin);
+    sample(step_->time.begin + first * step_->time.h, batch, plane, *begin);
+    for (uint32_t i = first; i < first + count; ++i) {
+        one.first_substep = in.first_substep + i;
+        if (!windy_) {
+            const float part = (static_cast<float>(i) + 0.5f) / static_cast<float>(step_->time.substeps);
+            for (size_t k = 0; k < 3; ++k)
+                std::fill_n(wind_[k], copies_.padded, in.wind_begin[k] + part * (in.wind[k] - in.wind_begin[k]));
+        }
+        kernel.ahead(bodies, copies_.padded, 0.5f * h, *middle);
+        sample(step_->time.begin + (i + 0.5) * step_->time.h, batch, plane, *middle);
+        const WetSubstep wet{in.water, &plane, begin, middle, end, wind_, step_->gravity, fraction_};
+        kernel.step(one, wet, bodies, copies_.padded);
+        kernel.ahead(bodies, copies_.padded, 0.0f, *end);
+        sample(step_->time.begin + (i + 1.0) * step_->time.h, batch, plane, *end);
+        kernel.settle(one, wet, bodies, copies_.padded);
+        std::swap(begin, end);
+    }
+}
+
+void NearBodies::put_back(const BatchArrays& to) const {
+    copies_.put_back(to, [this](uint32_t i) { return index_[i]; });
+}
+
+void step_lanes(const KernelTarget& target, const WaterStep* surface, const StepTime& time, const StepInput& in,
+                const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end) {
+    if (!surface || !in.water) {
+        target.step(in, arrays, begin, end);
+        return;
+    }
+    WaterStep step = *surface;
+    step.time = time;
+    for (uint32_t at = begin; at < end; at += most) {
+        const uint32_t last = std::min(at + most, end);
+        NearBodies near(step, in, arrays, live, at, last, step.time.h * step.time.substeps, true);
+        step_others(
+            at, last, [&](uint32_t block) { return near.others(block); },
+            [&](uint32_t from, uint32_t to) { step.target->step(in, arrays, from, to); });
+        if (!near.any()) continue;
+        near.run(in, batch, 0, step.time.substeps);
+        near.put_back(arrays);
+    }
+}
+
+} // namespace lr

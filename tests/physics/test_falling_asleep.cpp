@@ -1,0 +1,110 @@
+// Coming to rest by going nowhere: what only trembles does, what creeps, rolls or turns does not.
+#include "support/contact.h"
+
+#include <cmath>
+
+using namespace test;
+
+namespace {
+
+// Hills and valleys of triangles about as large as the bodies, which lie on edges and across them.
+std::vector<float> waves(uint32_t n, float spacing, float size) {
+    std::vector<float> heights;
+    const float half = 0.5f * spacing * static_cast<float>(n - 1);
+    for (uint32_t k = 0; k < n; ++k)
+        for (uint32_t i = 0; i < n; ++i) {
+            const float x = spacing * static_cast<float>(i) - half, z = spacing * static_cast<float>(k) - half;
+            heights.push_back(0.45f * size * std::sin(x / size / 2.5f) * std::cos(z / size / 3.1f));
+        }
+    return heights;
+}
+
+// n samples across, about the origin; heights: must last as long.
+lr_collider_desc uneven_ground(const std::vector<float>& heights, uint32_t n, float reach) {
+    lr_collider_desc ground = heightfield_collider(heights, n, reach);
+    ground.position[0] = ground.position[2] = -0.5f * static_cast<float>(n - 1) * reach;
+    return ground;
+}
+
+lr_body_desc turned_anyhow(Random& random, float x, float y, float z) {
+    lr_body_desc d = body_desc();
+    for (float& q : d.orientation) q = random.real(-1, 1);
+    d.position[0] = x, d.position[1] = y, d.position[2] = z;
+    return d;
+}
+
+} // namespace
+
+TEST_CASE("coins, rods and bricks come to rest on uneven ground") {
+    const std::array<std::array<double, 3>, 3> sizes{{{0.02, 0.002, 0.018}, {0.2, 0.002, 0.002}, {0.04, 0.03, 0.05}}};
+    for (const auto& size : sizes) {
+        CAPTURE(size[0]);
+        const float reach = narrow(0.5 * std::hypot(size[0], std::hypot(size[1], size[2])));
+        const World world = make(world_desc());
+        const Asset asset = make(rigid_box(size[0], size[1], size[2], 800.0));
+        const lr_batch batch = add_batch(world, asset, 64);
+        const std::vector<float> heights = waves(81, reach, reach);
+        add_collider(world, uneven_ground(heights, 81, reach));
+        Random random(9);
+        for (uint32_t i = 0; i < 64; ++i)
+            add_body(world, batch,
+                     turned_anyhow(random, 4.2f * reach * (static_cast<float>(i % 8) - 3.5f), 3.0f * reach,
+                                   4.2f * reach * (static_cast<float>(i / 8) - 3.5f)));
+        steps(world, 600, 1.0f / 60.0f, 4);
+        CHECK(view_of(world, batch).awake_count <= 1);
+    }
+}
+
+TEST_CASE("what slides or turns slowly but steadily does not come to rest") {
+    const World world = make(world_desc());
+    const Asset asset = make(rigid_box(0.1, 0.05, 0.1, 500.0));
+    const lr_batch batch = add_batch(world, unloaded(), asset, 2);
+    // A belt, and a plate that turns: 3 % of the reach in a second.
+    const float reach = narrow(0.5 * std::sqrt(0.1 * 0.1 + 0.05 * 0.05 + 0.1 * 0.1));
+    lr_collider_desc belt = box_collider(1.0f, 0.1f, 1.0f), table = belt;
+    belt.position[1] = table.position[1] = -0.1f;
+    table.position[0] = 5.0f;
+    belt.linear_velocity[0] = 0.03f * reach, table.angular_velocity[1] = 0.04f;
+    const lr_collider belt_id = add_collider(world, belt), table_id = add_collider(world, table);
+    lr_body_desc d = body_desc();
+    d.position[1] = 0.025f;
+    const lr_body slides = add_body(world, batch, d);
+    d.position[0] = 5.0f;
+    const lr_body turns = add_body(world, batch, d);
+    for (int second = 0; second < 5; ++second) {
+        steps(world, 60, 1.0f / 60.0f, 4);
+        CHECK(state_of(world, slides).sleep_state == LR_SLEEP_AWAKE);
+        CHECK(state_of(world, turns).sleep_state == LR_SLEEP_AWAKE);
+    }
+    CHECK(wide(state_of(world, slides).position[0]) ==
+          doctest::Approx(5.0 * wide(belt.linear_velocity[0])).epsilon(0.05));
+    // And they do when these stop.
+    for (lr_collider id : {belt_id, table_id}) {
+        const lr_collider_motion stop = motion_of(id, LR_MOVE_VELOCITY);
+        REQUIRE(lr_collider_move(world.get(), &stop, 1) == LR_OK);
+    }
+    steps(world, 120, 1.0f / 60.0f, 4);
+    CHECK(view_of(world, batch).awake_count == 0);
+}
+
+TEST_CASE("a body that trembled long enough half-way through a snapshot comes to rest in the same step") {
+    const World world = make(world_desc());
+    const Asset asset = make(rigid_box(0.02, 0.002, 0.018, 800.0));
+    const lr_batch batch = add_batch(world, asset, 8);
+    const float reach = 0.0135f;
+    const std::vector<float> heights = waves(41, reach, reach);
+    add_collider(world, uneven_ground(heights, 41, reach));
+    Random random(12);
+    for (uint32_t i = 0; i < 8; ++i)
+        add_body(world, batch,
+                 turned_anyhow(random, 4.0f * reach * (static_cast<float>(i) - 3.5f), 2.0f * reach, 0.0f));
+    for (int frame = 0; frame < 200; ++frame) {
+        const std::vector<unsigned char> saved = snapshot_of(world);
+        steps(world, 1, 1.0f / 60.0f, 4);
+        const uint64_t expected = hash_of(world);
+        REQUIRE(lr_world_snapshot_restore(world.get(), saved.data(), saved.size()) == LR_OK);
+        steps(world, 1, 1.0f / 60.0f, 4);
+        REQUIRE(hash_of(world) == expected);
+    }
+    CHECK(view_of(world, batch).awake_count <= 1);
+}

@@ -1,0 +1,47 @@
+// Arguments of a call as a tuple, and the call with another pointer in place of one of them.
+#pragma once
+
+#include "langevin_rigid.h"
+
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace test {
+
+// Pointers that must be given, and others.
+template <class T> struct Must { T* pointer; };
+template <class T> struct May { T* pointer; };
+template <class T> Must<T> must(T* pointer) {
+    return {pointer};
+}
+template <class T> May<T> may(T* pointer) {
+    return {pointer};
+}
+template <class A> inline constexpr bool needed = false;
+template <class T> inline constexpr bool needed<Must<T>> = true;
+template <class A>
+concept Pointer = requires(A a) {
+    a.pointer;
+};
+
+// With another pointer in place of one.
+template <size_t Replaced, class... P, class... A>
+lr_status call(lr_status (*function)(P...), const std::tuple<A...>& arguments, void* instead) {
+    const auto argument = [&]<size_t I, class T>(std::integral_constant<size_t, I>, T*) -> T {
+        const auto& given = std::get<I>(arguments);
+        if constexpr (I == Replaced)
+            return static_cast<T>(instead);
+        else if constexpr (Pointer<std::remove_cvref_t<decltype(given)>>)
+            return given.pointer;
+        else
+            return static_cast<T>(given);
+    };
+    return [&]<size_t... I>(std::index_sequence<I...>) {
+        return function(argument(std::integral_constant<size_t, I>(), static_cast<P*>(nullptr))...);
+    }
+    (std::index_sequence_for<P...>());
+}
+
+} // namespace test
