@@ -997,7 +997,7 @@ typedef struct lr_batch_view {
     const float* age;            /* s; outdated for sleeping bodies: lr_body_get_state gives their exact age */
     const uint32_t* noise_seed;  /* bodies with different seeds have independent noise */
     const lr_body* ids;
-    const uint64_t* user; /* lr_body_desc.user */
+    const uint64_t* user; /* lr_body_desc.user; null until a body of the batch is given one */
     uint32_t capacity;
     uint32_t reserved;
     uint64_t revision;    /* changes whenever sleeping bodies wake, end or change places */
@@ -1062,8 +1062,9 @@ typedef struct lr_body_desc {
 LR_API lr_status lr_body_desc_init(lr_body_desc* desc, uint32_t struct_size);
 
 /* Creates `count` bodies, all or none. descs: `count` elements. out_ids: receives `count` ids; may be null.
+ * The first `user` other than 0 allocates 8 bytes for each body of the batch's capacity.
  * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
- * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY. */
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count,
                                 lr_body* out_ids);
 
@@ -1098,7 +1099,7 @@ LR_API lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_
  * positions up to 1e9 m, velocities up to 1e6 m/s and rad/s. To steer bodies every frame, prefer forces and wind:
  * setting the state bypasses physics.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
- * LR_ERROR_INVALID_ARGUMENT. */
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY (of `user`, as for lr_body_create). */
 LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state);
 
 #define LR_SLEEP_AWAKE 0

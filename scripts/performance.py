@@ -104,11 +104,11 @@ def goals(rows, mix):
         rate = 1000.0 / wall(two)
         add("1,000,000 bodies x 4 substeps x 60 Hz on two threads: 240 million body-steps/s", 240, rate,
             f"{rate:.0f} million/s, best round {1000.0 / float(two['wall_ns_least']):.0f}", True)
-    for model, limit, handles in (("langevin-speed", 64, 28), ("aerodynamic", 104, 0)):
+    for model, limit, handles in (("langevin-speed", 64, 20), ("aerodynamic", 96, 0)):
         few, many = rows.find(model, bodies=100000), rows.find(model, bodies=1000000)
         if few and many:
             bytes_ = (float(many["memory_bytes_per_body"]) * 1e6 - float(few["memory_bytes_per_body"]) * 1e5) / 9e5 - handles
-            what = "of state a body, without the 28 of its handle and user" if handles else "a body in all"
+            what = "of state a body, without the 20 of its handle" if handles else "a body in all"
             add(f"At most {limit} bytes {what}, {MODELS[model]}", limit, round(bytes_, 1), f"{bytes_:.0f}")
     for row in rows.all:
         if row["subject"] == "transforms":

@@ -199,7 +199,9 @@ lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* de
     const auto create = [](lr_world& w, Batch& b, const Structs<lr_body_desc>& all, Out<lr_body> ids) -> Outcome {
         if (all.count > b.capacity() - b.count()) return LR_ERROR_CAPACITY;
         if (const Outcome outcome = all.check(check<lr_body_desc>); outcome.refused()) return outcome;
-        if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
+        bool users = false;
+        all.visit([&](const lr_body_desc& d) { users = users || d.user != 0; });
+        if (!accepted(w) || (users && !b.reserve_users())) return LR_ERROR_OUT_OF_MEMORY;
         all.visit([&](const lr_body_desc& d) {
             BodyState state = to_storage(d);
             if (state.noise_seed == 0) state.noise_seed = w.take_key();
@@ -244,10 +246,11 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
 lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
     const auto set = [](lr_world& w, Body at, const lr_body_state& s) -> Outcome {
         if (const Outcome outcome = check(s); outcome.refused()) return outcome;
+        if (s.user != 0 && !at.batch.reserve_users()) return LR_ERROR_OUT_OF_MEMORY;
         const uint32_t index = at.batch.rests(at.index) ? at.batch.wake(at.index) : at.index;
         w.leave(at.batch, index);
         at.batch.write(index, to_storage(s));
-        at.batch.users()[index] = s.user;
+        at.batch.set_user(index, s.user);
         w.wake_left();
         return {};
     };

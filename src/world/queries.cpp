@@ -161,7 +161,7 @@ lr_ray_hit cast_ray(const lr_world& world, const lr_ray& given, const Batch* onl
     if (nearest.body == nothing && nearest.collider == nothing) return out;
     if (nearest.body != nothing) {
         out.body = nearest.batch->ids()[nearest.body];
-        out.user = nearest.batch->users()[nearest.body];
+        out.user = nearest.batch->user(nearest.body);
     } else {
         out.collider = world.colliders.id(nearest.collider);
     }

@@ -83,6 +83,7 @@ TEST_CASE("a body's user goes with it, wherever it moves in memory, and does not
         CHECK(same);
     };
     check(world);
+    CHECK(view_of(other, plain).user == nullptr);
     CHECK(hash_of(world) == hash_of(other));
     steps(world, 3, 0.01f), steps(other, 3, 0.01f);
     CHECK(hash_of(world) == hash_of(other));
@@ -108,6 +109,11 @@ TEST_CASE("a body's user goes with it, wherever it moves in memory, and does not
     REQUIRE(lr_body_set_state(world.get(), ids[80], &s) == LR_OK);
     REQUIRE(lr_world_snapshot_restore(world.get(), saved.data(), saved.size()) == LR_OK);
     check(world);
+    const std::vector<unsigned char> without = snapshot_of(other);
+    REQUIRE(lr_world_snapshot_restore(other.get(), saved.data(), saved.size()) == LR_OK);
+    check(other);
+    REQUIRE(lr_world_snapshot_restore(other.get(), without.data(), without.size()) == LR_OK);
+    CHECK(state_of(other, view_of(other, plain).ids[0]).user == 0);
     // A new body in an old place has none.
     const lr_body fresh = add_body(world, batch, body_desc());
     users[fresh.id] = 0;

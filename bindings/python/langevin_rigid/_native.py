@@ -1198,7 +1198,7 @@ FIELD_DOCS = {
         'age': 's; outdated for sleeping bodies: lr_body_get_state gives their exact age',
         'noise_seed': 'bodies with different seeds have independent noise',
         'ids': '',
-        'user': 'lr_body_desc.user',
+        'user': 'lr_body_desc.user; null until a body of the batch is given one',
         'capacity': '',
         'revision': 'changes whenever sleeping bodies wake, end or change places',
         'awake_count': 'bodies [0, awake_count) are awake, [awake_count, count) asleep: lr_body_set_sleep',
@@ -2674,9 +2674,9 @@ PROTOTYPES = {
         batch: handle of a batch of the world
         descs: `count` elements.
         count: number of elements
-        out_ids: receives `count` ids; may be null.
+        out_ids: receives `count` ids; may be null. The first `user` other than 0 allocates 8 bytes for each body of the batch's capacity.
 
-        Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY.
+        Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
     'lr_body_destroy': (
@@ -2745,7 +2745,7 @@ PROTOTYPES = {
         world: the world
         body: id of a body
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY (of `user`, as for lr_body_create).
         """,
     ),
     'lr_body_set_sleep': (

@@ -131,6 +131,10 @@ class View:
 
     @property
     def user(self) -> np.ndarray:
+        """The caller's own number of each body."""
+        if not self._struct.user:  # no body of the batch has been given one
+            self._check()
+            return np.zeros(self.count, np.uint64)
         return self._scalars("user")
 
     def world_velocity(self) -> np.ndarray:

@@ -99,7 +99,7 @@ export class Batch extends BatchPlain {
     return {
       ...numbers, position: all(position), orientation: all(orientation), velocity: all(velocity), spin: all(spin),
       scale: one(Float32Array, scale), age: one(Float32Array, age), noiseSeed: one(Uint32Array, noiseSeed), ids: one(BigUint64Array, ids),
-      user: one(BigUint64Array, user),
+      user: user ? one(BigUint64Array, user) : new BigUint64Array(count),
     };
   }
 

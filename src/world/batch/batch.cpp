@@ -102,7 +102,7 @@ lr_body Batch::add(const BodyState& state) {
     columns_.row<lr_body>(column_ids)[index] = id;
     write(index, state);
     arrays_.noise_seed[index] = state.noise_seed;
-    users()[index] = state.user;
+    set_user(index, state.user);
     if (events_) events_->clear(slot);
     return id;
 }
@@ -348,7 +348,7 @@ BodyState Batch::read(uint32_t index) const {
     BodyState s{};
     for (size_t f = 0; f < field_count && arrays_.field[f]; ++f) s.value[f] = arrays_.field[f][index];
     s.noise_seed = arrays_.noise_seed[index];
-    s.user = users()[index];
+    s.user = user(index);
     if (rests(index)) resting_->age_of(index, s.value[field_age], s.value[field_age_rest]);
     return s;
 }
@@ -416,6 +416,14 @@ const WaterBody* Batch::water_body(const lr_water_desc& surface, bool& failed) {
         failed = failed || !water_usable_;
     }
     return water_usable_ ? &water_ : nullptr;
+}
+
+bool Batch::reserve_users() {
+    return columns_.reserve(*allocator_, part_user, whole_blocks(capacity_));
+}
+
+void Batch::set_user(uint32_t index, uint64_t user) {
+    if (columns_.has(part_user)) columns_.row<uint64_t>(column_user)[index] = user;
 }
 
 bool Batch::reserve_forces() {

@@ -152,7 +152,9 @@ public:
     const BodyColumns& columns() const { return columns_; }
     const BatchArrays& arrays() const { return arrays_; }
     const lr_body* ids() const { return columns_.row<lr_body>(column_ids); }
-    uint64_t* users() const { return columns_.row<uint64_t>(column_user); }
+    const uint64_t* users() const { return columns_.row<uint64_t>(column_user); } // null before reserve_users()
+    uint64_t user(uint32_t index) const { return users() ? users()[index] : 0; }
+    void set_user(uint32_t index, uint64_t user); // reserve_users() has held, unless user is 0
     uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
     const BatchSettings& settings() const { return settings_; }
 
@@ -161,6 +163,7 @@ public:
     const WaterBody* water_body(const lr_water_desc& surface, bool& failed);
 
     ExternalForces external;
+    bool reserve_users();  // false when out of memory
     bool reserve_forces(); // for forces on single bodies; false when out of memory
 
     Lifecycle* lifecycle() const { return lifecycle_.get(); } // null before the first rules or emitter

@@ -78,8 +78,9 @@ void BodyColumns::clear(uint32_t begin, uint32_t end, size_t first, size_t count
 }
 
 bool BodyColumns::any(size_t column, uint32_t count) const {
+    const uint32_t words = count * body_columns[column].width / 4;
     uint32_t bits = 0; // of all, in vectors
-    for (uint32_t i = 0; data_[column] && i < count; ++i) bits |= row<uint32_t>(column)[i];
+    for (uint32_t i = 0; data_[column] && i < words; ++i) bits |= row<uint32_t>(column)[i];
     return bits != 0;
 }
 

@@ -13,7 +13,7 @@
 namespace lr {
 
 // Memory is allocated by part: every batch has part_body, the others follow when they are first needed.
-enum ColumnPart : uint32_t { part_body, part_rest, part_gust, part_life, part_forces, part_contact, column_parts };
+enum ColumnPart : uint32_t { part_body, part_rest, part_gust, part_life, part_forces, part_contact, part_user, column_parts };
 
 enum class Hashed : uint8_t {
     never,
@@ -77,7 +77,7 @@ constexpr std::array<Column, column_count> make_columns() {
     rows(column_noted, 1, {part_contact, 4, never, 0, 0.0f, 0.0f, false}); // marked for sleep or waking
     rows(column_noise_seed, 1, {part_body, 4, never});
     rows(column_ids, 1, {part_body, 8, never});
-    rows(column_user, 1, {part_body, 8, never});
+    rows(column_user, 1, {part_user, 8, never});
     return all;
 }
 inline constexpr std::array<Column, column_count> body_columns = make_columns();

@@ -21,7 +21,7 @@ lr_event event_of(const Batch& batch, lr_batch handle, uint32_t index) {
     lr_event event{};
     event.batch = handle;
     event.body = batch.ids()[index];
-    event.user = batch.users()[index];
+    event.user = batch.user(index);
     put(vector_in(batch.arrays().field, field_x, index), event.position);
     return event;
 }

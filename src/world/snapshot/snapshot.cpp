@@ -219,7 +219,7 @@ public:
         // If divergence can end bodies, their records need room.
         const bool ends = has(part_life) || h.options.divergence_policy != LR_DIVERGENCE_AUTO || h.diverged != 0;
         const size_t floats = size_t{2} * h.table_count;
-        const bool room = (!has(part_forces) || batch->reserve_forces()) && (!ends || batch->reserve_lifecycle()) &&
+        const bool room = (!has(part_user) || batch->reserve_users()) && (!has(part_forces) || batch->reserve_forces()) && (!ends || batch->reserve_lifecycle()) &&
                           (!has(part_rest) || batch->reserve_rest()) &&
                           (!(has(part_contact) || contact || meets_bodies) || batch->reserve_contact()) &&
                           (floats == batch->table_.size() || batch->next_table_.allocate(*batch->allocator_, floats));
@@ -306,7 +306,7 @@ private:
         const auto bit = [](ColumnPart part, bool there) { return there ? 1u << part : 0u; };
         return bit(part_body, true) | bit(part_gust, b.columns_.has(part_gust)) | bit(part_rest, b.awake_ < b.count_) |
                bit(part_life, b.lifecycle_ && b.lifecycle_->in_use()) | bit(part_forces, b.external.pending()) |
-               bit(part_contact, b.any_contact());
+               bit(part_contact, b.any_contact()) | bit(part_user, b.columns_.any(column_user, b.count_));
     }
     static void* live(Batch& b, uint32_t piece) {
         if (piece < piece_dense) return b.columns_.bytes(piece);

@@ -238,7 +238,7 @@ namespace LangevinRigid
         public uint* NoiseSeed;
         /// <summary>Ids.</summary>
         public BodyId* Ids;
-        /// <summary><see cref="BodyDesc.User"/></summary>
+        /// <summary><see cref="BodyDesc.User"/>; null until a body of the batch is given one</summary>
         public ulong* User;
         /// <summary>Capacity.</summary>
         public uint Capacity;

@@ -18,10 +18,12 @@ namespace LangevinRigid
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="descs"><paramref name="count"/> elements.</param>
         /// <param name="count">number of elements</param>
-        /// <param name="outIds">receives <paramref name="count"/> ids; may be null.</param>
+        /// <param name="outIds">receives <paramref name="count"/> ids; may be null. The first <c>user</c> other than 0
+        /// allocates 8 bytes for each body of the batch's capacity.</param>
         /// <returns><see cref="Status.Ok"/> (also for count 0), <see cref="Status.NullArgument"/>,
         /// <see cref="Status.StaleBatch"/>, <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
-        /// <see cref="Status.InvalidArgument"/>, <see cref="Status.Capacity"/>.</returns>
+        /// <see cref="Status.InvalidArgument"/>, <see cref="Status.Capacity"/>,
+        /// <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_body_create(IntPtr world, BatchId batch, BodyDesc* descs, uint count, BodyId* outIds);
 
@@ -64,8 +66,8 @@ namespace LangevinRigid
         /// <param name="body">id of a body</param>
         /// <param name="state">state</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBody"/>,
-        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
-        /// <see cref="Status.InvalidArgument"/>.</returns>
+        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>,
+        /// <see cref="Status.OutOfMemory"/> (of <c>user</c>, as for <see cref="Native.lr_body_create"/>).</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_body_set_state(IntPtr world, BodyId body, BodyState* state);
 

@@ -769,7 +769,7 @@ export interface BatchView {
   /** bodies with different seeds have independent noise */
   noiseSeed: Uint32Array;
   ids: BigUint64Array;
-  /** lr_body_desc.user */
+  /** lr_body_desc.user; null until a body of the batch is given one */
   user: BigUint64Array;
   capacity: number;
   /** changes whenever sleeping bodies wake, end or change places */
@@ -1531,7 +1531,7 @@ export interface RawFunctions {
   /**
    * Creates `count` bodies, all or none.
    * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
-   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY.
+   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_body_create(world: number, batch: number, descs: number, count: number, out_ids: number): number;
   /**
@@ -1556,7 +1556,7 @@ export interface RawFunctions {
    * positions up to 1e9 m, velocities up to 1e6 m/s and rad/s. To steer bodies every frame, prefer forces and wind:
    * setting the state bypasses physics.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
-   * LR_ERROR_INVALID_ARGUMENT.
+   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY (of `user`, as for lr_body_create).
    */
   lr_body_set_state(world: number, body: bigint, state: number): number;
   /**
