@@ -59,37 +59,38 @@ LR_API uint32_t lr_version(void);
 
 /* LR_OK, or a negative error. Values never change. */
 typedef int32_t lr_status;
-
-#define LR_OK 0
-#define LR_ERROR_NULL_ARGUMENT (-1)        /* a required pointer is null */
-#define LR_ERROR_STRUCT_SIZE (-2)          /* struct_size is below every released size, or an unknown tail is not 0 */
-#define LR_ERROR_INVALID_ARGUMENT (-3)     /* a value is out of range */
-#define LR_ERROR_NOT_FINITE (-4)           /* a number is NaN or infinite */
-#define LR_ERROR_OUT_OF_MEMORY (-5)        /* the allocator returned null */
-#define LR_ERROR_STALE_BODY (-6)           /* the body was destroyed, or never existed */
-#define LR_ERROR_STALE_BATCH (-7)          /* the batch was destroyed, or never existed */
-#define LR_ERROR_CAPACITY (-8)             /* the batch, or the world's table of batches, is full */
-#define LR_ERROR_BUFFER_TOO_SMALL (-9)     /* the caller's buffer cannot hold the result */
-#define LR_ERROR_FILE_NOT_FOUND (-10)      /* no file at that path */
-#define LR_ERROR_FILE_READ (-11)           /* the file exists but cannot be read */
-#define LR_ERROR_ASSET_FORMAT (-12)        /* not an asset file: too short, or another kind of file */
-#define LR_ERROR_ASSET_VERSION (-13)       /* made for a newer library */
-#define LR_ERROR_ASSET_CORRUPT (-14)       /* an asset file, but damaged */
-#define LR_ERROR_ASSET_INVALID (-15)       /* an undamaged asset file with numbers that no body can have */
-#define LR_ERROR_SNAPSHOT_FORMAT (-16)     /* not a snapshot, damaged, or of another version */
-#define LR_ERROR_SNAPSHOT_MISMATCH (-17)   /* the snapshot's world has other batches or assets */
-#define LR_ERROR_UNSUPPORTED (-18)         /* not available on this processor or in this build */
-#define LR_ERROR_THREADS (-19)             /* the worker threads could not be started */
-#define LR_ERROR_TIMESTEP_ZERO (-20)       /* dt is 0 */
-#define LR_ERROR_TIMESTEP_NEGATIVE (-21)   /* dt is negative */
-#define LR_ERROR_TIMESTEP_NOT_FINITE (-22) /* dt is NaN or infinite */
-#define LR_ERROR_TIMESTEP_TOO_LARGE (-23)  /* dt / substeps exceeds LR_MAX_SUBSTEP */
-#define LR_ERROR_SUBSTEPS (-24)            /* substeps is 0 or exceeds LR_MAX_SUBSTEPS */
-#define LR_ERROR_INTERNAL (-25)            /* a bug in the library: please report it */
-#define LR_ERROR_STALE_WIND_SOURCE (-26)   /* the wind source was removed, or never existed */
-#define LR_ERROR_STALE_COLLIDER (-27)      /* the collider was destroyed, or never existed */
-#define LR_ERROR_CONCURRENT_USE (-28)      /* another thread is inside a call on this world: see LR_CHECK_THREADS */
-#define LR_ERROR_REENTRANT (-29)           /* called from one of this world's callbacks: see LR_CHECK_THREADS */
+enum {
+    LR_OK = 0,
+    LR_ERROR_NULL_ARGUMENT = -1,        /* a required pointer is null */
+    LR_ERROR_STRUCT_SIZE = -2,          /* struct_size is below every released size, or an unknown tail is not 0 */
+    LR_ERROR_INVALID_ARGUMENT = -3,     /* a value is out of range */
+    LR_ERROR_NOT_FINITE = -4,           /* a number is NaN or infinite */
+    LR_ERROR_OUT_OF_MEMORY = -5,        /* the allocator returned null */
+    LR_ERROR_STALE_BODY = -6,           /* the body was destroyed, or never existed */
+    LR_ERROR_STALE_BATCH = -7,          /* the batch was destroyed, or never existed */
+    LR_ERROR_CAPACITY = -8,             /* the batch, or the world's table of batches, is full */
+    LR_ERROR_BUFFER_TOO_SMALL = -9,     /* the caller's buffer cannot hold the result */
+    LR_ERROR_FILE_NOT_FOUND = -10,      /* no file at that path */
+    LR_ERROR_FILE_READ = -11,           /* the file exists but cannot be read */
+    LR_ERROR_ASSET_FORMAT = -12,        /* not an asset file: too short, or another kind of file */
+    LR_ERROR_ASSET_VERSION = -13,       /* made for a newer library */
+    LR_ERROR_ASSET_CORRUPT = -14,       /* an asset file, but damaged */
+    LR_ERROR_ASSET_INVALID = -15,       /* an undamaged asset file with numbers that no body can have */
+    LR_ERROR_SNAPSHOT_FORMAT = -16,     /* not a snapshot, damaged, or of another version */
+    LR_ERROR_SNAPSHOT_MISMATCH = -17,   /* the snapshot's world has other batches or assets */
+    LR_ERROR_UNSUPPORTED = -18,         /* not available on this processor or in this build */
+    LR_ERROR_THREADS = -19,             /* the worker threads could not be started */
+    LR_ERROR_TIMESTEP_ZERO = -20,       /* dt is 0 */
+    LR_ERROR_TIMESTEP_NEGATIVE = -21,   /* dt is negative */
+    LR_ERROR_TIMESTEP_NOT_FINITE = -22, /* dt is NaN or infinite */
+    LR_ERROR_TIMESTEP_TOO_LARGE = -23,  /* dt / substeps exceeds LR_MAX_SUBSTEP */
+    LR_ERROR_SUBSTEPS = -24,            /* substeps is 0 or exceeds LR_MAX_SUBSTEPS */
+    LR_ERROR_INTERNAL = -25,            /* a bug in the library: please report it */
+    LR_ERROR_STALE_WIND_SOURCE = -26,   /* the wind source was removed, or never existed */
+    LR_ERROR_STALE_COLLIDER = -27,      /* the collider was destroyed, or never existed */
+    LR_ERROR_CONCURRENT_USE = -28,      /* another thread is inside a call on this world: see LR_CHECK_THREADS */
+    LR_ERROR_REENTRANT = -29,           /* called from one of this world's callbacks: see LR_CHECK_THREADS */
+};
 
 #define LR_MAX_SUBSTEP 1.0f    /* s: the largest dt / substeps */
 #define LR_MAX_SUBSTEPS 65536u /* the most substeps in one step */
@@ -182,34 +183,41 @@ typedef struct lr_job_system {
     void (*finish)(void* user, void* token);
 } lr_job_system;
 
-#define LR_LOG_ERROR 1   /* a call failed: the message names it and gives the reason */
-#define LR_LOG_WARNING 2 /* a call succeeded, but probably does not do what was meant */
-#define LR_LOG_INFO 3
+/* Severity of a log message. */
+typedef int32_t lr_log_level;
+enum {
+    LR_LOG_ERROR = 1,   /* a call failed: the message names it and gives the reason */
+    LR_LOG_WARNING = 2, /* a call succeeded, but probably does not do what was meant */
+    LR_LOG_INFO = 3,
+};
 
 /* Receives a log message, valid during the call only. Called on the thread that calls the library; with
  * LR_CHECK_THREADS possibly while another thread is inside a call on the world. Must not call the library on the same
  * world. May be null. */
-typedef void (*lr_log_fn)(void* user, int32_t level, const char* message);
+typedef void (*lr_log_fn)(void* user, lr_log_level level, const char* message);
 
 /* Instruction sets. All give the same bits, so force one only for tests and measurements. LR_SIMD_AUTO picks the best
  * that the processor supports. */
-#define LR_SIMD_AUTO 0
-#define LR_SIMD_SSE4 1 /* with SSE4.2, AES and PCLMUL: the minimum on x86-64 */
-#define LR_SIMD_AVX2 2
-#define LR_SIMD_AVX512 3
-#define LR_SIMD_NEON 4
-#define LR_SIMD_WASM 5
-#define LR_SIMD_PLAIN 6 /* plain C++, only in test builds */
+typedef int32_t lr_simd_target;
+enum {
+    LR_SIMD_AUTO = 0,
+    LR_SIMD_SSE4 = 1, /* with SSE4.2, AES and PCLMUL: the minimum on x86-64 */
+    LR_SIMD_AVX2 = 2,
+    LR_SIMD_AVX512 = 3,
+    LR_SIMD_NEON = 4,
+    LR_SIMD_WASM = 5,
+    LR_SIMD_PLAIN = 6, /* plain C++, only in test builds */
+};
 
 /* Lists the instruction sets that this build contains and this processor supports, best first.
  * targets: receives up to `capacity` values; may be null when capacity is 0. count: receives the full number, even if
  * it exceeds capacity.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL (count is set). Any thread. */
-LR_API lr_status lr_simd_targets(int32_t* targets, uint32_t capacity, uint32_t* count);
+LR_API lr_status lr_simd_targets(lr_simd_target* targets, uint32_t capacity, uint32_t* count);
 
 /* A display name: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown". Never null; static
  * storage. Any thread. */
-LR_API const char* lr_simd_target_name(int32_t target);
+LR_API const char* lr_simd_target_name(lr_simd_target target);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Assets                                                                                                             */
@@ -332,10 +340,16 @@ LR_API lr_status lr_rigid_desc_init(lr_rigid_desc* desc, uint32_t struct_size);
  * matrices that no body can have), LR_ERROR_OUT_OF_MEMORY. Any thread. */
 LR_API lr_status lr_asset_create_rigid(const lr_rigid_desc* desc, lr_asset** out);
 
+/* Bits that describe an asset. */
+typedef uint32_t lr_asset_flags;
+enum {
+    LR_ASSET_DIAGONAL = 1, /* diagonal in body axes, buoyancy at the centre of mass: the fast path applies */
+};
+
 /* Properties of an asset. Matrices are row-major and symmetric. */
 typedef struct lr_asset_info {
     uint32_t struct_size;
-    uint32_t flags;               /* LR_ASSET_* */
+    lr_asset_flags flags;         /* LR_ASSET_* */
     char name[64];                /* UTF-8, ends with 0 */
     double mass;                  /* kg */
     double volume;                /* m^3 */
@@ -361,8 +375,6 @@ typedef struct lr_asset_info {
     uint64_t content_hash;   /* of everything that affects motion; equal for equal assets */
 } lr_asset_info;
 
-#define LR_ASSET_DIAGONAL 1u /* diagonal in body axes, buoyancy at the centre of mass: the fast path applies */
-
 LR_API lr_status lr_asset_info_init(lr_asset_info* info, uint32_t struct_size);
 
 /* Reads an asset's properties. info: initialised by lr_asset_info_init, or with struct_size set.
@@ -384,24 +396,27 @@ LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamic
  * functions, and the call in progress continues unharmed. A refused lr_world_destroy leaks the world; a refused
  * lr_world_snapshot_size returns 0. Calls after lr_world_destroy has returned are not detected. Without this bit all
  * such calls are undefined behaviour. docs/reference/stepping.md */
-#define LR_CHECK_THREADS 1u
+typedef uint32_t lr_check_flags;
+enum {
+    LR_CHECK_THREADS = 1,
+};
 
 typedef struct lr_world_desc {
     uint32_t struct_size;
-    uint32_t worker_count;  /* threads besides the caller's, 0 to 64; default 0: everything runs on the caller's thread.
+    uint32_t worker_count; /* threads besides the caller's, 0 to 64; default 0: everything runs on the caller's thread.
                                With `jobs`: threads of the job system besides the caller's, and the most indices in one
                                enqueue; 0 guesses the machine's threads less one, from 1 to 64, and logs a warning */
-    uint64_t seed;          /* of all noise; default 0 */
-    float gravity[3];       /* m/s^2; default 0, -9.81, 0 */
-    float fluid_density;    /* kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in */
-    int32_t simd_target;    /* LR_SIMD_*; default LR_SIMD_AUTO */
+    uint64_t seed;         /* of all noise; default 0 */
+    float gravity[3];      /* m/s^2; default 0, -9.81, 0 */
+    float fluid_density;   /* kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in */
+    lr_simd_target simd_target; /* LR_SIMD_*; default LR_SIMD_AUTO */
     float fluid_viscosity;  /* m^2/s, kinematic, >= 0; default 0: each batch uses the value its asset was baked with */
     lr_allocator allocator; /* copied; default null functions: the C library's */
     lr_log_fn log;          /* default null: no messages */
     void* log_user;
-    lr_job_system jobs; /* copied; default null functions: the world starts worker_count threads of its own */
-    uint32_t checks;    /* bits LR_CHECK_*: misuse to detect, for development; default 0 */
-    uint32_t reserved;  /* 0 */
+    lr_job_system jobs;    /* copied; default null functions: the world starts worker_count threads of its own */
+    lr_check_flags checks; /* bits LR_CHECK_*: misuse to detect, for development; default 0 */
+    uint32_t reserved;     /* 0 */
 } lr_world_desc;
 
 LR_API lr_status lr_world_desc_init(lr_world_desc* desc, uint32_t struct_size);
@@ -416,8 +431,8 @@ LR_API void lr_world_destroy(lr_world* world);
 
 typedef struct lr_world_info {
     uint32_t struct_size;
-    int32_t simd_target;   /* LR_SIMD_*: in use, never LR_SIMD_AUTO */
-    uint32_t worker_count; /* as in the desc; with `jobs` and 0: the guess */
+    lr_simd_target simd_target; /* LR_SIMD_*: in use, never LR_SIMD_AUTO */
+    uint32_t worker_count;      /* as in the desc; with `jobs` and 0: the guess */
     uint32_t batch_count;
     uint64_t body_count;
     uint64_t substep_count; /* substeps since creation; the time index of the noise */
@@ -443,7 +458,7 @@ LR_API lr_status lr_world_set_gravity(lr_world* world, const float* gravity);
 
 /* Sets the instruction set from the next step on. Results do not change. target: LR_SIMD_*.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_UNSUPPORTED. */
-LR_API lr_status lr_world_set_simd_target(lr_world* world, int32_t target);
+LR_API lr_status lr_world_set_simd_target(lr_world* world, lr_simd_target target);
 
 /* Wind: the fluid's velocity is the uniform wind, plus up to LR_MAX_WIND_SOURCES sources, plus a callback. Bodies feel
  * the fluid's velocity relative to their own. Formulas: docs/reference/wind_and_water.md. */
@@ -496,20 +511,24 @@ LR_API lr_status lr_world_update_gusts(lr_world* world, lr_wind_source source, c
  * of another kind). */
 LR_API lr_status lr_world_get_gusts(const lr_world* world, lr_wind_source source, lr_gusts_desc* desc);
 
-#define LR_VORTEX_LAMB_OSEEN 0 /* a smooth core, as viscosity makes it */
-#define LR_VORTEX_RANKINE 1    /* a core that rotates as a solid */
+/* The core of a vortex. */
+typedef int32_t lr_vortex_core;
+enum {
+    LR_VORTEX_LAMB_OSEEN = 0, /* a smooth core, as viscosity makes it */
+    LR_VORTEX_RANKINE = 1,    /* a core that rotates as a solid */
+};
 
 /* A straight vortex. */
 typedef struct lr_vortex_desc {
     uint32_t struct_size;
-    int32_t core;       /* LR_VORTEX_*; default LR_VORTEX_LAMB_OSEEN */
-    float position[3];  /* m, a point on the axis, its middle if half_length > 0; default 0 */
-    float axis[3];      /* right-hand rule, any length but 0; default 0, 1, 0 */
-    float velocity[3];  /* m/s, of the vortex itself; default 0 */
-    float circulation;  /* m^2/s, up to 1e6 and up to 6000 * core_radius in magnitude; default 1 */
-    float core_radius;  /* m, >= 1e-4; default 1 */
-    float outer_radius; /* m: fades from half this distance to nothing at it; default 0: no limit */
-    float half_length;  /* m: likewise along the axis; default 0: no limit */
+    lr_vortex_core core; /* LR_VORTEX_*; default LR_VORTEX_LAMB_OSEEN */
+    float position[3];   /* m, a point on the axis, its middle if half_length > 0; default 0 */
+    float axis[3];       /* right-hand rule, any length but 0; default 0, 1, 0 */
+    float velocity[3];   /* m/s, of the vortex itself; default 0 */
+    float circulation;   /* m^2/s, up to 1e6 and up to 6000 * core_radius in magnitude; default 1 */
+    float core_radius;   /* m, >= 1e-4; default 1 */
+    float outer_radius;  /* m: fades from half this distance to nothing at it; default 0: no limit */
+    float half_length;   /* m: likewise along the axis; default 0: no limit */
 } lr_vortex_desc;
 
 LR_API lr_status lr_vortex_desc_init(lr_vortex_desc* desc, uint32_t struct_size);
@@ -570,23 +589,27 @@ LR_API lr_status lr_world_update_turbulence(lr_world* world, lr_wind_source sour
 /* Reads turbulence as last set. Returns what lr_world_get_gusts would. */
 LR_API lr_status lr_world_get_turbulence(const lr_world* world, lr_wind_source source, lr_turbulence_desc* desc);
 
-#define LR_WIND_OUTSIDE_ZERO 0   /* a grid adds nothing outside its samples */
-#define LR_WIND_OUTSIDE_CLAMP 1  /* the values at its border continue outside */
-#define LR_WIND_OUTSIDE_REPEAT 2 /* the grid repeats: its first sample follows its last */
+/* The value of a wind grid outside its samples. */
+typedef int32_t lr_wind_outside;
+enum {
+    LR_WIND_OUTSIDE_ZERO = 0,   /* a grid adds nothing outside its samples */
+    LR_WIND_OUTSIDE_CLAMP = 1,  /* the values at its border continue outside */
+    LR_WIND_OUTSIDE_REPEAT = 2, /* the grid repeats: its first sample follows its last */
+};
 
 #define LR_MAX_WIND_SAMPLES 67108864u /* of one grid, all frames together */
 
 /* Samples of wind on a lattice, in one or more frames that are played in a loop. */
 typedef struct lr_wind_grid_desc {
     uint32_t struct_size;
-    int32_t outside;      /* LR_WIND_OUTSIDE_*; default LR_WIND_OUTSIDE_ZERO */
-    float position[3];    /* m, of the first sample; default 0 */
-    float velocity[3];    /* m/s, of the grid itself; default 0 */
-    float spacing[3];     /* m between samples, >= 1e-4; default 1 */
-    uint32_t counts[3];   /* samples along x, y, z, each >= 1 */
-    uint32_t frames;      /* >= 1; default 1 */
-    float frame_time;     /* s between frames, up to 1e6; default 0: 1 s */
-    const float* samples; /* m/s, each up to 1000 in magnitude: x y z of each sample; x varies fastest, then y, z,
+    lr_wind_outside outside; /* LR_WIND_OUTSIDE_*; default LR_WIND_OUTSIDE_ZERO */
+    float position[3];       /* m, of the first sample; default 0 */
+    float velocity[3];       /* m/s, of the grid itself; default 0 */
+    float spacing[3];        /* m between samples, >= 1e-4; default 1 */
+    uint32_t counts[3];      /* samples along x, y, z, each >= 1 */
+    uint32_t frames;         /* >= 1; default 1 */
+    float frame_time;        /* s between frames, up to 1e6; default 0: 1 s */
+    const float* samples;    /* m/s, each up to 1000 in magnitude: x y z of each sample; x varies fastest, then y, z,
                              frame; copied. Null in an update: keeps the samples, if counts and frames are unchanged.
                              lr_world_get_wind_grid gives null */
 } lr_wind_grid_desc;
@@ -823,11 +846,14 @@ typedef int32_t (*lr_record_fn)(void* user, const void* bytes, uint64_t size);
 
 /* Records the results of wind and water callbacks, up to 72 bytes per body and substep for each callback. Without them
  * a replay stops at the first callback. */
-#define LR_RECORD_CALLBACKS 1u
+typedef uint32_t lr_record_flags;
+enum {
+    LR_RECORD_CALLBACKS = 1,
+};
 
 typedef struct lr_recording_desc {
     uint32_t struct_size;
-    uint32_t flags;         /* bits LR_RECORD_*; default LR_RECORD_CALLBACKS */
+    lr_record_flags flags;  /* bits LR_RECORD_*; default LR_RECORD_CALLBACKS */
     uint32_t hash_interval; /* steps between recorded hashes of the world; 0: none; default 1 */
     uint32_t reserved;      /* 0 */
     lr_record_fn write;     /* required */
@@ -854,31 +880,47 @@ LR_API lr_status lr_world_record_stop(lr_world* world);
 /* A batch holds up to `capacity` bodies of one asset, and the settings that they share. Make one for each asset, and
  * one for each tree or tile that needs its own level of detail. */
 
-#define LR_LOADS_DEFAULT 0     /* LR_LOADS_AERODYNAMIC in this version */
-#define LR_LOADS_NONE 1        /* gravity, buoyancy and added mass only: Kirchhoff's equations */
-#define LR_LOADS_LANGEVIN 2    /* the paper's turbulent loads, dimensionally repaired; docs/maintainers/physics.md, 4 */
-#define LR_LOADS_AERODYNAMIC 3 /* quasi-steady drag and lift in a turbulent fluid; docs/maintainers/physics.md, 5 */
+/* How the fluid's forces on bodies are computed. */
+typedef int32_t lr_load_model;
+enum {
+    LR_LOADS_DEFAULT = 0,     /* LR_LOADS_AERODYNAMIC in this version */
+    LR_LOADS_NONE = 1,        /* gravity, buoyancy and added mass only: Kirchhoff's equations */
+    LR_LOADS_LANGEVIN = 2,    /* the paper's turbulent loads, dimensionally repaired; docs/maintainers/physics.md, 4 */
+    LR_LOADS_AERODYNAMIC = 3, /* quasi-steady drag and lift in a turbulent fluid; docs/maintainers/physics.md, 5 */
+};
 
-#define LR_CLOCK_SPEED 0 /* turbulence scales with the body's current speed through the fluid */
-#define LR_CLOCK_AGE 1   /* the paper's: turbulence follows the table by the body's age */
+/* The clock of a body's turbulence. */
+typedef int32_t lr_turbulence_clock;
+enum {
+    LR_CLOCK_SPEED = 0, /* turbulence scales with the body's current speed through the fluid */
+    LR_CLOCK_AGE = 1,   /* the paper's: turbulence follows the table by the body's age */
+};
 
-#define LR_TABLE_CLAMP 0 /* LR_CLOCK_AGE: hold the last sample after the end of the table */
-#define LR_TABLE_LOOP 1  /* LR_CLOCK_AGE: start over */
+/* What happens after the last sample of a turbulence table. */
+typedef int32_t lr_table_end;
+enum {
+    LR_TABLE_CLAMP = 0, /* LR_CLOCK_AGE: hold the last sample after the end of the table */
+    LR_TABLE_LOOP = 1,  /* LR_CLOCK_AGE: start over */
+};
 
-#define LR_INTEGRATOR_DEFAULT 0   /* LR_INTEGRATOR_SPLITTING in this version */
-#define LR_INTEGRATOR_RK4 1       /* the paper's: fourth order, slow, unstable at long steps. In water: splitting */
-#define LR_INTEGRATOR_SPLITTING 2 /* second order, stable at any step; docs/maintainers/numerics.md */
+/* How motion is integrated. */
+typedef int32_t lr_integrator;
+enum {
+    LR_INTEGRATOR_DEFAULT = 0,   /* LR_INTEGRATOR_SPLITTING in this version */
+    LR_INTEGRATOR_RK4 = 1,       /* the paper's: fourth order, slow, unstable at long steps. In water: splitting */
+    LR_INTEGRATOR_SPLITTING = 2, /* second order, stable at any step; docs/maintainers/numerics.md */
+};
 
 typedef struct lr_batch_desc {
     uint32_t struct_size;
-    uint32_t capacity;     /* the most bodies at a time, 1 to 2^26; memory for all is allocated at creation */
-    const lr_asset* asset; /* required; the batch keeps a reference until it is destroyed */
-    int32_t load_model;    /* LR_LOADS_*; default LR_LOADS_DEFAULT */
-    int32_t clock;         /* LR_CLOCK_*; default LR_CLOCK_SPEED */
-    int32_t table_end;     /* LR_TABLE_*; default LR_TABLE_CLAMP */
-    int32_t integrator;    /* LR_INTEGRATOR_*; default LR_INTEGRATOR_DEFAULT */
-    float damping_gain;    /* multiplies the turbulent damping, 0 to 100; default 1 */
-    float noise_gain;      /* multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable */
+    uint32_t capacity;         /* the most bodies at a time, 1 to 2^26; memory for all is allocated at creation */
+    const lr_asset* asset;     /* required; the batch keeps a reference until it is destroyed */
+    lr_load_model load_model;  /* LR_LOADS_*; default LR_LOADS_DEFAULT */
+    lr_turbulence_clock clock; /* LR_CLOCK_*; default LR_CLOCK_SPEED */
+    lr_table_end table_end;    /* LR_TABLE_*; default LR_TABLE_CLAMP */
+    lr_integrator integrator;  /* LR_INTEGRATOR_*; default LR_INTEGRATOR_DEFAULT */
+    float damping_gain;        /* multiplies the turbulent damping, 0 to 100; default 1 */
+    float noise_gain; /* multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable */
 } lr_batch_desc;
 
 LR_API lr_status lr_batch_desc_init(lr_batch_desc* desc, uint32_t struct_size);
@@ -1019,12 +1061,16 @@ LR_API lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_bat
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH. */
 LR_API lr_status lr_batch_get_bounds(const lr_world* world, lr_batch batch, float* low, float* high);
 
-#define LR_TRANSFORM_POSITION_QUATERNION 0       /* 7 floats: position, quaternion x y z w */
-#define LR_TRANSFORM_POSITION_QUATERNION_SCALE 1 /* 8 floats: position, quaternion x y z w, scale */
-#define LR_TRANSFORM_3X4_ROW_MAJOR 2             /* 12 floats: three rows, rotation times scale and translation */
-#define LR_TRANSFORM_3X4_COLUMN_MAJOR 3          /* 12 floats: four columns of three */
-#define LR_TRANSFORM_4X4_ROW_MAJOR 4             /* 16 floats; column vectors, translation in elements 3, 7, 11 */
-#define LR_TRANSFORM_4X4_COLUMN_MAJOR 5          /* 16 floats; column vectors, translation in elements 12, 13, 14 */
+/* Formats of transforms, in floats. */
+typedef int32_t lr_transform_format;
+enum {
+    LR_TRANSFORM_POSITION_QUATERNION = 0,       /* 7 floats: position, quaternion x y z w */
+    LR_TRANSFORM_POSITION_QUATERNION_SCALE = 1, /* 8 floats: position, quaternion x y z w, scale */
+    LR_TRANSFORM_3X4_ROW_MAJOR = 2,             /* 12 floats: three rows, rotation times scale and translation */
+    LR_TRANSFORM_3X4_COLUMN_MAJOR = 3,          /* 12 floats: four columns of three */
+    LR_TRANSFORM_4X4_ROW_MAJOR = 4,             /* 16 floats; column vectors, translation in elements 3, 7, 11 */
+    LR_TRANSFORM_4X4_COLUMN_MAJOR = 5,          /* 16 floats; column vectors, translation in elements 12, 13, 14 */
+};
 
 /* Writes the transforms of a batch's first `count` bodies, or of all if there are fewer, in the order of its view. Draw
  * a mesh whose origin is the centre of mass (lr_asset_info.center_of_mass). Bodies of a waiting batch
@@ -1037,7 +1083,7 @@ LR_API lr_status lr_batch_get_bounds(const lr_world* world, lr_batch batch, floa
  * be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
  * LR_ERROR_INVALID_ARGUMENT. */
-LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst,
+LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, lr_transform_format format, void* dst,
                                            uint64_t stride, uint32_t count, uint32_t* written);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
@@ -1076,17 +1122,25 @@ LR_API lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_
  * that lr_world_desc.checks refuses. Not recorded. */
 LR_API int32_t lr_body_is_valid(const lr_world* world, lr_body body);
 
+/* Whether a body is awake or asleep. */
+typedef int32_t lr_sleep_state;
+enum {
+    LR_SLEEP_AWAKE = 0,
+    LR_SLEEP_ASLEEP = 1,
+    LR_SLEEP_HELD = 2, /* read only: diverged, and held where it was by lr_batch_set_divergence_policy */
+};
+
 typedef struct lr_body_state {
     uint32_t struct_size;
-    uint32_t noise_seed;       /* read only: ignored by lr_body_set_state */
-    float position[3];         /* m, of the centre of mass, world frame */
-    float orientation[4];      /* unit quaternion x y z w, body to world */
-    float linear_velocity[3];  /* m/s, of the centre of mass, world frame */
-    float angular_velocity[3]; /* rad/s, world frame */
-    float scale;               /* 0.001 to 1000 */
-    float age;                 /* s, 0 to 1e9 */
-    int32_t sleep_state;       /* LR_SLEEP_*; read only */
-    uint64_t user;             /* as in lr_body_desc */
+    uint32_t noise_seed;        /* read only: ignored by lr_body_set_state */
+    float position[3];          /* m, of the centre of mass, world frame */
+    float orientation[4];       /* unit quaternion x y z w, body to world */
+    float linear_velocity[3];   /* m/s, of the centre of mass, world frame */
+    float angular_velocity[3];  /* rad/s, world frame */
+    float scale;                /* 0.001 to 1000 */
+    float age;                  /* s, 0 to 1e9 */
+    lr_sleep_state sleep_state; /* LR_SLEEP_*; read only */
+    uint64_t user;              /* as in lr_body_desc */
 } lr_body_state;
 
 LR_API lr_status lr_body_state_init(lr_body_state* state, uint32_t struct_size);
@@ -1102,10 +1156,6 @@ LR_API lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_
  * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY (of `user`, as for lr_body_create). */
 LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state);
 
-#define LR_SLEEP_AWAKE 0
-#define LR_SLEEP_ASLEEP 1
-#define LR_SLEEP_HELD 2 /* read only: diverged, and held where it was by lr_batch_set_divergence_policy */
-
 /* Puts bodies of any batches to sleep or wakes them, all or none. Bodies may already be in that state, and ids may
  * repeat. A sleeping body does not move, whatever acts on it, and adds no cost to a step. Its velocities and pending
  * forces are cleared. It still ages, and its batch's rules still apply: they check sleeping bodies in every 16th step
@@ -1119,7 +1169,7 @@ LR_API lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_
  * sleep_state: LR_SLEEP_*.
  * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_INVALID_ARGUMENT,
  * LR_ERROR_OUT_OF_MEMORY. */
-LR_API lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, int32_t sleep_state);
+LR_API lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, lr_sleep_state sleep_state);
 
 /* Wakes all sleeping bodies that touch a box, for events that the world does not know about, such as footsteps and
  * explosions. Each body counts as the cube that contains it in any orientation. The cost depends on the bodies near the
@@ -1134,25 +1184,36 @@ LR_API lr_status lr_world_wake_box(lr_world* world, const float* low, const floa
  * each substep, and are then gone; those of several calls add up. Impulses and velocities act at once. A force or
  * impulse also moves the added mass of fluid, (M + added)^-1 F; an acceleration or velocity takes full effect whatever
  * the mass. */
-#define LR_FORCE_MODE_FORCE 0        /* N, N m */
-#define LR_FORCE_MODE_ACCELERATION 1 /* m/s^2, rad/s^2 */
-#define LR_FORCE_MODE_IMPULSE 2      /* N s, N m s */
-#define LR_FORCE_MODE_VELOCITY 3     /* m/s, rad/s: added to the body's */
+typedef int32_t lr_force_mode;
+enum {
+    LR_FORCE_MODE_FORCE = 0,        /* N, N m */
+    LR_FORCE_MODE_ACCELERATION = 1, /* m/s^2, rad/s^2 */
+    LR_FORCE_MODE_IMPULSE = 2,      /* N s, N m s */
+    LR_FORCE_MODE_VELOCITY = 3,     /* m/s, rad/s: added to the body's */
+};
 
-#define LR_FRAME_WORLD 0
-#define LR_FRAME_BODY 1 /* rotates with the body */
+/* The frame that a force is given in. */
+typedef int32_t lr_force_frame;
+enum {
+    LR_FRAME_WORLD = 0,
+    LR_FRAME_BODY = 1, /* rotates with the body */
+};
 
-#define LR_FORCE_AT_POINT 1u /* `force` acts at `point`, not at the centre of mass; forces and impulses only */
+/* Options of a force on one body. */
+typedef uint32_t lr_force_flags;
+enum {
+    LR_FORCE_AT_POINT = 1, /* `force` acts at `point`, not at the centre of mass; forces and impulses only */
+};
 
 /* A force and a torque on one body. Scale matters: a body of scale 2 has eight times the mass. */
 typedef struct lr_body_force {
     uint32_t struct_size; /* equal in all elements of an array: also the array's stride */
-    int32_t mode;         /* LR_FORCE_MODE_*; default LR_FORCE_MODE_FORCE */
+    lr_force_mode mode;   /* LR_FORCE_MODE_*; default LR_FORCE_MODE_FORCE */
     lr_body body;
-    int32_t frame;     /* LR_FRAME_*, of force, torque and point; default LR_FRAME_WORLD */
-    uint32_t flags;    /* LR_FORCE_*; default 0 */
-    float force[3];    /* default 0 */
-    float torque[3];   /* about the centre of mass; default 0 */
+    lr_force_frame frame; /* LR_FRAME_*, of force, torque and point; default LR_FRAME_WORLD */
+    lr_force_flags flags; /* LR_FORCE_*; default 0 */
+    float force[3];       /* default 0 */
+    float torque[3];      /* about the centre of mass; default 0 */
     float point[3];    /* m; world frame: a position, body frame: from the centre of mass. The lever arm is fixed by the
                           call */
     uint32_t reserved; /* 0 */
@@ -1171,8 +1232,8 @@ LR_API lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces,
 /* Forces on consecutive bodies of one batch, in the order of its view. */
 typedef struct lr_force_arrays {
     uint32_t struct_size;
-    int32_t mode;           /* LR_FORCE_MODE_*; default LR_FORCE_MODE_FORCE */
-    int32_t frame;          /* LR_FRAME_*; default LR_FRAME_WORLD */
+    lr_force_mode mode;     /* LR_FORCE_MODE_*; default LR_FORCE_MODE_FORCE */
+    lr_force_frame frame;   /* LR_FRAME_*; default LR_FRAME_WORLD */
     uint32_t first;         /* index in the view of the first body; default 0 */
     uint32_t count;         /* bodies */
     uint32_t stride;        /* bytes from one body's value to the next, a multiple of 4; default 0: 4, no gaps */
@@ -1231,13 +1292,16 @@ LR_API lr_status lr_batch_get_force(const lr_world* world, lr_batch batch, lr_ba
  *                splits each cell into two triangles
  *   MESH         nothing: triangles without an inside. Both sides collide, and winding does not matter
  */
-#define LR_COLLIDER_PLANE 1
-#define LR_COLLIDER_SPHERE 2
-#define LR_COLLIDER_CAPSULE 3
-#define LR_COLLIDER_BOX 4
-#define LR_COLLIDER_HULL 5
-#define LR_COLLIDER_HEIGHTFIELD 6
-#define LR_COLLIDER_MESH 7
+typedef int32_t lr_collider_kind;
+enum {
+    LR_COLLIDER_PLANE = 1,
+    LR_COLLIDER_SPHERE = 2,
+    LR_COLLIDER_CAPSULE = 3,
+    LR_COLLIDER_BOX = 4,
+    LR_COLLIDER_HULL = 5,
+    LR_COLLIDER_HEIGHTFIELD = 6,
+    LR_COLLIDER_MESH = 7,
+};
 
 #define LR_MAX_COLLIDERS 67108864u         /* in a world, at a time */
 #define LR_MAX_HULL_VERTICES 256u          /* of one hull */
@@ -1246,7 +1310,7 @@ LR_API lr_status lr_batch_get_force(const lr_world* world, lr_batch batch, lr_ba
 /* A collider. Fields that its kind does not use are ignored. Arrays are copied. */
 typedef struct lr_collider_desc {
     uint32_t struct_size;      /* equal in all elements of an array: also the array's stride */
-    int32_t kind;              /* LR_COLLIDER_*; must be set: the default 0 is no kind */
+    lr_collider_kind kind;     /* LR_COLLIDER_*; must be set: the default 0 is no kind */
     float position[3];         /* m, up to 1e9 in magnitude; default 0 */
     float orientation[4];      /* quaternion x y z w, normalised by the call; default 0 0 0 1 */
     float linear_velocity[3];  /* m/s, of the frame's origin, up to 1e6; default 0. Lasts until changed */
@@ -1282,15 +1346,19 @@ LR_API lr_status lr_collider_destroy(lr_world* world, const lr_collider* collide
 /* Returns 1 if the collider exists in this world, else 0. Never an error: see lr_body_is_valid. */
 LR_API int32_t lr_collider_is_valid(const lr_world* world, lr_collider collider);
 
-#define LR_MOVE_TO 1       /* sweeps to this pose during the next step, then stands still */
-#define LR_MOVE_PLACE 2    /* teleports to this pose, and moves with these velocities from now on */
-#define LR_MOVE_VELOCITY 3 /* keeps its pose, and moves with these velocities from now on */
+/* How a collider is moved. */
+typedef int32_t lr_move_mode;
+enum {
+    LR_MOVE_TO = 1,       /* sweeps to this pose during the next step, then stands still */
+    LR_MOVE_PLACE = 2,    /* teleports to this pose, and moves with these velocities from now on */
+    LR_MOVE_VELOCITY = 3, /* keeps its pose, and moves with these velocities from now on */
+};
 
 /* A motion of one collider. Within a step its position moves linearly and its orientation follows the normalised linear
  * quaternion, the shorter way round: rotations of more than half a turn per step appear shorter. */
 typedef struct lr_collider_motion {
     uint32_t struct_size; /* equal in all elements of an array: also the array's stride */
-    int32_t mode;         /* LR_MOVE_*; default LR_MOVE_TO */
+    lr_move_mode mode;    /* LR_MOVE_*; default LR_MOVE_TO */
     lr_collider collider;
     float position[3];         /* m, as in lr_collider_desc; LR_MOVE_TO and LR_MOVE_PLACE; default 0 */
     float orientation[4];      /* quaternion x y z w; LR_MOVE_TO and LR_MOVE_PLACE; default 0 0 0 1 */
@@ -1309,7 +1377,7 @@ LR_API lr_status lr_collider_move(lr_world* world, const lr_collider_motion* mot
 
 typedef struct lr_collider_state {
     uint32_t struct_size;
-    int32_t kind;              /* LR_COLLIDER_* */
+    lr_collider_kind kind;     /* LR_COLLIDER_* */
     float position[3];         /* m, world frame */
     float orientation[4];      /* unit quaternion x y z w, collider to world */
     float linear_velocity[3];  /* m/s, that lasts until changed; 0 while LR_MOVE_TO is pending */
@@ -1342,7 +1410,11 @@ LR_API lr_status lr_material_init(lr_material* material, uint32_t struct_size);
 LR_API lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders, uint32_t count,
                                           const lr_material* material);
 
-#define LR_CONTACT_NEVER_SLEEP 1u /* bodies never fall asleep by themselves, only by lr_body_set_sleep */
+/* Options of a batch's contact. */
+typedef uint32_t lr_contact_flags;
+enum {
+    LR_CONTACT_NEVER_SLEEP = 1, /* bodies never fall asleep by themselves, only by lr_body_set_sleep */
+};
 
 /* How bodies of a batch collide. A contact uses the geometric mean of both frictions and the larger restitution. A body
  * collides as its hull, reduced to at most 32 points, or as an ellipsoid if its asset is one. */
@@ -1354,7 +1426,7 @@ typedef struct lr_batch_contact {
     float rolling_resistance; /* moment against rolling and spinning over normal force times lever, 0 to 10; default
                                  0.05. The lever is the geometric mean of reach and half the thickness: of a sphere, its
                                  radius */
-    uint32_t flags;           /* bits: LR_CONTACT_NEVER_SLEEP; default 0 */
+    lr_contact_flags flags;   /* bits: LR_CONTACT_NEVER_SLEEP; default 0 */
     float ground_effect;      /* air cushion under a sheet that settles on a plane or heightfield, as a share of theory,
                                  0 to 1; default 0. docs/maintainers/contact.md */
     uint32_t reserved;        /* 0 */
@@ -1392,29 +1464,36 @@ LR_API lr_status lr_batch_get_body_contact(const lr_world* world, lr_batch a, lr
 
 /* Enable events once with lr_world_set_events; after each step read them with lr_world_get_events. */
 
-#define LR_EVENT_SPAWNED 1   /* an emitter or lr_batch_spawn added it since the previous step; not lr_body_create */
-#define LR_EVENT_HIT 2       /* the body touches a collider that it did not touch at the end of the step before */
-#define LR_EVENT_LIFTED 3    /* it no longer touches the collider, or the collider was destroyed: its id is stale */
-#define LR_EVENT_LANDED 4    /* it fell asleep by itself */
-#define LR_EVENT_WOKE 5      /* it woke since the previous step, for any reason */
-#define LR_EVENT_KILLED 6    /* its batch's rules or its divergence destroyed it: its id is stale */
-#define LR_EVENT_RESPAWNED 7 /* its batch's rules or its divergence ended it, and it restarted with its id */
-#define LR_EVENT_DIVERGED 8  /* it diverged: lr_batch_set_divergence_policy */
+/* What happened to a body. */
+typedef int32_t lr_event_kind;
+enum {
+    LR_EVENT_SPAWNED = 1,   /* an emitter or lr_batch_spawn added it since the previous step; not lr_body_create */
+    LR_EVENT_HIT = 2,       /* the body touches a collider that it did not touch at the end of the step before */
+    LR_EVENT_LIFTED = 3,    /* it no longer touches the collider, or the collider was destroyed: its id is stale */
+    LR_EVENT_LANDED = 4,    /* it fell asleep by itself */
+    LR_EVENT_WOKE = 5,      /* it woke since the previous step, for any reason */
+    LR_EVENT_KILLED = 6,    /* its batch's rules or its divergence destroyed it: its id is stale */
+    LR_EVENT_RESPAWNED = 7, /* its batch's rules or its divergence ended it, and it restarted with its id */
+    LR_EVENT_DIVERGED = 8,  /* it diverged: lr_batch_set_divergence_policy */
+};
 
 /* Bits for lr_world_set_events. */
-#define LR_EVENTS_SPAWNED 1u
-#define LR_EVENTS_HIT 2u
-#define LR_EVENTS_LIFTED 4u
-#define LR_EVENTS_LANDED 8u
-#define LR_EVENTS_WOKE 16u
-#define LR_EVENTS_KILLED 32u
-#define LR_EVENTS_RESPAWNED 64u
-#define LR_EVENTS_DIVERGED 128u
-#define LR_EVENTS_ALL 255u
+typedef uint32_t lr_event_kinds;
+enum {
+    LR_EVENTS_SPAWNED = 1,
+    LR_EVENTS_HIT = 2,
+    LR_EVENTS_LIFTED = 4,
+    LR_EVENTS_LANDED = 8,
+    LR_EVENTS_WOKE = 16,
+    LR_EVENTS_KILLED = 32,
+    LR_EVENTS_RESPAWNED = 64,
+    LR_EVENTS_DIVERGED = 128,
+    LR_EVENTS_ALL = 255,
+};
 
 /* One event: 64 bytes in arrays without gaps. This struct never changes after 0.2. */
 typedef struct lr_event {
-    int32_t kind; /* LR_EVENT_* */
+    lr_event_kind kind; /* LR_EVENT_* */
     lr_batch batch;
     lr_body body;         /* stale if it was destroyed */
     uint64_t user;        /* the body's: lr_body_desc.user */
@@ -1432,7 +1511,7 @@ typedef struct lr_event {
  * each body of a batch's capacity. Neither part of snapshots nor of the world's hash. kinds: bits LR_EVENTS_*.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits, or no bits with a capacity),
  * LR_ERROR_OUT_OF_MEMORY. */
-LR_API lr_status lr_world_set_events(lr_world* world, uint32_t capacity, uint32_t kinds);
+LR_API lr_status lr_world_set_events(lr_world* world, uint32_t capacity, lr_event_kinds kinds);
 
 typedef struct lr_event_list {
     uint32_t struct_size;
@@ -1441,7 +1520,7 @@ typedef struct lr_event_list {
     uint64_t lost;          /* events of the last step beyond capacity: those last in order are dropped */
     uint64_t total_lost;    /* since lr_world_set_events */
     uint32_t capacity;      /* as set by lr_world_set_events */
-    uint32_t kinds;         /* bits LR_EVENTS_*, likewise */
+    lr_event_kinds kinds;   /* bits LR_EVENTS_*, likewise */
 } lr_event_list;
 
 LR_API lr_status lr_event_list_init(lr_event_list* list, uint32_t struct_size);
@@ -1462,12 +1541,16 @@ LR_API lr_status lr_world_get_events(const lr_world* world, lr_event_list* list)
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Queries: ray casts and overlap tests. docs/reference/bodies.md                                                     */
 
-#define LR_RAY_BODIES 1u
-#define LR_RAY_COLLIDERS 2u
+/* What a ray can hit. */
+typedef uint32_t lr_ray_flags;
+enum {
+    LR_RAY_BODIES = 1,
+    LR_RAY_COLLIDERS = 2,
+};
 
 typedef struct lr_ray {
     uint32_t struct_size;     /* equal in all elements of an array: also the array's stride */
-    uint32_t flags;           /* bits LR_RAY_*: what it can hit; default both */
+    lr_ray_flags flags;       /* bits LR_RAY_*: what it can hit; default both */
     float origin[3];          /* m, up to 1e9 in magnitude; default 0 */
     float direction[3];       /* any length from 1e-6 to 1e6; default 0, -1, 0 */
     float max_distance;       /* m, 0 to 1e9; default 1e9 */
@@ -1500,17 +1583,21 @@ typedef struct lr_ray_hit {
  * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_STALE_BATCH. */
 LR_API lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits);
 
-#define LR_OVERLAP_SPHERE 1 /* size[0]: radius */
-#define LR_OVERLAP_BOX 2    /* size: half extents along its own axes */
+/* Shapes of overlap queries. */
+typedef int32_t lr_overlap_shape;
+enum {
+    LR_OVERLAP_SPHERE = 1, /* size[0]: radius */
+    LR_OVERLAP_BOX = 2,    /* size: half extents along its own axes */
+};
 
 typedef struct lr_overlap_desc {
     uint32_t struct_size;
-    int32_t shape;        /* LR_OVERLAP_*; default LR_OVERLAP_SPHERE */
-    float position[3];    /* m, of its centre, up to 1e9 in magnitude; default 0 */
-    float orientation[4]; /* of a box, x y z w, normalised by the call; default 0 0 0 1 */
-    float size[3];        /* m, > 0, up to 1e6; default 1 */
-    lr_batch batch;       /* finds bodies of this batch only; default id 0: of all batches */
-    uint32_t reserved;    /* 0 */
+    lr_overlap_shape shape; /* LR_OVERLAP_*; default LR_OVERLAP_SPHERE */
+    float position[3];      /* m, of its centre, up to 1e9 in magnitude; default 0 */
+    float orientation[4];   /* of a box, x y z w, normalised by the call; default 0 0 0 1 */
+    float size[3];          /* m, > 0, up to 1e6; default 1 */
+    lr_batch batch;         /* finds bodies of this batch only; default id 0: of all batches */
+    uint32_t reserved;      /* 0 */
 } lr_overlap_desc;
 
 LR_API lr_status lr_overlap_desc_init(lr_overlap_desc* desc, uint32_t struct_size);
@@ -1528,21 +1615,33 @@ LR_API lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* 
 /* An emitter spawns bodies, rules end or respawn them: together they keep a storm running. Both act at the end of each
  * step, rules first. */
 
-#define LR_END_DESTROY 0 /* the body is destroyed and its id becomes stale */
-#define LR_END_RESPAWN 1 /* the body restarts where the batch's emitter puts it, at age 0, with its id and noise seed */
+/* What happens to a body that its batch's rules end. */
+typedef int32_t lr_end_action;
+enum {
+    LR_END_DESTROY = 0, /* the body is destroyed and its id becomes stale */
+    LR_END_RESPAWN = 1, /* the body restarts where the batch's emitter puts it, at age 0, with its id and noise seed */
+};
 
-#define LR_VOLUME_PLANE 0  /* `size` is its normal, `center` a point of it; inside: behind it, away from the normal */
-#define LR_VOLUME_BOX 1    /* axis-aligned; size: half extents */
-#define LR_VOLUME_SPHERE 2 /* size[0]: radius */
+/* Shapes of kill volumes. */
+typedef int32_t lr_volume_shape;
+enum {
+    LR_VOLUME_PLANE = 0,  /* `size` is its normal, `center` a point of it; inside: behind it, away from the normal */
+    LR_VOLUME_BOX = 1,    /* axis-aligned; size: half extents */
+    LR_VOLUME_SPHERE = 2, /* size[0]: radius */
+};
 
-#define LR_KILL_INSIDE 0
-#define LR_KILL_OUTSIDE 1
+/* On which side of a kill volume bodies end. */
+typedef int32_t lr_kill_side;
+enum {
+    LR_KILL_INSIDE = 0,
+    LR_KILL_OUTSIDE = 1,
+};
 
 typedef struct lr_kill_volume {
-    int32_t shape;   /* LR_VOLUME_* */
-    int32_t side;    /* LR_KILL_*: the side on which bodies end */
-    float center[3]; /* m, up to 1e9 in magnitude */
-    float size[3];   /* m; of a plane its normal, any length but 0 */
+    lr_volume_shape shape; /* LR_VOLUME_* */
+    lr_kill_side side;     /* LR_KILL_*: the side on which bodies end */
+    float center[3];       /* m, up to 1e9 in magnitude */
+    float size[3];         /* m; of a plane its normal, any length but 0 */
 } lr_kill_volume;
 
 #define LR_MAX_KILL_VOLUMES 8u
@@ -1551,7 +1650,7 @@ typedef struct lr_kill_volume {
  * them. */
 typedef struct lr_batch_rules {
     uint32_t struct_size;
-    int32_t action;                              /* LR_END_*; default LR_END_DESTROY */
+    lr_end_action action;                        /* LR_END_*; default LR_END_DESTROY */
     float max_age;                               /* s, up to 1e9; default 0: no limit */
     uint32_t volume_count;                       /* elements of `volumes` in use; default 0 */
     lr_kill_volume volumes[LR_MAX_KILL_VOLUMES]; /* tested with the centre of mass */
@@ -1572,9 +1671,13 @@ LR_API lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_ba
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_batch_get_rules(const lr_world* world, lr_batch batch, lr_batch_rules* rules, int32_t* present);
 
-#define LR_DIVERGENCE_AUTO 0   /* LR_DIVERGENCE_REMOVE in a batch with rules, else LR_DIVERGENCE_FREEZE */
-#define LR_DIVERGENCE_FREEZE 1 /* the body is held where it was last valid */
-#define LR_DIVERGENCE_REMOVE 2 /* the body respawns if the batch's rules respawn, else it is destroyed */
+/* What happens to a diverged body. */
+typedef int32_t lr_divergence_policy;
+enum {
+    LR_DIVERGENCE_AUTO = 0,   /* LR_DIVERGENCE_REMOVE in a batch with rules, else LR_DIVERGENCE_FREEZE */
+    LR_DIVERGENCE_FREEZE = 1, /* the body is held where it was last valid */
+    LR_DIVERGENCE_REMOVE = 2, /* the body respawns if the batch's rules respawn, else it is destroyed */
+};
 
 /* Sets how a batch treats diverged bodies: those with a number that is not finite, a coordinate over 1e10 m, a velocity
  * over 2e6 m/s or 1e9 rad/s, or an invalid orientation. Bodies diverge through extreme forces, an unstable integrator,
@@ -1588,31 +1691,39 @@ LR_API lr_status lr_batch_get_rules(const lr_world* world, lr_batch batch, lr_ba
  * LR_DIVERGENCE_REMOVE allocates as lr_batch_set_rules does.
  * policy: LR_DIVERGENCE_*; default LR_DIVERGENCE_AUTO.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
-LR_API lr_status lr_batch_set_divergence_policy(lr_world* world, lr_batch batch, int32_t policy);
+LR_API lr_status lr_batch_set_divergence_policy(lr_world* world, lr_batch batch, lr_divergence_policy policy);
 
 /* Reads how a batch treats diverged bodies. policy: receives LR_DIVERGENCE_*; unchanged after an error.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH. */
-LR_API lr_status lr_batch_get_divergence_policy(const lr_world* world, lr_batch batch, int32_t* policy);
+LR_API lr_status lr_batch_get_divergence_policy(const lr_world* world, lr_batch batch, lr_divergence_policy* policy);
 
-#define LR_EMIT_POINT 0
-#define LR_EMIT_BOX 1            /* filled evenly */
-#define LR_EMIT_SPHERE 2         /* filled evenly */
-#define LR_EMIT_DISC 3           /* filled evenly, in the plane of the shape's x and y axes */
-#define LR_EMIT_BOX_SURFACE 4    /* covered evenly */
-#define LR_EMIT_SPHERE_SURFACE 5 /* covered evenly if its three sizes are equal */
+/* Shapes in which an emitter spawns bodies. */
+typedef int32_t lr_emitter_shape;
+enum {
+    LR_EMIT_POINT = 0,
+    LR_EMIT_BOX = 1,            /* filled evenly */
+    LR_EMIT_SPHERE = 2,         /* filled evenly */
+    LR_EMIT_DISC = 3,           /* filled evenly, in the plane of the shape's x and y axes */
+    LR_EMIT_BOX_SURFACE = 4,    /* covered evenly */
+    LR_EMIT_SPHERE_SURFACE = 5, /* covered evenly if its three sizes are equal */
+};
 
-#define LR_POSE_RANDOM 0 /* every orientation is equally likely */
-#define LR_POSE_FIXED 1  /* body_orientation */
+/* Orientations of spawned bodies. */
+typedef int32_t lr_emitter_pose;
+enum {
+    LR_POSE_RANDOM = 0, /* every orientation is equally likely */
+    LR_POSE_FIXED = 1,  /* body_orientation */
+};
 
 /* How bodies of a batch spawn. Random values depend only on the world's seed, the body's noise seed, and the number of
  * times it has respawned. */
 typedef struct lr_emitter_desc {
     uint32_t struct_size;
-    int32_t shape;              /* LR_EMIT_*; default LR_EMIT_POINT */
+    lr_emitter_shape shape;     /* LR_EMIT_*; default LR_EMIT_POINT */
     float position[3];          /* m, centre of the shape; default 0 */
     float orientation[4];       /* of the shape, x y z w, normalised by the call; default 0 0 0 1 */
     float size[3];              /* m, half extents or semi-axes along the shape's own axes, 0 to 1e9; default 0 */
-    int32_t pose;               /* LR_POSE_*, of the bodies; default LR_POSE_RANDOM */
+    lr_emitter_pose pose;       /* LR_POSE_*, of the bodies; default LR_POSE_RANDOM */
     float body_orientation[4];  /* body to world, normalised by the call; default 0 0 0 1 */
     float direction[3];         /* of the velocity, world frame, any length but 0; default 0, -1, 0 */
     float spread;               /* rad, half angle of a cone about `direction`, filled evenly, 0 to pi; default 0 */

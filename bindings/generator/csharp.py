@@ -57,7 +57,7 @@ class Generator:
         # What the library only hands back to the caller is never looked into.
         if parameter["name"] in ("user", "task", "token"):
             return "IntPtr"
-        return self.type(parameter["type"], self.names.parameter_enum(function, parameter))
+        return self.type(parameter["type"], self.names.enum(parameter["type"]))
 
     # Documentation
 
@@ -77,7 +77,7 @@ class Generator:
     # Enums and limits
 
     def enum(self, entry):
-        name, base, flags, _, about = entry
+        name, base, flags, about = entry
         self.docs.local = {}
         members = self.names.members[name]
         text = about or next((c["about"] for _, c in members if c["about"]), "") or f"{name}."
@@ -150,7 +150,7 @@ public static bool operator !=({name} left, {name} right) {{ return left.Value !
         """(declaration, name, doc, offset, bytes) of every field in C#."""
         for field in struct["fields"]:
             name, type_, at = pascal(field["name"]), field["type"], field["offset"]
-            enum = self.names.field_enum(struct, field)
+            enum = self.names.enum(field["type"])
             doc = self.field_doc(struct, field, enum)
             if name == type_name(struct["name"]):
                 raise ValueError(f"{struct['name']}.{field['name']}: named as its type, which C# forbids")

@@ -43,7 +43,7 @@ class Docs:
         whole = name + ("_*" if any_ else "")
         if name.startswith("LR_ERROR"):
             return f"<c>Status.{csharp_names.pascal(name.removeprefix('LR_ERROR'))}*</c>"
-        enum = names.family(name) if any_ else None
+        enum = names.prefixes.get(name + "_") if any_ else None
         return f'<see cref="{enum}"/>' if enum else f"<c>{whole}</c>"
 
     def inline(self, text):

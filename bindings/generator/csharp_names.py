@@ -1,62 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What things of the header are called in C#: types, fields, and which enum each constant belongs to."""
+"""What things of the header are called in C#: types, fields and constants."""
 import re
 
-# Of values that are macros in the header (an enum with a typedef names itself), and so are the other tables that speak of enums:
-# (enum, base, flags, constants, what it is); the member's name is the first group. The first that matches takes a constant.
-ENUMS = [
-    ("Status", "int", False, r"LR_(?:ERROR_)?(OK|(?<=LR_ERROR_).+)", "What a call returns: Ok, or a negative error. Values are stable."),
-    ("LogLevel", "int", False, r"LR_LOG_(.+)", "Severity of a log message."),
-    ("SimdTarget", "int", False, r"LR_SIMD_(.+)", ""),
-    ("AssetFlags", "uint", True, r"LR_ASSET_(.+)", "Properties of an asset."),
-    ("VortexCore", "int", False, r"LR_VORTEX_(.+)", "The core of a vortex."),
-    ("WindOutside", "int", False, r"LR_WIND_OUTSIDE_(.+)", "The value of a wind grid outside its samples."),
-    ("LoadModel", "int", False, r"LR_LOADS_(.+)", "How the fluid's forces on bodies are computed."),
-    ("TurbulenceClock", "int", False, r"LR_CLOCK_(.+)", "The clock of a body's turbulence."),
-    ("TableEnd", "int", False, r"LR_TABLE_(.+)", "What happens after the last sample of a turbulence table."),
-    ("Integrator", "int", False, r"LR_INTEGRATOR_(.+)", "How motion is integrated."),
-    ("TransformFormat", "int", False, r"LR_TRANSFORM_(.+)", "Memory layouts of transforms, in floats."),
-    ("SleepState", "int", False, r"LR_SLEEP_(.+)", "Whether a body is awake or asleep."),
-    ("ForceMode", "int", False, r"LR_FORCE_MODE_(.+)", ""),
-    ("ForceFlags", "uint", True, r"LR_FORCE_(AT_POINT)", "Options of a force on one body."),
-    ("ForceFrame", "int", False, r"LR_FRAME_(.+)", "The frame that a force is given in."),
-    ("ColliderKind", "int", False, r"LR_COLLIDER_(.+)", ""),
-    ("MoveMode", "int", False, r"LR_MOVE_(.+)", "How a collider is moved."),
-    ("ContactFlags", "uint", True, r"LR_CONTACT_(NEVER_SLEEP)", "Options of a batch's contact."),
-    ("EventKind", "int", False, r"LR_EVENT_(.+)", "What happened to a body."),
-    ("EventKinds", "uint", True, r"LR_EVENTS_(.+)", ""),
-    ("RayFlags", "uint", True, r"LR_RAY_(.+)", "What a ray can hit."),
-    ("OverlapShape", "int", False, r"LR_OVERLAP_(.+)", "Shapes of overlap queries."),
-    ("EndAction", "int", False, r"LR_END_(.+)", "What happens to a body that its batch's rules end."),
-    ("DivergencePolicy", "int", False, r"LR_DIVERGENCE_(.+)", "What happens to a diverged body."),
-    ("VolumeShape", "int", False, r"LR_VOLUME_(.+)", "Shapes of kill volumes."),
-    ("KillSide", "int", False, r"LR_KILL_(.+)", "On which side of a kill volume bodies end."),
-    ("EmitterShape", "int", False, r"LR_EMIT_(.+)", "Shapes in which an emitter spawns bodies."),
-    ("EmitterPose", "int", False, r"LR_POSE_(.+)", "Orientations of spawned bodies."),
-    ("WorldChecks", "uint", True, r"LR_CHECK_(.+)", "Misuse to detect at run time."),
-    ("RecordingFlags", "uint", True, r"LR_RECORD_(.+)", "Options of a recording."),
-]
 LIMITS = r"LR_(MAX_.+)"
-
-# Where a comment's LR_X_* stands for another enum than its first constants would say, or says nothing.
-FIELD_ENUMS = {
-    ("lr_world_info", "simd_target"): "SimdTarget",
-    ("lr_batch_contact", "flags"): "ContactFlags",
-    ("lr_body_force", "flags"): "ForceFlags",
-    ("lr_event", "kind"): "EventKind",
-    ("lr_event_list", "kinds"): "EventKinds",
-}
-PARAMETER_ENUMS = {
-    ("lr_simd_targets", "targets"): "SimdTarget",
-    ("lr_simd_target_name", "target"): "SimdTarget",
-    ("lr_world_set_simd_target", "target"): "SimdTarget",
-    ("lr_batch_write_transforms", "format"): "TransformFormat",
-    ("lr_body_set_sleep", "sleep_state"): "SleepState",
-    ("lr_batch_set_divergence_policy", "policy"): "DivergencePolicy",
-    ("lr_batch_get_divergence_policy", "policy"): "DivergencePolicy",
-    ("lr_world_set_events", "kinds"): "EventKinds",
-    ("lr_log_fn", "level"): "LogLevel",
-}
 
 # UnityEngine has an Event and a Material.
 STRUCTS = {"lr_event": "BodyEvent", "lr_material": "ColliderMaterial"}
@@ -100,13 +46,11 @@ class Names:
         self.functions = {f["name"]: f for f in model["functions"]}
         self.callbacks = {c["name"]: c for c in model["callbacks"]}
         self.typed = {e["name"]: e for e in model["enums"]}
-        typed = [(type_name(e["name"]), SCALARS[e["of"]], e["of"] == "u32", None, e["doc"]) for e in model["enums"]]
-        taken = {entry[0] for entry in typed}
-        self.enums = typed + [entry for entry in ENUMS if entry[0] not in taken]
+        self.enums = [(type_name(e["name"]), SCALARS[e["of"]], e["of"] == "u32", e["doc"]) for e in model["enums"]]
+        self.prefixes = {e["prefix"]: type_name(e["name"]) for e in model["enums"]}
         self.enum_of, self.members, self.limits = {}, {e[0]: [] for e in self.enums}, []
         for constant in model["constants"]:
             self.place(constant)
-        self.enums = [entry for entry in self.enums if self.members[entry[0]]]
 
     def place(self, constant):
         name = constant["name"]
@@ -120,41 +64,9 @@ class Names:
             self.limits.append((pascal(match.group(1)), constant))
             self.enum_of[name] = ("Limits", pascal(match.group(1)))
             return
-        for enum, *_, pattern, _ in ENUMS:
-            if match := re.fullmatch(pattern, name):
-                member = pascal(match.group(1))
-                self.members[enum].append((member, constant))
-                self.enum_of[name] = (enum, member)
-                return
-        raise ValueError(f"{name}: no rule says which enum it belongs to: bindings/generator/csharp_names.py, ENUMS")
+        raise ValueError(f"{name}: neither a limit nor in an enum")
 
-    def family(self, prefix):
-        """The enum of the constants that begin like this."""
-        return next((enum for name, (enum, _) in self.enum_of.items() if name.startswith(prefix + "_")), None)
-
-    def field_enum(self, struct, field):
-        if "enum" in field["type"]:
-            return type_name(field["type"]["enum"])
-        key = (struct["name"], field["name"])
-        if key in FIELD_ENUMS:
-            return FIELD_ENUMS[key]
-        if field["type"].get("name") not in ("i32", "u32"):
-            return None
-        match = re.match(r"(?:bits )?(LR_[A-Z_]+?)_\*", field["doc"])
-        if match:
-            return self.family(match.group(1))
-        if field["type"]["name"] == "i32":
-            raise ValueError(f"{key}: an int32_t without an enum: bindings/generator/csharp_names.py, FIELD_ENUMS")
-        return None
-
-    def parameter_enum(self, function, parameter):
-        type_ = parameter["type"]
+    def enum(self, type_):
+        """The enum of a field's or parameter's values; None for plain numbers."""
         scalar = type_["to"] if type_["kind"] == "pointer" else type_
-        if "enum" in scalar:
-            return type_name(scalar["enum"])
-        key = (function, parameter["name"])
-        if key in PARAMETER_ENUMS:
-            return PARAMETER_ENUMS[key]
-        if scalar.get("name") == "i32" and parameter["name"] not in ("enabled", "present"):
-            raise ValueError(f"{key}: an int32_t without an enum: bindings/generator/csharp_names.py, PARAMETER_ENUMS")
-        return None
+        return type_name(scalar["enum"]) if "enum" in scalar else None

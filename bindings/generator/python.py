@@ -18,43 +18,6 @@ CTYPES = {"void": "None", "char": "ctypes.c_char", "f32": "ctypes.c_float", "f64
           **{f"{s}{b}": f"ctypes.c_{'u' if s == 'u' else ''}int{b}" for s in "iu" for b in (8, 16, 32, 64)}}
 HINTS = {"char": "str", "f32": "float", "f64": "float"}
 
-# Families of constants that are macros in the header, and not an enum with a typedef, which names itself: prefix, enumeration, whether its
-# members are bits, what it is. The longest prefix that fits counts.
-FAMILIES = [
-    ("LR_LOG_", "LogLevel", False, "Severity of a log message."),
-    ("LR_SIMD_", "SimdTarget", False, "Instruction sets, all of which give the same bits."),
-    ("LR_ASSET_", "AssetFlags", True, "Properties of an asset."),
-    ("LR_VORTEX_", "VortexCore", False, "The core of a vortex."),
-    ("LR_WIND_OUTSIDE_", "WindOutside", False, "The value of a wind grid outside its samples."),
-    ("LR_LOADS_", "Loads", False, "How the fluid's forces on bodies are computed."),
-    ("LR_CLOCK_", "Clock", False, "The clock of a body's turbulence."),
-    ("LR_TABLE_", "TableEnd", False, "What happens after the last sample of a turbulence table."),
-    ("LR_INTEGRATOR_", "Integrator", False, "How motion is integrated."),
-    ("LR_TRANSFORM_", "Transform", False, "Formats of transforms."),
-    ("LR_SLEEP_", "Sleep", False, "Whether a body is awake or asleep."),
-    ("LR_FORCE_MODE_", "ForceMode", False, "The unit and timing of a force."),
-    ("LR_FRAME_", "Frame", False, "The frame of a force."),
-    ("LR_FORCE_", "ForceFlags", True, "Where a force acts."),
-    ("LR_COLLIDER_", "ColliderKind", False, "Shapes of colliders."),
-    ("LR_MOVE_", "MoveMode", False, "How a collider moves."),
-    ("LR_CONTACT_NEVER_SLEEP", "ContactFlags", True, "Options of a batch's contact."),
-    ("LR_EVENT_", "EventKind", False, "What happened to a body."),
-    ("LR_EVENTS_", "EventKinds", True, "Which events are stored."),
-    ("LR_RAY_", "RayFlags", True, "What a ray can hit."),
-    ("LR_OVERLAP_", "OverlapShape", False, "Shapes of overlap queries."),
-    ("LR_END_", "EndAction", False, "What happens to a body that its batch's rules end."),
-    ("LR_DIVERGENCE_", "DivergencePolicy", False, "What happens to a diverged body."),
-    ("LR_VOLUME_", "VolumeShape", False, "Shapes of kill volumes."),
-    ("LR_KILL_", "KillSide", False, "On which side of a kill volume bodies end."),
-    ("LR_EMIT_", "EmitShape", False, "Shapes in which an emitter spawns bodies."),
-    ("LR_POSE_", "Pose", False, "Orientations of spawned bodies."),
-    ("LR_CHECK_", "WorldChecks", True, "Misuse to detect at run time."),
-    ("LR_RECORD_", "RecordingFlags", True, "Options of a recording."),
-    ("LR_MAX_", None, False, ""),
-    ("LR_OK", "Status", False, "Result of a call: exceptions hold it as `status`."),
-    ("LR_ERROR_", "Status", False, ""),
-]
-
 # Functions of `plain` that wrappers have by hand, in another way.
 HAND = {"lr_world_set_uniform_wind", "lr_world_set_water", "lr_world_set_events", "lr_batch_set_aerodynamics", "lr_body_set_state"}
 # Structs that other functions read back, or take as keywords, than those of `plain`.
@@ -68,9 +31,7 @@ GIVEN_OTHERWISE = {
     "lr_collider_desc": {"kind", "vertex_count", "triangle_count", "counts"},
     "lr_recording_desc": {"write", "user"}, "lr_turbulence_table": {"count"}, "lr_body_state": {"noise_seed", "sleep_state"},
 }
-TYPED = {}  # by constant, the families of enums with a typedef
-# Enumerations that are read back as such, from fields that are int32_t in the header.
-READ_AS = {"simd_target": "SimdTarget", "sleep_state": "Sleep"}
+ENUM_OF = {}  # by constant: the prefix that its enum's members share, the class, whether members are bits, its text
 RESERVED = re.compile(r"struct_size|reserved(_\d+)?$")
 
 
@@ -97,26 +58,15 @@ def plain_calls(model):
 def learn(model):
     for e in model["enums"]:
         entry = (e["prefix"], class_name(e["name"]), e["of"] == "u32", e["doc"].split("\n\n")[0] or class_name(e["name"]) + ".")
-        TYPED.update({constant["name"]: entry for constant in e["members"]})
+        ENUM_OF.update({constant["name"]: entry for constant in e["members"]})
 
 
 def field_enum(field):
     typed = field["type"].get("enum")
-    return class_name(typed) if typed else READ_AS.get(field["name"])
-
-
-def family(name):
-    if name in TYPED:
-        return TYPED[name]
-    fitting = [f for f in FAMILIES if name.startswith(f[0])]
-    if not fitting:
-        raise SystemExit(f"python.py: no family for the constant {name}: add one to FAMILIES")
-    return max(fitting, key=lambda f: len(f[0]))
+    return class_name(typed) if typed else None
 
 
 def member(name, prefix, enum):
-    if enum == "ContactFlags":
-        return "NEVER_SLEEP"
     short = name.replace("LR_ERROR_", "LR_") if enum == "Status" else name
     short = short[len("LR_" if enum == "Status" else prefix):]
     if short[0].isdigit():
@@ -128,17 +78,12 @@ def references(text):
     """Names of enumerations and their members instead of those of C constants, where a text speaks of one."""
     def name(match):
         word = match.group(0)
-        if word in TYPED:
-            prefix, enum, _, _ = TYPED[word]
+        if word in ENUM_OF:
+            prefix, enum, _, _ = ENUM_OF[word]
             return f"`{enum}.{member(word, prefix, enum)}`"
         if word.endswith("*"):
-            found = [f for f in [*TYPED.values(), *FAMILIES] if f[0] == word[:-1] and f[1]]
-            return f"`{found[0][1]}`" if found else word
-        fitting = [f for f in FAMILIES if word.startswith(f[0])]
-        if not fitting:
-            return word
-        prefix, enum, _, _ = max(fitting, key=lambda f: len(f[0]))
-        return f"`{enum}.{member(word, prefix, enum)}`" if enum else f"`{word[3:]}`"
+            return next((f"`{enum}`" for prefix, enum, _, _ in ENUM_OF.values() if prefix == word[:-1]), word)
+        return f"`{word[3:]}`" if word.startswith("LR_MAX_") else word
     return re.sub(r"\bLR_[A-Z0-9_]+\*?", name, text)
 
 
@@ -292,13 +237,13 @@ def native(model):
 def enums(model):
     found = {}
     for c in model["constants"]:
-        prefix, enum, bits, about = family(c["name"])
-        if enum is None:
+        if c["name"] not in ENUM_OF:
             continue
+        prefix, enum, bits, about = ENUM_OF[c["name"]]
         entry = found.setdefault(enum, {"bits": bits, "about": "", "members": []})
         entry["about"] = entry["about"] or about
         entry["members"].append((member(c["name"], prefix, enum), c["value"], " ".join(c["doc"].split())))
-    limits = [c for c in model["constants"] if family(c["name"])[1] is None]
+    limits = [c for c in model["constants"] if c["name"] not in ENUM_OF]
     out = [HEAD, '"""Constants of the library, as enumerations."""', "from enum import IntEnum, IntFlag", "",
            "__all__ = [", *[f"    {name!r}," for name in sorted(found) + [c['name'][3:] for c in limits]], "]", ""]
     for c in limits:
@@ -392,13 +337,8 @@ class OfWorld(Plain):
 
 
 def parameter_enum(parameter):
-    """Of one that has values with names, as its type or its text says."""
     type_ = parameter["type"]["to"] if parameter["type"]["kind"] == "pointer" else parameter["type"]
-    if "enum" in type_:
-        return class_name(type_["enum"])
-    word = re.search(r"\b(LR_[A-Z_]+_)\*", parameter["doc"])
-    found = [f[1] for f in FAMILIES if word and f[0] == word.group(1)]
-    return found[0] if found and type_["name"] in ("i32", "u32") else None
+    return class_name(type_["enum"]) if "enum" in type_ else None
 
 
 def given(parameter):
@@ -467,7 +407,7 @@ def plain_text(model):
         return sorted(n for n in found if re.search(rf"\b{n}\b", text))
     records = names({class_name(c["struct"]) for c in calls if c["struct"]})
     options = names({options_name(c["struct"]) for c in calls if c["struct"]})
-    enums = names({f[1] for f in [*FAMILIES, *TYPED.values()] if f[1]} - set(records))
+    enums = names({entry[1] for entry in ENUM_OF.values()} - set(records))
     enums = [e for e in enums if re.search(rf"(-> |return ){e}\b", text)]
     head = [HEAD, '"""Getters and setters that are no more than a call: bases of the classes that wrappers have by hand."""',
             "from __future__ import annotations", "", "import ctypes", "from typing import TYPE_CHECKING, Any, List, Mapping", "",

@@ -124,7 +124,7 @@ Push push_of(const lr_body_force& f, const Batch& batch, uint32_t index) {
 
 const char* wrong_in(const lr_body_force& f) {
     if (const char* why = unknown_in(f.mode, f.frame)) return why;
-    if (f.flags & ~LR_FORCE_AT_POINT) return "unknown flags";
+    if (f.flags & ~uint32_t{LR_FORCE_AT_POINT}) return "unknown flags";
     if ((f.flags & LR_FORCE_AT_POINT) && (f.mode == LR_FORCE_MODE_ACCELERATION || f.mode == LR_FORCE_MODE_VELOCITY))
         return "only forces and impulses act at a point";
     if (f.reserved != 0) return "reserved is not 0";

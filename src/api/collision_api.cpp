@@ -241,7 +241,7 @@ lr_status lr_batch_get_body_contact(const lr_world* world, lr_batch a, lr_batch 
 
 lr_status lr_world_set_events(lr_world* world, uint32_t capacity, uint32_t kinds) {
     const auto set = [](lr_world& w, uint32_t most, uint32_t wanted) -> Outcome {
-        if ((wanted & ~LR_EVENTS_ALL) != 0) return invalid("unknown kinds of events");
+        if ((wanted & ~uint32_t{LR_EVENTS_ALL}) != 0) return invalid("unknown kinds of events");
         if (most != 0 && wanted == 0) return invalid("capacity is not 0, but kinds is");
         return w.set_events(most, wanted);
     };

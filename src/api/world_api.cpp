@@ -8,7 +8,8 @@ static_assert(sizeof(lr_ray_hit) == 56);
 
 // Null when fine, else what is wrong. Of finite numbers only.
 const char* wrong_in(const lr_ray& r) {
-    if (r.flags == 0 || (r.flags & ~(LR_RAY_BODIES | LR_RAY_COLLIDERS)) != 0) return "flags are not bits LR_RAY_*";
+    if (r.flags == 0 || (r.flags & ~uint32_t{LR_RAY_BODIES | LR_RAY_COLLIDERS}) != 0)
+        return "flags are not bits LR_RAY_*";
     if (!within(r.origin, most_place)) return "origin is over 1e9 m";
     double square = 0.0;
     for (float x : r.direction) square += static_cast<double>(x) * static_cast<double>(x);
@@ -38,7 +39,7 @@ const char* wrong_in(const lr_world_desc& d) {
     if (!known_simd(d.simd_target)) return "unknown simd_target";
     if (!d.allocator.allocate != !d.allocator.release) return "one function of `allocator` is null, the other is not";
     if (!d.jobs.enqueue != !d.jobs.finish) return "one function of `jobs` is null, the other is not";
-    if ((d.checks & ~LR_CHECK_THREADS) != 0) return "unknown checks";
+    if ((d.checks & ~uint32_t{LR_CHECK_THREADS}) != 0) return "unknown checks";
     return d.reserved != 0 ? "reserved is not 0" : wrong_gravity(d.gravity);
 }
 
@@ -255,7 +256,7 @@ lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_
 lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc) {
     const auto start = [world](const lr_world&, const lr_recording_desc& d) -> Outcome {
         if (!d.write) return {LR_ERROR_NULL_ARGUMENT, "desc->write is null"};
-        if ((d.flags & ~LR_RECORD_CALLBACKS) != 0 || d.reserved != 0)
+        if ((d.flags & ~uint32_t{LR_RECORD_CALLBACKS}) != 0 || d.reserved != 0)
             return invalid("unknown flags, or reserved is not 0");
         if (world->recorder) return invalid("the world is already being recorded");
         recording::Recorder* const recorder = recording::Recorder::create(world->allocator, d);

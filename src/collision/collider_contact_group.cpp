@@ -47,7 +47,7 @@ float height_over(const Geometry& g, Vector at) {
 } // namespace
 
 const char* wrong_in(const lr_batch_contact& s) {
-    if ((s.flags & ~LR_CONTACT_NEVER_SLEEP) != 0 || s.reserved != 0)
+    if ((s.flags & ~uint32_t{LR_CONTACT_NEVER_SLEEP}) != 0 || s.reserved != 0)
         return "flags has an unknown bit, or reserved is not 0";
     if (const char* const wrong = wrong_material(s.friction, s.restitution)) return wrong;
     if (!in_range(s.rolling_resistance, 0.0, 10.0)) return "rolling_resistance is not 0 to 10";

@@ -9,8 +9,8 @@
 
 namespace lr {
 
-static_assert(outside_zero == LR_WIND_OUTSIDE_ZERO && outside_clamp == LR_WIND_OUTSIDE_CLAMP &&
-              outside_repeat == LR_WIND_OUTSIDE_REPEAT);
+static_assert(int{outside_zero} == LR_WIND_OUTSIDE_ZERO && int{outside_clamp} == LR_WIND_OUTSIDE_CLAMP &&
+              int{outside_repeat} == LR_WIND_OUTSIDE_REPEAT);
 namespace {
 
 // A sum of octaves with energies 1, e, e^2, e^3 of the first: Kolmogorov's spectrum, e = 2^(-2/3). Eddies of half the

@@ -185,7 +185,7 @@ TEST_CASE("a sphere rolls down without slipping, and slower by rolling resistanc
 TEST_CASE("a lid that lies on the ground or on a box stays where it is for ten minutes") {
     const Asset asset = make(rigid_box(0.2, 0.01, 0.15, 300.0));
     for (int32_t kind : {LR_COLLIDER_PLANE, LR_COLLIDER_BOX})
-        for (uint32_t flags : {0u, LR_CONTACT_NEVER_SLEEP}) {
+        for (uint32_t flags : {0u, uint32_t{LR_CONTACT_NEVER_SLEEP}}) {
             CAPTURE(kind);
             CAPTURE(flags);
             const World world = make(world_desc());

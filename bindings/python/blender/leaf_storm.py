@@ -165,7 +165,7 @@ def simulate(scene, asset, settings, progress=lambda part: None):
             if settings.turbulence > 0:
                 world.add_turbulence(rms=settings.turbulence, integral_length=1)
             batch = world.create_batch(asset, capacity=settings.count)
-            batch.set_emitter(shape=lr.EmitShape.BOX, position=np.array(settings.center) * metres,
+            batch.set_emitter(shape=lr.EmitterShape.BOX, position=np.array(settings.center) * metres,
                               size=np.array(settings.size) * metres / 2, rate=settings.rate,
                               scale_min=1 - settings.variation, scale_max=1 + settings.variation)
             if settings.lifetime > 0:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Sequence, TypedDict
 import numpy as np
 
 from ._record import Record
-from .enums import SimdTarget, Sleep
+from .enums import AssetFlags, ColliderKind, ContactFlags, EmitterPose, EmitterShape, EndAction, SimdTarget, SleepState
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -296,7 +296,7 @@ class EmitterOptions(TypedDict, total=False):
 
 
 class Aerodynamics(Record):
-    """Coefficients of the quasi-steady loads (`Loads.AERODYNAMIC`) at scale 1; equations: docs/maintainers/physics.md,
+    """Coefficients of the quasi-steady loads (`LoadModel.AERODYNAMIC`) at scale 1; equations: docs/maintainers/physics.md,
     AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
     Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
     lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
@@ -371,7 +371,7 @@ class AssetInfo(Record):
     content_hash: of everything that affects motion; equal for equal assets
     """
     __slots__ = ('flags', 'name', 'mass', 'volume', 'density', 'center_of_mass', 'center_of_buoyancy', 'inertia', 'added_mass', 'fluid_density', 'fluid_viscosity', 'length_d', 'length_b', 'length_l', 'u0', 'reynolds', 'c0', 'turbulence_dt', 'turbulence_count', 'hull_vertex_count', 'hull_triangle_count', 'format_version', 'content_hash')
-    flags: int
+    flags: AssetFlags
     name: str
     mass: float
     volume: float
@@ -394,6 +394,7 @@ class AssetInfo(Record):
     hull_triangle_count: int
     format_version: int
     content_hash: int
+    _enums = {'flags': AssetFlags}
 
 
 class WorldInfo(Record):
@@ -538,7 +539,7 @@ class BodyState(Record):
     angular_velocity: rad/s, world frame
     scale: 0.001 to 1000
     age: s, 0 to 1e9
-    sleep_state: `Sleep`; read only
+    sleep_state: `SleepState`; read only
     user: as in lr_body_desc
     """
     __slots__ = ('noise_seed', 'position', 'orientation', 'linear_velocity', 'angular_velocity', 'scale', 'age', 'sleep_state', 'user')
@@ -549,9 +550,9 @@ class BodyState(Record):
     angular_velocity: np.ndarray
     scale: float
     age: float
-    sleep_state: Sleep
+    sleep_state: SleepState
     user: int
-    _enums = {'sleep_state': Sleep}
+    _enums = {'sleep_state': SleepState}
 
 
 class BatchForce(Record):
@@ -591,7 +592,7 @@ class ColliderState(Record):
     flags: 0
     """
     __slots__ = ('kind', 'position', 'orientation', 'linear_velocity', 'angular_velocity', 'friction', 'restitution', 'layers', 'flags')
-    kind: int
+    kind: ColliderKind
     position: np.ndarray
     orientation: np.ndarray
     linear_velocity: np.ndarray
@@ -600,6 +601,7 @@ class ColliderState(Record):
     restitution: float
     layers: int
     flags: int
+    _enums = {'kind': ColliderKind}
 
 
 class BatchContact(Record):
@@ -618,8 +620,9 @@ class BatchContact(Record):
     friction: float
     restitution: float
     rolling_resistance: float
-    flags: int
+    flags: ContactFlags
     ground_effect: float
+    _enums = {'flags': ContactFlags}
 
 
 class BatchRules(Record):
@@ -632,21 +635,22 @@ class BatchRules(Record):
     volumes: tested with the centre of mass
     """
     __slots__ = ('action', 'max_age', 'volume_count', 'volumes')
-    action: int
+    action: EndAction
     max_age: float
     volume_count: int
     volumes: np.ndarray
+    _enums = {'action': EndAction}
 
 
 class Emitter(Record):
     """How bodies of a batch spawn. Random values depend only on the world's seed, the body's noise seed, and the number of
     times it has respawned.
 
-    shape: `EmitShape`; default `EmitShape.POINT`
+    shape: `EmitterShape`; default `EmitterShape.POINT`
     position: m, centre of the shape; default 0
     orientation: of the shape, x y z w, normalised by the call; default 0 0 0 1
     size: m, half extents or semi-axes along the shape's own axes, 0 to 1e9; default 0
-    pose: `Pose`, of the bodies; default `Pose.RANDOM`
+    pose: `EmitterPose`, of the bodies; default `EmitterPose.RANDOM`
     body_orientation: body to world, normalised by the call; default 0 0 0 1
     direction: of the velocity, world frame, any length but 0; default 0, -1, 0
     spread: rad, half angle of a cone about `direction`, filled evenly, 0 to pi; default 0
@@ -661,11 +665,11 @@ class Emitter(Record):
     burst_count: spawns in each burst; default 0: no bursts
     """
     __slots__ = ('shape', 'position', 'orientation', 'size', 'pose', 'body_orientation', 'direction', 'spread', 'speed_min', 'speed_max', 'spin_min', 'spin_max', 'scale_min', 'scale_max', 'rate', 'burst_interval', 'burst_count')
-    shape: int
+    shape: EmitterShape
     position: np.ndarray
     orientation: np.ndarray
     size: np.ndarray
-    pose: int
+    pose: EmitterPose
     body_orientation: np.ndarray
     direction: np.ndarray
     spread: float
@@ -678,6 +682,7 @@ class Emitter(Record):
     rate: float
     burst_interval: float
     burst_count: int
+    _enums = {'shape': EmitterShape, 'pose': EmitterPose}
 
 
 class BatchCounts(Record):

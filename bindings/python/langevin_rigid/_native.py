@@ -1026,7 +1026,7 @@ FIELD_DOCS = {
         'log': 'default null: no messages',
         'log_user': '',
         'jobs': 'copied; default null functions: the world starts worker_count threads of its own',
-        'checks': 'bits `WorldChecks`: misuse to detect, for development; default 0',
+        'checks': 'bits `CheckFlags`: misuse to detect, for development; default 0',
     },
     'lr_world_info': {
         'simd_target': '`SimdTarget`: in use, never `SimdTarget.AUTO`',
@@ -1149,7 +1149,7 @@ FIELD_DOCS = {
         'events': 'listing and sorting them',
     },
     'lr_recording_desc': {
-        'flags': 'bits `RecordingFlags`; default `RecordingFlags.CALLBACKS`',
+        'flags': 'bits `RecordFlags`; default `RecordFlags.CALLBACKS`',
         'hash_interval': 'steps between recorded hashes of the world; 0: none; default 1',
         'write': 'required',
         'user': '',
@@ -1157,8 +1157,8 @@ FIELD_DOCS = {
     'lr_batch_desc': {
         'capacity': 'the most bodies at a time, 1 to 2^26; memory for all is allocated at creation',
         'asset': 'required; the batch keeps a reference until it is destroyed',
-        'load_model': '`Loads`; default `Loads.DEFAULT`',
-        'clock': '`Clock`; default `Clock.SPEED`',
+        'load_model': '`LoadModel`; default `LoadModel.DEFAULT`',
+        'clock': '`TurbulenceClock`; default `TurbulenceClock.SPEED`',
         'table_end': '`TableEnd`; default `TableEnd.CLAMP`',
         'integrator': '`Integrator`; default `Integrator.DEFAULT`',
         'damping_gain': 'multiplies the turbulent damping, 0 to 100; default 1',
@@ -1169,10 +1169,10 @@ FIELD_DOCS = {
         'chi': '1/s, turbulent frequency epsilon / k, `count` values >= 0',
         'epsilon': 'm^2/s^3, dissipation rate, `count` values >= 0',
         'dt': 's between samples, > 0',
-        'u0': 'm/s, the speed that the table was made at, > 0; `Clock.SPEED` scales by it',
+        'u0': 'm/s, the speed that the table was made at, > 0; `TurbulenceClock.SPEED` scales by it',
         'l': 'm, the length that the table was made with, > 0',
         'c0': 'Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number',
-        'stationary': 'the sample that `Clock.SPEED` uses, < count; default 0',
+        'stationary': 'the sample that `TurbulenceClock.SPEED` uses, < count; default 0',
     },
     'lr_load_gains': {
         'drag': 'on translation, 0 to 100; default 1',
@@ -1221,13 +1221,13 @@ FIELD_DOCS = {
         'angular_velocity': 'rad/s, world frame',
         'scale': '0.001 to 1000',
         'age': 's, 0 to 1e9',
-        'sleep_state': '`Sleep`; read only',
+        'sleep_state': '`SleepState`; read only',
         'user': 'as in lr_body_desc',
     },
     'lr_body_force': {
         'mode': '`ForceMode`; default `ForceMode.FORCE`',
         'body': '',
-        'frame': '`Frame`, of force, torque and point; default `Frame.WORLD`',
+        'frame': '`ForceFrame`, of force, torque and point; default `ForceFrame.WORLD`',
         'flags': '`ForceFlags`; default 0',
         'force': 'default 0',
         'torque': 'about the centre of mass; default 0',
@@ -1235,7 +1235,7 @@ FIELD_DOCS = {
     },
     'lr_force_arrays': {
         'mode': '`ForceMode`; default `ForceMode.FORCE`',
-        'frame': '`Frame`; default `Frame.WORLD`',
+        'frame': '`ForceFrame`; default `ForceFrame.WORLD`',
         'first': 'index in the view of the first body; default 0',
         'count': 'bodies',
         'stride': "bytes from one body's value to the next, a multiple of 4; default 0: 4, no gaps",
@@ -1358,11 +1358,11 @@ FIELD_DOCS = {
         'volumes': 'tested with the centre of mass',
     },
     'lr_emitter_desc': {
-        'shape': '`EmitShape`; default `EmitShape.POINT`',
+        'shape': '`EmitterShape`; default `EmitterShape.POINT`',
         'position': 'm, centre of the shape; default 0',
         'orientation': 'of the shape, x y z w, normalised by the call; default 0 0 0 1',
         'size': "m, half extents or semi-axes along the shape's own axes, 0 to 1e9; default 0",
-        'pose': '`Pose`, of the bodies; default `Pose.RANDOM`',
+        'pose': '`EmitterPose`, of the bodies; default `EmitterPose.RANDOM`',
         'body_orientation': 'body to world, normalised by the call; default 0 0 0 1',
         'direction': 'of the velocity, world frame, any length but 0; default 0, -1, 0',
         'spread': 'rad, half angle of a cone about `direction`, filled evenly, 0 to pi; default 0',
@@ -1474,7 +1474,7 @@ PROTOTYPES = {
         ctypes.c_int32,
         [ctypes.POINTER(ctypes.c_int32), ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint32)],
         ('targets', 'capacity', 'count'),
-        """lr_status lr_simd_targets(int32_t* targets, uint32_t capacity, uint32_t* count)
+        """lr_status lr_simd_targets(lr_simd_target* targets, uint32_t capacity, uint32_t* count)
 
         Lists the instruction sets that this build contains and this processor supports, best first.
 
@@ -1490,7 +1490,7 @@ PROTOTYPES = {
         ctypes.c_char_p,
         [ctypes.c_int32],
         ('target',),
-        """const char* lr_simd_target_name(int32_t target)
+        """const char* lr_simd_target_name(lr_simd_target target)
 
         A display name: "AVX-512", "AVX2", "SSE4", "NEON", "WebAssembly", "plain", "auto" or "unknown". Never null; static
         storage.
@@ -1750,7 +1750,7 @@ PROTOTYPES = {
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_int32],
         ('world', 'target'),
-        """lr_status lr_world_set_simd_target(lr_world* world, int32_t target)
+        """lr_status lr_world_set_simd_target(lr_world* world, lr_simd_target target)
 
         Sets the instruction set from the next step on. Results do not change.
 
@@ -2632,7 +2632,7 @@ PROTOTYPES = {
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint32)],
         ('world', 'batch', 'format', 'dst', 'stride', 'count', 'written'),
-        """lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride, uint32_t count, uint32_t* written)
+        """lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, lr_transform_format format, void* dst, uint64_t stride, uint32_t count, uint32_t* written)
 
         Writes the transforms of a batch's first `count` bodies, or of all if there are fewer, in the order of its view. Draw
         a mesh whose origin is the centre of mass (lr_asset_info.center_of_mass). Bodies of a waiting batch
@@ -2752,7 +2752,7 @@ PROTOTYPES = {
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.POINTER(ctypes.c_uint64), ctypes.c_uint32, ctypes.c_int32],
         ('world', 'bodies', 'count', 'sleep_state'),
-        """lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, int32_t sleep_state)
+        """lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, lr_sleep_state sleep_state)
 
         Puts bodies of any batches to sleep or wakes them, all or none. Bodies may already be in that state, and ids may
         repeat. A sleeping body does not move, whatever acts on it, and adds no cost to a step. Its velocities and pending
@@ -3085,7 +3085,7 @@ PROTOTYPES = {
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_uint32],
         ('world', 'capacity', 'kinds'),
-        """lr_status lr_world_set_events(lr_world* world, uint32_t capacity, uint32_t kinds)
+        """lr_status lr_world_set_events(lr_world* world, uint32_t capacity, lr_event_kinds kinds)
 
         Enables events; at most `capacity` are stored per step. Contacts that already exist do not begin again. capacity 0
         disables events. All memory is allocated here and by lr_batch_create, none in steps: 64 bytes per event, and 233 for
@@ -3232,7 +3232,7 @@ PROTOTYPES = {
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_int32],
         ('world', 'batch', 'policy'),
-        """lr_status lr_batch_set_divergence_policy(lr_world* world, lr_batch batch, int32_t policy)
+        """lr_status lr_batch_set_divergence_policy(lr_world* world, lr_batch batch, lr_divergence_policy policy)
 
         Sets how a batch treats diverged bodies: those with a number that is not finite, a coordinate over 1e10 m, a velocity
         over 2e6 m/s or 1e9 rad/s, or an invalid orientation. Bodies diverge through extreme forces, an unstable integrator,
@@ -3256,7 +3256,7 @@ PROTOTYPES = {
         ctypes.c_int32,
         [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(ctypes.c_int32)],
         ('world', 'batch', 'policy'),
-        """lr_status lr_batch_get_divergence_policy(const lr_world* world, lr_batch batch, int32_t* policy)
+        """lr_status lr_batch_get_divergence_policy(const lr_world* world, lr_batch batch, lr_divergence_policy* policy)
 
         Reads how a batch treats diverged bodies.
 

@@ -12,7 +12,7 @@ from . import _native as native
 from ._fields import Aerodynamics, BatchRules, Emitter
 from ._plain import BatchPlain
 from ._structs import address, as_fields, contiguous, elements, init, takes, vectors
-from .enums import ForceMode, Frame, Transform
+from .enums import ForceFrame, ForceMode, TransformFormat
 from .view import View
 
 if TYPE_CHECKING:
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from .world import World
 
 SHAPES = {
-    Transform.POSITION_QUATERNION: (7,), Transform.POSITION_QUATERNION_SCALE: (8,), Transform.MATRIX_3X4_ROW_MAJOR: (3, 4),
-    Transform.MATRIX_3X4_COLUMN_MAJOR: (4, 3), Transform.MATRIX_4X4_ROW_MAJOR: (4, 4), Transform.MATRIX_4X4_COLUMN_MAJOR: (4, 4),
+    TransformFormat.POSITION_QUATERNION: (7,), TransformFormat.POSITION_QUATERNION_SCALE: (8,), TransformFormat.MATRIX_3X4_ROW_MAJOR: (3, 4),
+    TransformFormat.MATRIX_3X4_COLUMN_MAJOR: (4, 3), TransformFormat.MATRIX_4X4_ROW_MAJOR: (4, 4), TransformFormat.MATRIX_4X4_COLUMN_MAJOR: (4, 4),
 }
 
 
@@ -95,7 +95,7 @@ class Batch(BatchPlain):
         """Ids of all bodies, in the order of the view; a copy."""
         return self.view().ids.copy()
 
-    def transforms(self, format: int = Transform.MATRIX_4X4_ROW_MAJOR, out: Optional[np.ndarray] = None,
+    def transforms(self, format: int = TransformFormat.MATRIX_4X4_ROW_MAJOR, out: Optional[np.ndarray] = None,
                    first: Optional[int] = None) -> np.ndarray:
         """The transforms of all bodies, in the order of the view, or of the `first` ones if given.
 
@@ -103,7 +103,7 @@ class Batch(BatchPlain):
         to the next: a field of a structured array will do. Returns the part of it that was written.
         The mesh to be drawn must have its origin at the centre of mass (`asset.info.center_of_mass`).
         """
-        format = Transform(format)
+        format = TransformFormat(format)
         shape = SHAPES[format]
         if out is None:
             out = np.empty((len(self) if first is None else min(first, len(self)), *shape), np.float32)
@@ -136,7 +136,7 @@ class Batch(BatchPlain):
 
     # What acts on the bodies.
 
-    def add_forces(self, force: Any = None, torque: Any = None, mode: int = ForceMode.FORCE, frame: int = Frame.WORLD,
+    def add_forces(self, force: Any = None, torque: Any = None, mode: int = ForceMode.FORCE, frame: int = ForceFrame.WORLD,
                    first: int = 0) -> None:
         """Forces on bodies [first, first + count) in the order of the view: arrays of shape (count, 3), or three of (count,).
         float32 without gaps is not copied."""

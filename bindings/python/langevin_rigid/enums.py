@@ -6,35 +6,35 @@ from enum import IntEnum, IntFlag
 
 __all__ = [
     'AssetFlags',
-    'Clock',
+    'CheckFlags',
     'ColliderKind',
     'ContactFlags',
     'DivergencePolicy',
-    'EmitShape',
+    'EmitterPose',
+    'EmitterShape',
     'EndAction',
     'EventKind',
     'EventKinds',
     'ForceFlags',
+    'ForceFrame',
     'ForceMode',
-    'Frame',
     'Integrator',
     'KillSide',
-    'Loads',
+    'LoadModel',
     'LogLevel',
     'MoveMode',
     'OverlapShape',
-    'Pose',
     'RayFlags',
-    'RecordingFlags',
+    'RecordFlags',
     'SimdTarget',
-    'Sleep',
+    'SleepState',
     'Status',
     'TableEnd',
-    'Transform',
+    'TransformFormat',
+    'TurbulenceClock',
     'VolumeShape',
     'VortexCore',
     'WindOutside',
-    'WorldChecks',
     'MAX_SUBSTEP',
     'MAX_SUBSTEPS',
     'MAX_WIND_SOURCES',
@@ -58,7 +58,7 @@ MAX_KILL_VOLUMES = 8
 
 
 class Status(IntEnum):
-    """Result of a call: exceptions hold it as `status`."""
+    """LR_OK, or a negative error. Values never change."""
     OK = 0
     NULL_ARGUMENT = -1  # a required pointer is null
     STRUCT_SIZE = -2  # struct_size is below every released size, or an unknown tail is not 0
@@ -87,8 +87,8 @@ class Status(IntEnum):
     INTERNAL = -25  # a bug in the library: please report it
     STALE_WIND_SOURCE = -26  # the wind source was removed, or never existed
     STALE_COLLIDER = -27  # the collider was destroyed, or never existed
-    CONCURRENT_USE = -28  # another thread is inside a call on this world: see `WorldChecks.THREADS`
-    REENTRANT = -29  # called from one of this world's callbacks: see `WorldChecks.THREADS`
+    CONCURRENT_USE = -28  # another thread is inside a call on this world: see `CheckFlags.THREADS`
+    REENTRANT = -29  # called from one of this world's callbacks: see `CheckFlags.THREADS`
 
 
 class LogLevel(IntEnum):
@@ -99,7 +99,8 @@ class LogLevel(IntEnum):
 
 
 class SimdTarget(IntEnum):
-    """Instruction sets, all of which give the same bits."""
+    """Instruction sets. All give the same bits, so force one only for tests and measurements. LR_SIMD_AUTO picks the best
+that the processor supports."""
     AUTO = 0
     SSE4 = 1  # with SSE4.2, AES and PCLMUL: the minimum on x86-64
     AVX2 = 2
@@ -110,12 +111,16 @@ class SimdTarget(IntEnum):
 
 
 class AssetFlags(IntFlag):
-    """Properties of an asset."""
+    """Bits that describe an asset."""
     DIAGONAL = 1  # diagonal in body axes, buoyancy at the centre of mass: the fast path applies
 
 
-class WorldChecks(IntFlag):
-    """Misuse to detect at run time."""
+class CheckFlags(IntFlag):
+    """Refuses a call on a world while another thread is inside one, and a call from one of the world's own callbacks (wind,
+water surface, allocator, log, job system, recording). The refused call changes nothing, a message names both
+functions, and the call in progress continues unharmed. A refused lr_world_destroy leaks the world; a refused
+lr_world_snapshot_size returns 0. Calls after lr_world_destroy has returned are not detected. Without this bit all
+such calls are undefined behaviour. docs/reference/stepping.md"""
     THREADS = 1
 
 
@@ -132,20 +137,21 @@ class WindOutside(IntEnum):
     REPEAT = 2  # the grid repeats: its first sample follows its last
 
 
-class RecordingFlags(IntFlag):
-    """Options of a recording."""
+class RecordFlags(IntFlag):
+    """Records the results of wind and water callbacks, up to 72 bytes per body and substep for each callback. Without them
+a replay stops at the first callback."""
     CALLBACKS = 1
 
 
-class Loads(IntEnum):
+class LoadModel(IntEnum):
     """How the fluid's forces on bodies are computed."""
-    DEFAULT = 0  # `Loads.AERODYNAMIC` in this version
+    DEFAULT = 0  # `LoadModel.AERODYNAMIC` in this version
     NONE = 1  # gravity, buoyancy and added mass only: Kirchhoff's equations
     LANGEVIN = 2  # the paper's turbulent loads, dimensionally repaired; docs/maintainers/physics.md, 4
     AERODYNAMIC = 3  # quasi-steady drag and lift in a turbulent fluid; docs/maintainers/physics.md, 5
 
 
-class Clock(IntEnum):
+class TurbulenceClock(IntEnum):
     """The clock of a body's turbulence."""
     SPEED = 0  # turbulence scales with the body's current speed through the fluid
     AGE = 1  # the paper's: turbulence follows the table by the body's age
@@ -153,8 +159,8 @@ class Clock(IntEnum):
 
 class TableEnd(IntEnum):
     """What happens after the last sample of a turbulence table."""
-    CLAMP = 0  # `Clock.AGE`: hold the last sample after the end of the table
-    LOOP = 1  # `Clock.AGE`: start over
+    CLAMP = 0  # `TurbulenceClock.AGE`: hold the last sample after the end of the table
+    LOOP = 1  # `TurbulenceClock.AGE`: start over
 
 
 class Integrator(IntEnum):
@@ -164,8 +170,8 @@ class Integrator(IntEnum):
     SPLITTING = 2  # second order, stable at any step; docs/maintainers/numerics.md
 
 
-class Transform(IntEnum):
-    """Formats of transforms."""
+class TransformFormat(IntEnum):
+    """Formats of transforms, in floats."""
     POSITION_QUATERNION = 0  # 7 floats: position, quaternion x y z w
     POSITION_QUATERNION_SCALE = 1  # 8 floats: position, quaternion x y z w, scale
     MATRIX_3X4_ROW_MAJOR = 2  # 12 floats: three rows, rotation times scale and translation
@@ -174,7 +180,7 @@ class Transform(IntEnum):
     MATRIX_4X4_COLUMN_MAJOR = 5  # 16 floats; column vectors, translation in elements 12, 13, 14
 
 
-class Sleep(IntEnum):
+class SleepState(IntEnum):
     """Whether a body is awake or asleep."""
     AWAKE = 0
     ASLEEP = 1
@@ -182,26 +188,38 @@ class Sleep(IntEnum):
 
 
 class ForceMode(IntEnum):
-    """The unit and timing of a force."""
+    """The unit and timing of a force. Forces and accelerations act over the whole next step, at the body's orientation in
+each substep, and are then gone; those of several calls add up. Impulses and velocities act at once. A force or
+impulse also moves the added mass of fluid, (M + added)^-1 F; an acceleration or velocity takes full effect whatever
+the mass."""
     FORCE = 0  # N, N m
     ACCELERATION = 1  # m/s^2, rad/s^2
     IMPULSE = 2  # N s, N m s
     VELOCITY = 3  # m/s, rad/s: added to the body's
 
 
-class Frame(IntEnum):
-    """The frame of a force."""
+class ForceFrame(IntEnum):
+    """The frame that a force is given in."""
     WORLD = 0
     BODY = 1  # rotates with the body
 
 
 class ForceFlags(IntFlag):
-    """Where a force acts."""
+    """Options of a force on one body."""
     AT_POINT = 1  # `force` acts at `point`, not at the centre of mass; forces and impulses only
 
 
 class ColliderKind(IntEnum):
-    """Shapes of colliders."""
+    """Shapes of colliders, in a frame of their own that `position` and `orientation` place in the world. size[] holds
+  PLANE        nothing: everything below y = 0 is solid, without bounds
+  SPHERE       the radius
+  CAPSULE      the radius, and half the length of its axis from (0, -size[1], 0) to (0, size[1], 0)
+  BOX          half extents along x, y, z
+  HULL         nothing: the convex hull of `vertices`
+  HEIGHTFIELD  nothing: solid below its surface, along -y. Sample (i, k) lies at
+               (i spacing[0], heights[i + counts[0] k], k spacing[1]); the diagonal from (i, k) to (i + 1, k + 1)
+               splits each cell into two triangles
+  MESH         nothing: triangles without an inside. Both sides collide, and winding does not matter"""
     PLANE = 1
     SPHERE = 2
     CAPSULE = 3
@@ -212,7 +230,7 @@ class ColliderKind(IntEnum):
 
 
 class MoveMode(IntEnum):
-    """How a collider moves."""
+    """How a collider is moved."""
     TO = 1  # sweeps to this pose during the next step, then stands still
     PLACE = 2  # teleports to this pose, and moves with these velocities from now on
     VELOCITY = 3  # keeps its pose, and moves with these velocities from now on
@@ -236,7 +254,7 @@ class EventKind(IntEnum):
 
 
 class EventKinds(IntFlag):
-    """Which events are stored."""
+    """Bits for lr_world_set_events."""
     SPAWNED = 1
     HIT = 2
     LIFTED = 4
@@ -286,7 +304,7 @@ class DivergencePolicy(IntEnum):
     REMOVE = 2  # the body respawns if the batch's rules respawn, else it is destroyed
 
 
-class EmitShape(IntEnum):
+class EmitterShape(IntEnum):
     """Shapes in which an emitter spawns bodies."""
     POINT = 0
     BOX = 1  # filled evenly
@@ -296,7 +314,7 @@ class EmitShape(IntEnum):
     SPHERE_SURFACE = 5  # covered evenly if its three sizes are equal
 
 
-class Pose(IntEnum):
+class EmitterPose(IntEnum):
     """Orientations of spawned bodies."""
     RANDOM = 0  # every orientation is equally likely
     FIXED = 1  # body_orientation

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, List, NamedTuple, Tuple, 
 
 import numpy as np
 
-from .enums import Transform
+from .enums import TransformFormat
 from .view import turned
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class Recording:
 
     def capture(self, batch: "Batch") -> RecordedFrame:
         """Adds the present state of a batch as the next frame."""
-        placed = batch.transforms(Transform.POSITION_QUATERNION_SCALE)
+        placed = batch.transforms(TransformFormat.POSITION_QUATERNION_SCALE)
         view = batch.view()
         lives = self._lives_of(view.ids, view.age)
         order = np.argsort(lives, kind="stable")

@@ -17,7 +17,7 @@ from .air import AirMixin, WindSource
 from .batch import Batch
 from .callbacks import Guard, job_callbacks, log_callback, record_callback
 from .contact import Collider, ContactMixin
-from .enums import ForceFlags, ForceMode, Frame, LogLevel, Sleep
+from .enums import ForceFlags, ForceFrame, ForceMode, LogLevel, SleepState
 from .errors import BusyError, ClosedError
 from .queries import QueryMixin
 
@@ -237,8 +237,8 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         state = make(native.lr_body_state, {**self.state(body).as_dict(), **fields}, keep)
         self._change("lr_body_set_state", int(body), ctypes.byref(state))
 
-    def set_sleep(self, bodies: "ArrayLike", sleep: int = Sleep.ASLEEP) -> None:
-        """Puts bodies to sleep, or wakes them with Sleep.AWAKE."""
+    def set_sleep(self, bodies: "ArrayLike", sleep: int = SleepState.ASLEEP) -> None:
+        """Puts bodies to sleep, or wakes them with SleepState.AWAKE."""
         ids, pointer, count = body_ids(bodies)
         self._change("lr_body_set_sleep", pointer, count, int(sleep))
 
@@ -251,7 +251,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         return woken.value
 
     def add_forces(self, bodies: "ArrayLike", force: Any = 0.0, torque: Any = 0.0, point: Any = None,
-                   mode: int = ForceMode.FORCE, frame: int = Frame.WORLD) -> None:
+                   mode: int = ForceMode.FORCE, frame: int = ForceFrame.WORLD) -> None:
         """Forces on bodies of any batches, vectors of shape (3,) or (count, 3). point: where `force` acts, else at the centre of
         mass. `Batch.add_forces` is faster for bodies of one batch."""
         ids, _, count = body_ids(bodies)

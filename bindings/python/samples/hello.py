@@ -24,7 +24,7 @@ with lr.World(seed=1) as world:
     transforms = np.empty((BODIES, 3, 4), np.float32)
     for _ in range(120):
         world.step(np.float32(1) / np.float32(60), substeps=4)
-        batch.transforms(lr.Transform.MATRIX_3X4_ROW_MAJOR, out=transforms)
+        batch.transforms(lr.TransformFormat.MATRIX_3X4_ROW_MAJOR, out=transforms)
 
     print("leaf  fallen m  aside m  speed down m/s  spin y rad/s")
     for i, body in enumerate(ids):

@@ -36,7 +36,7 @@ with lr.World(seed=7) as world:
     world.add_gusts(direction=(1, 0, 0), rms=1.5, integral_time=2)
     world.add_turbulence(rms=0.5, integral_length=1)
     batch = world.create_batch(leaf, capacity=options.count)
-    batch.set_emitter(shape=lr.EmitShape.BOX, position=(0, 3, 0), size=(2, 0.5, 2), scale_min=0.7, scale_max=1.3)
+    batch.set_emitter(shape=lr.EmitterShape.BOX, position=(0, 3, 0), size=(2, 0.5, 2), scale_min=0.7, scale_max=1.3)
     batch.emit(options.count)
     for _ in range(options.frames):
         recording.capture(batch)

@@ -308,7 +308,7 @@ class Storms(WorldCase):
             self.batch.emit(1)
 
     def test_bodies_that_leave_physics(self):
-        calm = self.world.create_batch(thin_leaf(), 10, load_model=lr.Loads.NONE)
+        calm = self.world.create_batch(thin_leaf(), 10, load_model=lr.LoadModel.NONE)
         self.world.keep_events(100)
         self.assertEqual(calm.divergence_policy, lr.DivergencePolicy.AUTO)
         ids = calm.create(position=[(0, 0, 0), (1, 0, 0), (2, 0, 0)])
@@ -320,7 +320,7 @@ class Storms(WorldCase):
             told = self.world.events.of(lr.EventKind.DIVERGED)
             self.assertEqual(told["body"].tolist(), [int(body)])
             self.assertEqual((calm.counts.diverged, len(calm.ids)), (1, left))
-        self.assertEqual(self.world.state(ids[0]).sleep_state, lr.Sleep.HELD)
+        self.assertEqual(self.world.state(ids[0]).sleep_state, lr.SleepState.HELD)
         self.assertEqual(calm.counts.total_diverged, 2)
         with self.assertRaises(lr.InvalidArgumentError):
             calm.divergence_policy = 9

@@ -16,7 +16,7 @@ def storm(frames=12, fps=30.0):
     recording = lr.Recording(fps=fps, first_frame=5)
     with lr.World(seed=9) as world:
         batch = world.create_batch(thin_leaf(), 40)
-        batch.set_emitter(shape=lr.EmitShape.BOX, size=(1, 1, 1), rate=60, speed_max=2, spin_max=9, scale_min=0.5, scale_max=2)
+        batch.set_emitter(shape=lr.EmitterShape.BOX, size=(1, 1, 1), rate=60, speed_max=2, spin_max=9, scale_min=0.5, scale_max=2)
         batch.set_rules(max_age=0.2)
         for _ in range(frames):
             recording.capture(batch)

@@ -73,7 +73,7 @@ class Layout(unittest.TestCase):
             self.assertEqual(wanted, list(native.PROTOTYPES[name][2]), name)
 
     def test_constants_are_those_of_the_header(self):
-        found = dict(re.findall(r"^#define (LR_[A-Z0-9_]+)\s+\(?(-?[0-9.]+)", HEADER, re.M))
+        found = dict(re.findall(r"^(?:#define|   ) (LR_[A-Z0-9_]+)(?: =)? (-?[0-9.]+)", HEADER, re.M))
         self.assertGreater(len(found), 120)
         for name, value in found.items():
             if not name.startswith("LR_VERSION_"):
@@ -83,7 +83,7 @@ class Layout(unittest.TestCase):
         limits = [name for name in found if name.startswith("LR_MAX_")]
         self.assertEqual(members + len(limits), len([n for n in found if not n.startswith("LR_VERSION_")]))
         self.assertEqual(lr.Status.STALE_BODY, native.LR_ERROR_STALE_BODY)
-        self.assertEqual(lr.Transform.MATRIX_4X4_COLUMN_MAJOR, native.LR_TRANSFORM_4X4_COLUMN_MAJOR)
+        self.assertEqual(lr.TransformFormat.MATRIX_4X4_COLUMN_MAJOR, native.LR_TRANSFORM_4X4_COLUMN_MAJOR)
 
     def test_texts_name_members_that_are_there(self):
         texts = " ".join(text for docs in native.FIELD_DOCS.values() for text in docs.values())

@@ -35,7 +35,7 @@ class Hello(unittest.TestCase):
 
 class Views(WorldCase):
     def test_arrays_are_the_librarys_memory(self):
-        self.batch.create(position=np.random.default_rng(1).random((20, 3)))
+        self.batch.create(position=np.random.default_rng(1).random((20, 3)), user=7)
         view, struct = self.batch.view(), native.lr_batch_view()
         struct.struct_size = ctypes.sizeof(struct)
         self.world._ask("lr_batch_get_view", self.batch.id, ctypes.byref(struct))
@@ -117,7 +117,7 @@ class Transforms(WorldCase):
         rotation = np.stack([turned(self.q, np.broadcast_to(axis, (17, 3))) for axis in np.eye(3, dtype=np.float32)], axis=-1)
         matrix = np.zeros((17, 4, 4), np.float32)
         matrix[:, :3, :3], matrix[:, :3, 3], matrix[:, 3, 3] = rotation * self.s[:, None, None], self.p, 1
-        T = lr.Transform
+        T = lr.TransformFormat
         wanted = {
             T.POSITION_QUATERNION: np.hstack([self.p, self.q]),
             T.POSITION_QUATERNION_SCALE: np.hstack([self.p, self.q, self.s[:, None]]),
@@ -132,14 +132,14 @@ class Transforms(WorldCase):
         layout = np.dtype([("colour", np.float32, 3), ("matrix", np.float32, (3, 4)), ("spare", np.uint32)])
         instances = np.zeros(64, layout)
         instances["spare"] = 7
-        written = self.batch.transforms(lr.Transform.MATRIX_3X4_ROW_MAJOR, out=instances["matrix"])
+        written = self.batch.transforms(lr.TransformFormat.MATRIX_3X4_ROW_MAJOR, out=instances["matrix"])
         self.assertEqual(written.base.ctypes.data, instances.ctypes.data)
-        np.testing.assert_array_equal(instances["matrix"][:17], self.batch.transforms(lr.Transform.MATRIX_3X4_ROW_MAJOR))
+        np.testing.assert_array_equal(instances["matrix"][:17], self.batch.transforms(lr.TransformFormat.MATRIX_3X4_ROW_MAJOR))
         self.assertTrue((instances["spare"] == 7).all() and (instances["colour"] == 0).all() and (instances["matrix"][17:] == 0).all())
 
     def test_first_bodies_only(self):
         out = np.full((64, 7), -1, np.float32)
-        written = self.batch.transforms(lr.Transform.POSITION_QUATERNION, out=out, first=5)
+        written = self.batch.transforms(lr.TransformFormat.POSITION_QUATERNION, out=out, first=5)
         self.assertEqual(written.shape, (5, 7))
         self.assertTrue((out[5:] == -1).all())
 
@@ -219,10 +219,10 @@ class Bodies(WorldCase):
         ids = self.batch.create(position=[(0, 0, 0), (5, 0, 0)])
         self.world.set_sleep(ids)
         self.assertEqual(self.batch.view().awake_count, 0)
-        self.assertIs(self.world.state(ids[0]).sleep_state, lr.Sleep.ASLEEP)
+        self.assertIs(self.world.state(ids[0]).sleep_state, lr.SleepState.ASLEEP)
         self.assertEqual(self.world.wake_box((-1, -1, -1), (1, 1, 1)), 1)
         self.assertEqual(self.world.info.awake_count, 1)
-        self.world.set_sleep(ids[1], lr.Sleep.AWAKE)
+        self.world.set_sleep(ids[1], lr.SleepState.AWAKE)
         self.assertEqual(self.world.info.awake_count, 2)
 
     def test_a_hundred_thousand(self):
@@ -344,7 +344,7 @@ class Recordings(WorldCase):
 
 class Recordings(WorldCase):
     def test_saved_and_loaded(self):
-        self.batch.set_emitter(rate=300, shape=lr.EmitShape.BOX, size=(1, 1, 1))
+        self.batch.set_emitter(rate=300, shape=lr.EmitterShape.BOX, size=(1, 1, 1))
         self.batch.set_rules(max_age=0.1)
         recording = lr.Recording(fps=60, first_frame=10)
         for _ in range(30):

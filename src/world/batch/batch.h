@@ -154,7 +154,7 @@ public:
     const lr_body* ids() const { return columns_.row<lr_body>(column_ids); }
     const uint64_t* users() const { return columns_.row<uint64_t>(column_user); } // null before reserve_users()
     uint64_t user(uint32_t index) const { return users() ? users()[index] : 0; }
-    void set_user(uint32_t index, uint64_t user); // reserve_users() has held, unless user is 0
+    void set_user(uint32_t index, uint64_t user);                 // reserve_users() has held, unless user is 0
     uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
     const BatchSettings& settings() const { return settings_; }
 

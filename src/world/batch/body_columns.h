@@ -13,7 +13,16 @@
 namespace lr {
 
 // Memory is allocated by part: every batch has part_body, the others follow when they are first needed.
-enum ColumnPart : uint32_t { part_body, part_rest, part_gust, part_life, part_forces, part_contact, part_user, column_parts };
+enum ColumnPart : uint32_t {
+    part_body,
+    part_rest,
+    part_gust,
+    part_life,
+    part_forces,
+    part_contact,
+    part_user,
+    column_parts
+};
 
 enum class Hashed : uint8_t {
     never,

@@ -170,7 +170,7 @@ void ContactEvents::tell(const Batch& batch, lr_batch handle, const Colliders& c
         event.body = one.body;
         event.user = one.user;
         std::copy(one.position, one.position + 3, event.position);
-        for (const int32_t kind : {LR_EVENT_SPAWNED, ended, LR_EVENT_DIVERGED}) {
+        for (const int32_t kind : {int32_t{LR_EVENT_SPAWNED}, ended, int32_t{LR_EVENT_DIVERGED}}) {
             event.kind = kind;
             if (kind == ended || (one.notes & (kind == LR_EVENT_SPAWNED ? noted_spawn : noted_fault))) to.tell(event);
         }

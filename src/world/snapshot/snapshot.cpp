@@ -219,7 +219,8 @@ public:
         // If divergence can end bodies, their records need room.
         const bool ends = has(part_life) || h.options.divergence_policy != LR_DIVERGENCE_AUTO || h.diverged != 0;
         const size_t floats = size_t{2} * h.table_count;
-        const bool room = (!has(part_user) || batch->reserve_users()) && (!has(part_forces) || batch->reserve_forces()) && (!ends || batch->reserve_lifecycle()) &&
+        const bool room = (!has(part_user) || batch->reserve_users()) &&
+                          (!has(part_forces) || batch->reserve_forces()) && (!ends || batch->reserve_lifecycle()) &&
                           (!has(part_rest) || batch->reserve_rest()) &&
                           (!(has(part_contact) || contact || meets_bodies) || batch->reserve_contact()) &&
                           (floats == batch->table_.size() || batch->next_table_.allocate(*batch->allocator_, floats));

@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>Properties of an asset.</summary>
+    /// <summary>Bits that describe an asset.</summary>
     [Flags]
     public enum AssetFlags : uint
     {

@@ -47,7 +47,7 @@ namespace LangevinRigid
         Splitting = 2,
     }
 
-    /// <summary>Memory layouts of transforms, in floats.</summary>
+    /// <summary>Formats of transforms, in floats.</summary>
     public enum TransformFormat : int
     {
         /// <summary>7 floats: position, quaternion x y z w.</summary>

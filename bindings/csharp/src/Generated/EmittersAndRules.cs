@@ -15,18 +15,6 @@ namespace LangevinRigid
         Respawn = 1,
     }
 
-    /// <summary>What happens to a diverged body.</summary>
-    public enum DivergencePolicy : int
-    {
-        /// <summary><see cref="DivergencePolicy.Remove"/> in a batch with rules, else
-        /// <see cref="DivergencePolicy.Freeze"/>.</summary>
-        Auto = 0,
-        /// <summary>The body is held where it was last valid.</summary>
-        Freeze = 1,
-        /// <summary>The body respawns if the batch's rules respawn, else it is destroyed.</summary>
-        Remove = 2,
-    }
-
     /// <summary>Shapes of kill volumes.</summary>
     public enum VolumeShape : int
     {
@@ -46,6 +34,18 @@ namespace LangevinRigid
         Inside = 0,
         /// <summary>The header's <c>LR_KILL_OUTSIDE</c>.</summary>
         Outside = 1,
+    }
+
+    /// <summary>What happens to a diverged body.</summary>
+    public enum DivergencePolicy : int
+    {
+        /// <summary><see cref="DivergencePolicy.Remove"/> in a batch with rules, else
+        /// <see cref="DivergencePolicy.Freeze"/>.</summary>
+        Auto = 0,
+        /// <summary>The body is held where it was last valid.</summary>
+        Freeze = 1,
+        /// <summary>The body respawns if the batch's rules respawn, else it is destroyed.</summary>
+        Remove = 2,
     }
 
     /// <summary>Shapes in which an emitter spawns bodies.</summary>

@@ -21,6 +21,15 @@ namespace LangevinRigid
         Velocity = 3,
     }
 
+    /// <summary>The frame that a force is given in.</summary>
+    public enum ForceFrame : int
+    {
+        /// <summary>The header's <c>LR_FRAME_WORLD</c>.</summary>
+        World = 0,
+        /// <summary>Rotates with the body.</summary>
+        Body = 1,
+    }
+
     /// <summary>Options of a force on one body.</summary>
     [Flags]
     public enum ForceFlags : uint
@@ -29,15 +38,6 @@ namespace LangevinRigid
         None = 0,
         /// <summary><c>force</c> acts at <c>point</c>, not at the centre of mass; forces and impulses only.</summary>
         AtPoint = 1,
-    }
-
-    /// <summary>The frame that a force is given in.</summary>
-    public enum ForceFrame : int
-    {
-        /// <summary>The header's <c>LR_FRAME_WORLD</c>.</summary>
-        World = 0,
-        /// <summary>Rotates with the body.</summary>
-        Body = 1,
     }
 
     /// <summary>A force and a torque on one body. Scale matters: a body of scale 2 has eight times the mass.</summary>

@@ -5,9 +5,10 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>Options of a recording.</summary>
+    /// <summary>Records the results of wind and water callbacks, up to 72 bytes per body and substep for each callback.
+    /// Without them a replay stops at the first callback.</summary>
     [Flags]
-    public enum RecordingFlags : uint
+    public enum RecordFlags : uint
     {
         /// <summary>No bit.</summary>
         None = 0,
@@ -17,7 +18,7 @@ namespace LangevinRigid
 
     /// <summary>Receives the next <c>size</c> bytes of a recording, valid during the call only: append them to a file
     /// or a ring buffer. Return 0, or anything else to end the recording. Called inside functions that take the world,
-    /// on their thread. With <see cref="RecordingFlags.Callbacks"/> it is also called on the threads that run wind and
+    /// on their thread. With <see cref="RecordFlags.Callbacks"/> it is also called on the threads that run wind and
     /// water callbacks, but never by two at a time. Must not call the library on the same world, throw or
     /// longjmp.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -29,8 +30,8 @@ namespace LangevinRigid
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary><see cref="RecordingFlags"/>; default <see cref="RecordingFlags.Callbacks"/></summary>
-        public RecordingFlags Flags;
+        /// <summary><see cref="RecordFlags"/>; default <see cref="RecordFlags.Callbacks"/></summary>
+        public RecordFlags Flags;
         /// <summary>steps between recorded hashes of the world; 0: none; default 1</summary>
         public uint HashInterval;
         /// <summary>0.</summary>

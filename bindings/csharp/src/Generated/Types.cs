@@ -151,7 +151,7 @@ namespace LangevinRigid
     public unsafe delegate void TaskFn(IntPtr task, uint begin, uint end);
 
     /// <summary>Receives a log message, valid during the call only. Called on the thread that calls the library; with
-    /// <see cref="WorldChecks.Threads"/> possibly while another thread is inside a call on the world. Must not call the
+    /// <see cref="CheckFlags.Threads"/> possibly while another thread is inside a call on the world. Must not call the
     /// library on the same world. May be null.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void LogFn(IntPtr user, LogLevel level, byte* message);

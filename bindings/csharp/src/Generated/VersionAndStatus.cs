@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>What a call returns: Ok, or a negative error. Values are stable.</summary>
+    /// <summary><see cref="Status.Ok"/>, or a negative error. Values never change.</summary>
     public enum Status : int
     {
         /// <summary>The header's <c>LR_OK</c>.</summary>
@@ -64,9 +64,9 @@ namespace LangevinRigid
         StaleWindSource = -26,
         /// <summary>The collider was destroyed, or never existed.</summary>
         StaleCollider = -27,
-        /// <summary>Another thread is inside a call on this world: see <see cref="WorldChecks.Threads"/>.</summary>
+        /// <summary>Another thread is inside a call on this world: see <see cref="CheckFlags.Threads"/>.</summary>
         ConcurrentUse = -28,
-        /// <summary>Called from one of this world's callbacks: see <see cref="WorldChecks.Threads"/>.</summary>
+        /// <summary>Called from one of this world's callbacks: see <see cref="CheckFlags.Threads"/>.</summary>
         Reentrant = -29,
     }
 

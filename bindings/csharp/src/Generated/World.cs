@@ -5,6 +5,21 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
+    /// <summary>Refuses a call on a world while another thread is inside one, and a call from one of the world's own
+    /// callbacks (wind, water surface, allocator, log, job system, recording). The refused call changes nothing, a
+    /// message names both functions, and the call in progress continues unharmed. A refused
+    /// <see cref="Native.lr_world_destroy"/> leaks the world; a refused <see cref="Native.lr_world_snapshot_size"/>
+    /// returns 0. Calls after <see cref="Native.lr_world_destroy"/> has returned are not detected. Without this bit all
+    /// such calls are undefined behaviour. docs/reference/stepping.md</summary>
+    [Flags]
+    public enum CheckFlags : uint
+    {
+        /// <summary>No bit.</summary>
+        None = 0,
+        /// <summary>The header's <c>LR_CHECK_THREADS</c>.</summary>
+        Threads = 1,
+    }
+
     /// <summary>The core of a vortex.</summary>
     public enum VortexCore : int
     {
@@ -23,16 +38,6 @@ namespace LangevinRigid
         Clamp = 1,
         /// <summary>The grid repeats: its first sample follows its last.</summary>
         Repeat = 2,
-    }
-
-    /// <summary>Misuse to detect at run time.</summary>
-    [Flags]
-    public enum WorldChecks : uint
-    {
-        /// <summary>No bit.</summary>
-        None = 0,
-        /// <summary>The header's <c>LR_CHECK_THREADS</c>.</summary>
-        Threads = 1,
     }
 
     /// <summary>Called with each body once per substep, in no particular order. Calls come at the same time from the
@@ -78,8 +83,8 @@ namespace LangevinRigid
         public IntPtr LogUser;
         /// <summary>copied; default null functions: the world starts worker_count threads of its own</summary>
         public JobSystem Jobs;
-        /// <summary><see cref="WorldChecks"/>: misuse to detect, for development; default 0</summary>
-        public WorldChecks Checks;
+        /// <summary><see cref="CheckFlags"/>: misuse to detect, for development; default 0</summary>
+        public CheckFlags Checks;
         /// <summary>0.</summary>
         public uint Reserved;
 
