@@ -4,6 +4,9 @@
  *
  * SPDX-License-Identifier: MIT
  *
+ * The functions that research needs and a game does not are in langevin_rigid_research.h: bodies from given matrices,
+ * coefficients of the loads, turbulence tables.
+ *
  * How to use it
  *   1. Load an asset that `lr_bake` made from a mesh, or create an ellipsoid without a file.
  *   2. Create a world, and in it one batch for each asset. A batch holds all bodies of one asset.
@@ -14,8 +17,8 @@
  *              the axes of the authored mesh. Right-handed. Orientations are unit quaternions x, y, z, w that rotate
  *              vectors from the body frame to the world frame.
  * Ownership    The caller destroys what it creates. Functions keep no pointers passed to them, unless they say so.
- * Structs      Each struct begins with `struct_size`. Its `_init` function, called with sizeof, sets the defaults. New
- *              fields are only ever appended. A larger struct from a newer header is accepted if its unknown tail is 0.
+ * Structs      Each struct begins with `struct_size`. Its `_INIT` macro sets the defaults (lr_body_desc desc =
+ *              LR_BODY_DESC_INIT), and so does its `_init` function, called with sizeof. New fields are only appended. A larger struct from a newer header is accepted if its unknown tail is 0.
  * Errors       Functions return LR_OK or a negative lr_status. A failed call changes nothing, unless its comment says
  *              otherwise. Nothing aborts, throws or prints.
  * Threads      One thread at a time may use a world; different worlds may be used at the same time. Assets are
@@ -258,8 +261,8 @@ typedef struct lr_ellipsoid_desc {
                                  buoyancy and the moments of inertia stay those of the uniform solid */
 } lr_ellipsoid_desc;
 
-/* Sets the defaults. All other _init functions work alike. struct_size: sizeof(lr_ellipsoid_desc) in the caller's
- * header.
+/* Sets the defaults, those of LR_ELLIPSOID_DESC_INIT. All other _init functions work alike. struct_size:
+ * sizeof(lr_ellipsoid_desc) in the caller's header.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
 LR_API lr_status lr_ellipsoid_desc_init(lr_ellipsoid_desc* desc, uint32_t struct_size);
 
@@ -274,71 +277,6 @@ LR_API lr_status lr_asset_retain(lr_asset* asset);
 
 /* Gives back a reference. The last one frees the asset. Each batch holds its own. Null is allowed. Any thread. */
 LR_API void lr_asset_release(lr_asset* asset);
-
-/* Coefficients of the quasi-steady loads (LR_LOADS_AERODYNAMIC) at scale 1; equations: docs/maintainers/physics.md,
- * AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
- * Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
- * lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity. */
-typedef struct lr_aerodynamics {
-    uint32_t struct_size;
-    uint32_t reserved; /* 0 */
-    double axes[9];    /* rows: unit vectors in the body frame, right-handed */
-    /* Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v with Re = s d/nu, and along each axis
-     * -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. */
-    double drag[3];        /* m^2, drag coefficient times area */
-    double drag_blunt[3];  /* m^2, the part of rounded bodies, which grows with the Reynolds number */
-    double drag_layer[3];  /* m^(3/2), boundary layer */
-    double drag_stokes[3]; /* m, creeping flow */
-    /* Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. */
-    double lift[3];        /* m^2, positive where the body is thinner along j than along i */
-    double spin_lift[3];   /* m^3 */
-    double lift_moment[3]; /* m^3, moment of the lift about k: rho lift_moment_k v_i v_j */
-    /* Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. */
-    double spin_drag[3];        /* m^5 */
-    double spin_drag_stream[3]; /* m^4 */
-    double spin_drag_stokes[3]; /* m^3 */
-    double intensity;           /* velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains
-                                   included, it acts as 0.4: a stronger wake would feed itself */
-    double length;              /* m: the fluctuations are correlated over length/s */
-    double wake_reynolds;       /* scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar */
-    /* Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k
-     * sigma to lift_moment_k. */
-    double broadside[3]; /* 0 to 1 */
-    double lift_stall;
-    double lift_moment_stalled[3]; /* m^3 */
-    /* Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps
-     * roll; in plane motion this spin is 0. All >= 0. */
-    double roll_damping[3]; /* m^4 */
-    double center[3];       /* m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0 */
-} lr_aerodynamics;
-
-/* Sets the axes to the body's, `length` to 1 and everything else to 0: no loads. */
-LR_API lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size);
-
-/* A body of known numbers without a mesh or file: from another solver, from measurements, or the cross-section of a
- * card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes. */
-typedef struct lr_rigid_desc {
-    uint32_t struct_size;
-    uint32_t reserved;
-    double mass;                         /* kg, > 0 */
-    double volume;                       /* m^3, > 0 */
-    double inertia[9];                   /* kg m^2, positive definite */
-    double added_mass[36];               /* kg, kg m, kg m^2: order vx vy vz wx wy wz, fluid density included, as in
-                                            lr_asset_info; positive semi-definite; default 0 */
-    double center_of_buoyancy[3];        /* m, from the centre of mass; default 0 */
-    double fluid_density;                /* kg/m^3, > 0; default 1.2, air */
-    double fluid_viscosity;              /* m^2/s, kinematic, > 0; default 1.5e-5, air */
-    double extents[3];                   /* m, full size along the body axes, > 0 */
-    double intensity;                    /* of the turbulence table, as in lr_ellipsoid_desc; default 1 */
-    const lr_aerodynamics* aerodynamics; /* copied; default null: an ellipsoid's with these extents */
-} lr_rigid_desc;
-
-LR_API lr_status lr_rigid_desc_init(lr_rigid_desc* desc, uint32_t struct_size);
-
-/* Creates an asset from given numbers. out: as for lr_asset_load_file.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for
- * matrices that no body can have), LR_ERROR_OUT_OF_MEMORY. Any thread. */
-LR_API lr_status lr_asset_create_rigid(const lr_rigid_desc* desc, lr_asset** out);
 
 /* Bits that describe an asset. */
 typedef uint32_t lr_asset_flags;
@@ -380,10 +318,6 @@ LR_API lr_status lr_asset_info_init(lr_asset_info* info, uint32_t struct_size);
 /* Reads an asset's properties. info: initialised by lr_asset_info_init, or with struct_size set.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
 LR_API lr_status lr_asset_get_info(const lr_asset* asset, lr_asset_info* info);
-
-/* Reads an asset's baked coefficients. aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
-LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* World                                                                                                              */
@@ -937,39 +871,6 @@ LR_API lr_status lr_batch_destroy(lr_world* world, lr_batch batch);
 
 /* Returns 1 if the batch exists in this world, else 0. Never an error: see lr_body_is_valid. */
 LR_API int32_t lr_batch_is_valid(const lr_world* world, lr_batch batch);
-
-/* k-epsilon samples in the units of the bake. Arrays are copied. */
-typedef struct lr_turbulence_table {
-    uint32_t struct_size;
-    uint32_t count;       /* samples, 1 to 65536 */
-    const float* chi;     /* 1/s, turbulent frequency epsilon / k, `count` values >= 0 */
-    const float* epsilon; /* m^2/s^3, dissipation rate, `count` values >= 0 */
-    float dt;             /* s between samples, > 0 */
-    float u0;             /* m/s, the speed that the table was made at, > 0; LR_CLOCK_SPEED scales by it */
-    float l;              /* m, the length that the table was made with, > 0 */
-    float c0;             /* Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number */
-    uint32_t stationary;  /* the sample that LR_CLOCK_SPEED uses, < count; default 0 */
-    uint32_t reserved;    /* 0 */
-} lr_turbulence_table;
-
-LR_API lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t struct_size);
-
-/* Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the table replaces the
- * intensity of lr_aerodynamics: it sets the velocity of the fluid around the body.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
- * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
-LR_API lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table);
-
-/* Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
- * restores the asset's. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. Axes other
- * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
- * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
- * LR_ERROR_INVALID_ARGUMENT. */
-LR_API lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics);
-
-/* Reads a batch's current coefficients. aerodynamics: initialised, or with struct_size set.
- * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
-LR_API lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics);
 
 /* Artistic control of AERODYNAMIC loads. The factors multiply the coefficients, so bodies still move physically. */
 typedef struct lr_load_gains {
@@ -1783,6 +1684,54 @@ LR_API lr_status lr_batch_counts_init(lr_batch_counts* counts, uint32_t struct_s
  * struct_size set.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_batch_counts* counts);
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Initial values                                                                                                     */
+
+/* The values that the _init functions set, as initialisers: lr_body_desc desc = LR_BODY_DESC_INIT; */
+/* clang-format off */
+#define LR_ELLIPSOID_DESC_INIT {sizeof(lr_ellipsoid_desc), 0, {0}, 0, 1.2, 1.5e-5, 1, {0}}
+#define LR_ASSET_INFO_INIT {sizeof(lr_asset_info), 0, {0}, 0, 0, 0, {0}, {0}, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
+    0, 0, 0, 0}
+#define LR_WORLD_DESC_INIT {sizeof(lr_world_desc), 0, 0, {0, -9.81f, 0}, 0, LR_SIMD_AUTO, 0, {0, 0, 0}, 0, 0, \
+    {0, 0, 0}, 0, 0}
+#define LR_WORLD_INFO_INIT {sizeof(lr_world_info), LR_SIMD_AUTO, 0, 0, 0, 0, 0, 0, 0, 0, 0, {0}, 0}
+#define LR_GUSTS_DESC_INIT {sizeof(lr_gusts_desc), 0, {1, 0, 0}, 1, 0.1f, 0}
+#define LR_VORTEX_DESC_INIT {sizeof(lr_vortex_desc), LR_VORTEX_LAMB_OSEEN, {0}, {0, 1, 0}, {0}, 1, 1, 0, 0}
+#define LR_BLOWER_DESC_INIT {sizeof(lr_blower_desc), {0}, {1, 0, 0}, {0, 0, 1}, {0}, 1, 1, 0, 10, 0.1f}
+#define LR_TURBULENCE_DESC_INIT {sizeof(lr_turbulence_desc), 0, 2, {0}, 1, 1, 0}
+#define LR_WIND_GRID_DESC_INIT {sizeof(lr_wind_grid_desc), LR_WIND_OUTSIDE_ZERO, {0}, {0}, {1, 1, 1}, {0}, 1, 0, 0}
+#define LR_GROUND_WIND_DESC_INIT {sizeof(lr_ground_wind_desc), {0}, {0, 1, 0}, {0}, 0.03f, 10}
+#define LR_WATER_DESC_INIT {sizeof(lr_water_desc), 0, {0}, {0, 1, 0}, 998, 1e-6f, {0}, 0, {{{0}, 0, 0, 0}}}
+#define LR_STEP_REPORT_INIT {sizeof(lr_step_report), 0, 0, 0, 0, 0, 0, 0}
+#define LR_TIMINGS_INIT {sizeof(lr_timings), 0, 0, 0, 0, 0, 0, 0, 0, 0}
+#define LR_RECORDING_DESC_INIT {sizeof(lr_recording_desc), LR_RECORD_CALLBACKS, 1, 0, 0, 0}
+#define LR_BATCH_DESC_INIT {sizeof(lr_batch_desc), 0, 0, LR_LOADS_DEFAULT, LR_CLOCK_SPEED, LR_TABLE_CLAMP, \
+    LR_INTEGRATOR_DEFAULT, 1, 1}
+#define LR_LOAD_GAINS_INIT {sizeof(lr_load_gains), 0, 1, 1, 1, 1}
+#define LR_BATCH_PACE_INIT {sizeof(lr_batch_pace), 0, 0, 0, 0, 0, 0}
+#define LR_BATCH_VIEW_INIT {sizeof(lr_batch_view), 0, {0}, {0}, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
+#define LR_BODY_DESC_INIT {sizeof(lr_body_desc), 0, {0}, {0, 0, 0, 1}, {0}, {0}, 1, 0, 0, 0}
+#define LR_BODY_STATE_INIT {sizeof(lr_body_state), 0, {0}, {0, 0, 0, 1}, {0}, {0}, 1, 0, LR_SLEEP_AWAKE, 0}
+#define LR_BODY_FORCE_INIT {sizeof(lr_body_force), LR_FORCE_MODE_FORCE, {0}, LR_FRAME_WORLD, 0, {0}, {0}, {0}, 0}
+#define LR_FORCE_ARRAYS_INIT {sizeof(lr_force_arrays), LR_FORCE_MODE_FORCE, LR_FRAME_WORLD, 0, 0, 0, {0}, {0}}
+#define LR_BATCH_FORCE_INIT {sizeof(lr_batch_force), 0, {0}, {0}, {0}, {0}, {0}, {0}, {0}, {0}}
+#define LR_COLLIDER_DESC_INIT {sizeof(lr_collider_desc), 0, {0}, {0, 0, 0, 1}, {0}, {0}, {0}, 0.5f, 0.2f, 1, 0, 0, 0, \
+    {0}, {1, 1}, 0, 0, 0}
+#define LR_COLLIDER_MOTION_INIT {sizeof(lr_collider_motion), LR_MOVE_TO, {0}, {0}, {0, 0, 0, 1}, {0}, {0}, 0}
+#define LR_COLLIDER_STATE_INIT {sizeof(lr_collider_state), 0, {0}, {0, 0, 0, 1}, {0}, {0}, 0, 0, 0, 0}
+#define LR_MATERIAL_INIT {sizeof(lr_material), 1, 0.5f, 0.2f}
+#define LR_BATCH_CONTACT_INIT {sizeof(lr_batch_contact), 0xffffffffu, 0.5f, 0.1f, 0.05f, 0, 0, 0}
+#define LR_EVENT_LIST_INIT {sizeof(lr_event_list), 0, 0, 0, 0, 0, 0}
+#define LR_RAY_INIT {sizeof(lr_ray), LR_RAY_BODIES | LR_RAY_COLLIDERS, {0}, {0, -1, 0}, 1e9f, {0}, 0xffffffffu, \
+    0}
+#define LR_OVERLAP_DESC_INIT {sizeof(lr_overlap_desc), LR_OVERLAP_SPHERE, {0}, {0, 0, 0, 1}, {1, 1, 1}, {0}, 0}
+#define LR_BATCH_RULES_INIT {sizeof(lr_batch_rules), LR_END_DESTROY, 0, 0, \
+    {{LR_VOLUME_PLANE, LR_KILL_INSIDE, {0}, {0}}}}
+#define LR_EMITTER_DESC_INIT {sizeof(lr_emitter_desc), LR_EMIT_POINT, {0}, {0, 0, 0, 1}, {0}, LR_POSE_RANDOM, \
+    {0, 0, 0, 1}, {0, -1, 0}, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0}
+#define LR_BATCH_COUNTS_INIT {sizeof(lr_batch_counts), 0, 0, 0, 0, 0, 0, {0}, 0, 0, 0, 0, 0, 0}
+/* clang-format on */
 
 #ifdef __cplusplus
 }

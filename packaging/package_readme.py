@@ -34,8 +34,9 @@ def read_me(options) -> str:
           "cc -std=c99 -Iinclude samples/hello.c -Llib -llangevin_rigid -Wl,-rpath,$PWD/lib -o hello && ./hello")
     run = ("Put `langevin_rigid.dll` beside the program, or in a folder of PATH."
            if windows else "Ship `liblangevin_rigid.so.0` beside your program and link that with `-Wl,-rpath,'$ORIGIN'`.")
-    rows = [("include/langevin_rigid.h", "the whole API: units, ownership, errors and threads of every function"),
-            (library, "the library; it exports the functions of that header and nothing else")]
+    rows = [("include/langevin_rigid.h", "the API: units, ownership, errors and threads of every function"),
+            ("include/langevin_rigid_research.h", "bodies from given matrices, coefficients of the loads, turbulence tables"),
+            (library, "the library; it exports the functions of these headers and nothing else")]
     if windows:
         rows += [("lib/langevin_rigid.lib", "import library for Microsoft's linker and LLVM's"),
                  ("lib/liblangevin_rigid.dll.a", "import library for MinGW"),

@@ -20,7 +20,7 @@ cp -R build/web/package "$stage/$name"
 for file in langevin_rigid.wasm langevin_rigid.mjs package.json; do
     [ -s "$stage/$name/$file" ] || { echo "bindings/web/build.sh made no build/web/package/$file" >&2; exit 1; }
 done
-cp LICENSE include/langevin_rigid.h bindings/web/sample.mjs "$stage/$name/"
+cp LICENSE include/langevin_rigid.h include/langevin_rigid_research.h bindings/web/sample.mjs "$stage/$name/"
 mkdir -p "$stage/$name/docs/guide" "$stage/$name/docs/images"
 cp docs/guide/languages.md "$stage/$name/docs/guide/"
 cp docs/images/{web,blender}_storm.png "$stage/$name/docs/images/"

@@ -249,11 +249,16 @@ class Reader:
                    "statuses": sorted(set(re.findall(r"LR_OK|LR_ERROR_[A-Z_]+[A-Z]", returns))), **self.place(cursor)}
 
 
-def read(header=HEADER, target="x86_64-unknown-linux-gnu"):
-    """The model of a header, and of NAME_research.h beside it, with the sizes and offsets that they have on a target."""
+def files_of(header):
+    """A header, and NAME_research.h beside it, which includes it."""
     header = pathlib.Path(header)
     more = header.with_name(header.stem + "_research.h")
-    files = {file: file.read_text(encoding="utf-8") for file in (header, more) if file.exists()}
+    return [header, more] if more.exists() else [header]
+
+
+def read(header=HEADER, target="x86_64-unknown-linux-gnu"):
+    """The model of a header, and of NAME_research.h beside it, with the sizes and offsets that they have on a target."""
+    files = {file: file.read_text(encoding="utf-8") for file in files_of(header)}
     # No target needs a C library, nor the compiler's own headers, for the few types that the header takes from one.
     unit = cindex.Index.create().parse(
         str(list(files)[-1]), args=["-x", "c", "-std=c99", "-nostdinc", "-I/provided", f"--target={target}"],

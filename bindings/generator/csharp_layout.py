@@ -26,7 +26,7 @@ def c_fields(generator, struct):
 
 
 def c_program(generator):
-    lines = ["#include <langevin_rigid.h>", "#include <stddef.h>", "#include <stdio.h>", "", "int main(void) {"]
+    lines = ["#include <langevin_rigid_research.h>", "#include <stddef.h>", "#include <stdio.h>", "", "int main(void) {"]
     for struct in generator.model["structs"]:
         name, cs = struct["name"], type_name(struct["name"])
         lines.append(f'    printf("{cs} %u\\n", (unsigned)sizeof({name}));')

@@ -28,7 +28,7 @@ def rows(words):
 
 
 def structs(model):
-    return HEAD + "\n".join(rows([f"LR_STRUCT({s['name']})" for s in model["structs"] if s["init"]])) + "\n"
+    return HEAD + "\n".join(rows([f"LR_STRUCT({s['name']},\0{s['name'].upper()}_INIT)" for s in model["structs"] if s["init"]])).replace("\0", " ") + "\n"
 
 
 def recorded(model):

@@ -103,8 +103,8 @@ def grouped(source):
         nonlocal count
         count += 1
         end = "/** @} */\n" if count > 1 else ""
-        title = escaped(match.group(1).strip().rstrip("."))
-        return f"{end}/** @defgroup part{count} {title}\n@{{ */\n"
+        title = match.group(1).strip().rstrip(".")
+        return f"{end}/** @defgroup {re.sub('[^a-z]+', '_', title.lower())} {escaped(title)}\n@{{ */\n"
 
     source = BANNER.sub(group, source)
     if count:

@@ -4,7 +4,7 @@
 #include "api/check_arguments.h"
 #include "asset/asset_data.h"
 #include "collision/collider_contact_group.h"
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 
 #include <algorithm>
 #include <iterator>

@@ -3,7 +3,7 @@
 
 #include "asset/asset_data.h"
 #include "collision/body_narrow_phase.h"
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 
 #include <array>
 #include <atomic>

@@ -14,7 +14,7 @@
 namespace lr {
 
 // How the bodies of a batch meet colliders, until its user says.
-inline constexpr lr_batch_contact initial_contact{sizeof(lr_batch_contact), 0xffffffffu, 0.5f, 0.1f, 0.05f, 0, 0.0f, 0};
+inline constexpr lr_batch_contact initial_contact = LR_BATCH_CONTACT_INIT;
 inline bool may_rest(const lr_batch_contact& settings) {
     return (settings.flags & LR_CONTACT_NEVER_SLEEP) == 0;
 }

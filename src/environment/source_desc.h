@@ -137,13 +137,6 @@ LR_WIND_SOURCES(LR_SOURCE)
 inline constexpr const SourceType* all[] = {LR_WIND_SOURCES(LR_SOURCE)};
 #undef LR_SOURCE
 } // namespace source_type
-#define LR_SOURCE(name, ...)                                                                                           \
-    inline const SourceType& source_type_of(const lr_##name##_desc&) {                                                 \
-        return source_type::name;                                                                                      \
-    }
-LR_WIND_SOURCES(LR_SOURCE)
-#undef LR_SOURCE
-
 // Null for an unknown kind.
 inline const SourceType* type_of(const SourceDesc& source) {
     for (const SourceType* type : source_type::all)

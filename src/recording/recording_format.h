@@ -1,7 +1,7 @@
 // The format of a recording: what recorder and player agree on. docs/reference/snapshots.md
 #pragma once
 
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -17,6 +17,7 @@ import tempfile
 
 import debug_stub
 import surface
+from surface import api_model
 
 HERE = pathlib.Path(__file__).resolve().parent
 HEADER = surface.ROOT / "include" / "langevin_rigid.h"
@@ -117,8 +118,10 @@ def renew(version, header=HEADER, baselines=HERE):
     """The header as a version's baseline: itself, its types for libabigail, its layout for C."""
     folder = pathlib.Path(baselines) / version
     folder.mkdir(parents=True, exist_ok=True)
+    for file in api_model.files_of(header):
+        frozen = folder / file.name.replace(pathlib.Path(header).stem, "langevin_rigid")
+        shutil.copyfile(file, frozen)
     frozen = folder / "langevin_rigid.h"
-    shutil.copyfile(header, frozen)
     (folder / "layout.txt").write_text(surface.layout_text(surface.Surface(frozen)))
     with tempfile.TemporaryDirectory() as work:
         library = debug_stub.build(frozen, work)

@@ -5,7 +5,7 @@
  * at its end, with all fields where they were.
  *   cc -std=c99 -fsyntax-only -I include '-DLR_LAYOUT="VERSION/layout.txt"' tests/abi/check_layout.c
  */
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 
 #include <stddef.h>
 

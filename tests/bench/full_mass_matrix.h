@@ -1,7 +1,7 @@
 // The path of bodies with a full mass matrix, for one that is diagonal: loads a hair off its centre bring it there.
 #pragma once
 
-#include <langevin_rigid.h>
+#include <langevin_rigid_research.h>
 
 inline bool take_full_path(lr_world* world, lr_batch batch) {
     lr_aerodynamics a;

@@ -1,4 +1,4 @@
-# cmake -DNM= -DLIBRARY= -DHEADER= -DALLOWED= -P check_exports.cmake
+# cmake -DNM= -DLIBRARY= -DHEADERS= -DALLOWED= -P check_exports.cmake
 # Three lists must be one: symbols of the shared library, declarations of the header, and tests/api/exports.txt, which
 # bindings/generator/runtime.py writes.
 cmake_minimum_required(VERSION 3.25)
@@ -17,11 +17,13 @@ foreach(line IN LISTS lines)
         list(APPEND exported "${symbol}")
     endif()
 endforeach()
-file(STRINGS "${HEADER}" declarations REGEX "^LR_API ")
 set(declared "")
-foreach(line IN LISTS declarations)
-    string(REGEX MATCH "(lr_[a-z0-9_]+)\\(" unused "${line}")
-    list(APPEND declared "${CMAKE_MATCH_1}")
+foreach(header IN LISTS HEADERS)
+    file(STRINGS "${header}" declarations REGEX "^LR_API ")
+    foreach(line IN LISTS declarations)
+        string(REGEX MATCH "(lr_[a-z0-9_]+)\\(" unused "${line}")
+        list(APPEND declared "${CMAKE_MATCH_1}")
+    endforeach()
 endforeach()
 file(STRINGS "${ALLOWED}" allowed REGEX "^lr_")
 

@@ -1,5 +1,9 @@
 /* Nothing before the header: it must bring all it needs. Twice, for its guard. */
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
+
+/* Initialisers, without a warning. */
+#define LR_STRUCT(name, initial) const name name##_initial = initial;
+#include "../../src/api/structs.inc"
 
 /* Layouts that bindings in other languages rely on: no padding that differs between compilers. */
 typedef char status_is_32_bits[sizeof(lr_status) == 4 ? 1 : -1];

@@ -1,7 +1,7 @@
 // Arguments of a call as a tuple, and the call with another pointer in place of one of them.
 #pragma once
 
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 
 #include <cstddef>
 #include <tuple>

@@ -18,7 +18,7 @@ concept Sized = requires(T s) {
     s.struct_size;
 };
 
-#define LR_STRUCT(name)                                                                                                \
+#define LR_STRUCT(name, initial)                                                                                       \
     inline lr_status init(name* s, uint32_t size) {                                                                    \
         return name##_init(s, size);                                                                                   \
     }

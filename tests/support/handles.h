@@ -1,7 +1,7 @@
 // An order of handles, for std::set and std::map of tests.
 #pragma once
 
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 
 inline bool operator<(lr_batch a, lr_batch b) {
     return a.id < b.id;

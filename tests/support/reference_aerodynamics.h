@@ -2,7 +2,7 @@
 // the centre of mass, body axes, in N and N m.
 #pragma once
 
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 #include "support/vector.h"
 
 #include <cmath>

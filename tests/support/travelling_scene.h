@@ -2,7 +2,7 @@
 // releases. Through the C API alone; of + - x / and square roots, so that it is the same everywhere.
 #pragma once
 
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 
 #include <cstddef>
 #include <cstdint>

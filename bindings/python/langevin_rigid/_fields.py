@@ -25,43 +25,6 @@ class EllipsoidOptions(TypedDict, total=False):
     center_of_mass: ArrayLike
 
 
-class AerodynamicsOptions(TypedDict, total=False):
-    """Keywords for lr_aerodynamics."""
-    axes: ArrayLike
-    drag: ArrayLike
-    drag_blunt: ArrayLike
-    drag_layer: ArrayLike
-    drag_stokes: ArrayLike
-    lift: ArrayLike
-    spin_lift: ArrayLike
-    lift_moment: ArrayLike
-    spin_drag: ArrayLike
-    spin_drag_stream: ArrayLike
-    spin_drag_stokes: ArrayLike
-    intensity: float
-    length: float
-    wake_reynolds: float
-    broadside: ArrayLike
-    lift_stall: float
-    lift_moment_stalled: ArrayLike
-    roll_damping: ArrayLike
-    center: ArrayLike
-
-
-class RigidOptions(TypedDict, total=False):
-    """Keywords for lr_rigid_desc."""
-    mass: float
-    volume: float
-    inertia: ArrayLike
-    added_mass: ArrayLike
-    center_of_buoyancy: ArrayLike
-    fluid_density: float
-    fluid_viscosity: float
-    extents: ArrayLike
-    intensity: float
-    aerodynamics: Any
-
-
 class WorldOptions(TypedDict, total=False):
     """Keywords for lr_world_desc."""
     worker_count: int
@@ -171,17 +134,6 @@ class BatchOptions(TypedDict, total=False):
     integrator: int
     damping_gain: float
     noise_gain: float
-
-
-class TurbulenceTableOptions(TypedDict, total=False):
-    """Keywords for lr_turbulence_table."""
-    chi: Any
-    epsilon: Any
-    dt: float
-    u0: float
-    l: float
-    c0: float
-    stationary: int
 
 
 class LoadGainsOptions(TypedDict, total=False):
@@ -295,52 +247,52 @@ class EmitterOptions(TypedDict, total=False):
     burst_count: int
 
 
-class Aerodynamics(Record):
-    """Coefficients of the quasi-steady loads (`LoadModel.AERODYNAMIC`) at scale 1; equations: docs/maintainers/physics.md,
-    AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
-    Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
-    lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
-
-    axes: rows: unit vectors in the body frame, right-handed
-    drag: Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v with Re = s d/nu, and along each axis -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. m^2, drag coefficient times area
-    drag_blunt: m^2, the part of rounded bodies, which grows with the Reynolds number
-    drag_layer: m^(3/2), boundary layer
-    drag_stokes: m, creeping flow
-    lift: Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i
-    spin_lift: m^3
-    lift_moment: m^3, moment of the lift about k: rho lift_moment_k v_i v_j
-    spin_drag: Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5
-    spin_drag_stream: m^4
-    spin_drag_stokes: m^3
-    intensity: velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself
-    length: m: the fluctuations are correlated over length/s
-    wake_reynolds: scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar
-    broadside: Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k sigma to lift_moment_k. 0 to 1
-    lift_stall
-    lift_moment_stalled: m^3
-    roll_damping: Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps roll; in plane motion this spin is 0. All >= 0. m^4
-    center: m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0
-    """
-    __slots__ = ('axes', 'drag', 'drag_blunt', 'drag_layer', 'drag_stokes', 'lift', 'spin_lift', 'lift_moment', 'spin_drag', 'spin_drag_stream', 'spin_drag_stokes', 'intensity', 'length', 'wake_reynolds', 'broadside', 'lift_stall', 'lift_moment_stalled', 'roll_damping', 'center')
-    axes: np.ndarray
-    drag: np.ndarray
-    drag_blunt: np.ndarray
-    drag_layer: np.ndarray
-    drag_stokes: np.ndarray
-    lift: np.ndarray
-    spin_lift: np.ndarray
-    lift_moment: np.ndarray
-    spin_drag: np.ndarray
-    spin_drag_stream: np.ndarray
-    spin_drag_stokes: np.ndarray
+class AerodynamicsOptions(TypedDict, total=False):
+    """Keywords for lr_aerodynamics."""
+    axes: ArrayLike
+    drag: ArrayLike
+    drag_blunt: ArrayLike
+    drag_layer: ArrayLike
+    drag_stokes: ArrayLike
+    lift: ArrayLike
+    spin_lift: ArrayLike
+    lift_moment: ArrayLike
+    spin_drag: ArrayLike
+    spin_drag_stream: ArrayLike
+    spin_drag_stokes: ArrayLike
     intensity: float
     length: float
     wake_reynolds: float
-    broadside: np.ndarray
+    broadside: ArrayLike
     lift_stall: float
-    lift_moment_stalled: np.ndarray
-    roll_damping: np.ndarray
-    center: np.ndarray
+    lift_moment_stalled: ArrayLike
+    roll_damping: ArrayLike
+    center: ArrayLike
+
+
+class RigidOptions(TypedDict, total=False):
+    """Keywords for lr_rigid_desc."""
+    mass: float
+    volume: float
+    inertia: ArrayLike
+    added_mass: ArrayLike
+    center_of_buoyancy: ArrayLike
+    fluid_density: float
+    fluid_viscosity: float
+    extents: ArrayLike
+    intensity: float
+    aerodynamics: Any
+
+
+class TurbulenceTableOptions(TypedDict, total=False):
+    """Keywords for lr_turbulence_table."""
+    chi: Any
+    epsilon: Any
+    dt: float
+    u0: float
+    l: float
+    c0: float
+    stationary: int
 
 
 class AssetInfo(Record):
@@ -717,3 +669,51 @@ class BatchCounts(Record):
     total_respawned: int
     total_missed: int
     total_diverged: int
+
+
+class Aerodynamics(Record):
+    """Coefficients of the quasi-steady loads (`LoadModel.AERODYNAMIC`) at scale 1; equations: docs/maintainers/physics.md,
+    AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
+    Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
+    lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
+
+    axes: rows: unit vectors in the body frame, right-handed
+    drag: Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v with Re = s d/nu, and along each axis -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. m^2, drag coefficient times area
+    drag_blunt: m^2, the part of rounded bodies, which grows with the Reynolds number
+    drag_layer: m^(3/2), boundary layer
+    drag_stokes: m, creeping flow
+    lift: Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i
+    spin_lift: m^3
+    lift_moment: m^3, moment of the lift about k: rho lift_moment_k v_i v_j
+    spin_drag: Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5
+    spin_drag_stream: m^4
+    spin_drag_stokes: m^3
+    intensity: velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself
+    length: m: the fluctuations are correlated over length/s
+    wake_reynolds: scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar
+    broadside: Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k sigma to lift_moment_k. 0 to 1
+    lift_stall
+    lift_moment_stalled: m^3
+    roll_damping: Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps roll; in plane motion this spin is 0. All >= 0. m^4
+    center: m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0
+    """
+    __slots__ = ('axes', 'drag', 'drag_blunt', 'drag_layer', 'drag_stokes', 'lift', 'spin_lift', 'lift_moment', 'spin_drag', 'spin_drag_stream', 'spin_drag_stokes', 'intensity', 'length', 'wake_reynolds', 'broadside', 'lift_stall', 'lift_moment_stalled', 'roll_damping', 'center')
+    axes: np.ndarray
+    drag: np.ndarray
+    drag_blunt: np.ndarray
+    drag_layer: np.ndarray
+    drag_stokes: np.ndarray
+    lift: np.ndarray
+    spin_lift: np.ndarray
+    lift_moment: np.ndarray
+    spin_drag: np.ndarray
+    spin_drag_stream: np.ndarray
+    spin_drag_stokes: np.ndarray
+    intensity: float
+    length: float
+    wake_reynolds: float
+    broadside: np.ndarray
+    lift_stall: float
+    lift_moment_stalled: np.ndarray
+    roll_damping: np.ndarray
+    center: np.ndarray

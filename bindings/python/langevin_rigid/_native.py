@@ -280,57 +280,6 @@ class lr_ellipsoid_desc(ctypes.Structure):
     ]
 
 
-class lr_aerodynamics(ctypes.Structure):
-    """Coefficients of the quasi-steady loads (LR_LOADS_AERODYNAMIC) at scale 1; equations: docs/maintainers/physics.md,
-    AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
-    Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
-    lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
-    """
-    _fields_ = [
-        ('struct_size', ctypes.c_uint32),
-        ('reserved', ctypes.c_uint32),
-        ('axes', ctypes.c_double * 9),
-        ('drag', ctypes.c_double * 3),
-        ('drag_blunt', ctypes.c_double * 3),
-        ('drag_layer', ctypes.c_double * 3),
-        ('drag_stokes', ctypes.c_double * 3),
-        ('lift', ctypes.c_double * 3),
-        ('spin_lift', ctypes.c_double * 3),
-        ('lift_moment', ctypes.c_double * 3),
-        ('spin_drag', ctypes.c_double * 3),
-        ('spin_drag_stream', ctypes.c_double * 3),
-        ('spin_drag_stokes', ctypes.c_double * 3),
-        ('intensity', ctypes.c_double),
-        ('length', ctypes.c_double),
-        ('wake_reynolds', ctypes.c_double),
-        ('broadside', ctypes.c_double * 3),
-        ('lift_stall', ctypes.c_double),
-        ('lift_moment_stalled', ctypes.c_double * 3),
-        ('roll_damping', ctypes.c_double * 3),
-        ('center', ctypes.c_double * 3),
-    ]
-
-
-class lr_rigid_desc(ctypes.Structure):
-    """A body of known numbers without a mesh or file: from another solver, from measurements, or the cross-section of a
-    card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes.
-    """
-    _fields_ = [
-        ('struct_size', ctypes.c_uint32),
-        ('reserved', ctypes.c_uint32),
-        ('mass', ctypes.c_double),
-        ('volume', ctypes.c_double),
-        ('inertia', ctypes.c_double * 9),
-        ('added_mass', ctypes.c_double * 36),
-        ('center_of_buoyancy', ctypes.c_double * 3),
-        ('fluid_density', ctypes.c_double),
-        ('fluid_viscosity', ctypes.c_double),
-        ('extents', ctypes.c_double * 3),
-        ('intensity', ctypes.c_double),
-        ('aerodynamics', ctypes.POINTER(lr_aerodynamics)),
-    ]
-
-
 class lr_asset_info(ctypes.Structure):
     """Properties of an asset. Matrices are row-major and symmetric."""
     _fields_ = [
@@ -567,22 +516,6 @@ class lr_batch_desc(ctypes.Structure):
         ('integrator', ctypes.c_int32),
         ('damping_gain', ctypes.c_float),
         ('noise_gain', ctypes.c_float),
-    ]
-
-
-class lr_turbulence_table(ctypes.Structure):
-    """k-epsilon samples in the units of the bake. Arrays are copied."""
-    _fields_ = [
-        ('struct_size', ctypes.c_uint32),
-        ('count', ctypes.c_uint32),
-        ('chi', ctypes.POINTER(ctypes.c_float)),
-        ('epsilon', ctypes.POINTER(ctypes.c_float)),
-        ('dt', ctypes.c_float),
-        ('u0', ctypes.c_float),
-        ('l', ctypes.c_float),
-        ('c0', ctypes.c_float),
-        ('stationary', ctypes.c_uint32),
-        ('reserved', ctypes.c_uint32),
     ]
 
 
@@ -937,6 +870,73 @@ class lr_batch_counts(ctypes.Structure):
     ]
 
 
+class lr_aerodynamics(ctypes.Structure):
+    """Coefficients of the quasi-steady loads (LR_LOADS_AERODYNAMIC) at scale 1; equations: docs/maintainers/physics.md,
+    AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
+    Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
+    lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
+    """
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
+        ('reserved', ctypes.c_uint32),
+        ('axes', ctypes.c_double * 9),
+        ('drag', ctypes.c_double * 3),
+        ('drag_blunt', ctypes.c_double * 3),
+        ('drag_layer', ctypes.c_double * 3),
+        ('drag_stokes', ctypes.c_double * 3),
+        ('lift', ctypes.c_double * 3),
+        ('spin_lift', ctypes.c_double * 3),
+        ('lift_moment', ctypes.c_double * 3),
+        ('spin_drag', ctypes.c_double * 3),
+        ('spin_drag_stream', ctypes.c_double * 3),
+        ('spin_drag_stokes', ctypes.c_double * 3),
+        ('intensity', ctypes.c_double),
+        ('length', ctypes.c_double),
+        ('wake_reynolds', ctypes.c_double),
+        ('broadside', ctypes.c_double * 3),
+        ('lift_stall', ctypes.c_double),
+        ('lift_moment_stalled', ctypes.c_double * 3),
+        ('roll_damping', ctypes.c_double * 3),
+        ('center', ctypes.c_double * 3),
+    ]
+
+
+class lr_rigid_desc(ctypes.Structure):
+    """A body of known numbers without a mesh or file: from another solver, from measurements, or the cross-section of a
+    card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes.
+    """
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
+        ('reserved', ctypes.c_uint32),
+        ('mass', ctypes.c_double),
+        ('volume', ctypes.c_double),
+        ('inertia', ctypes.c_double * 9),
+        ('added_mass', ctypes.c_double * 36),
+        ('center_of_buoyancy', ctypes.c_double * 3),
+        ('fluid_density', ctypes.c_double),
+        ('fluid_viscosity', ctypes.c_double),
+        ('extents', ctypes.c_double * 3),
+        ('intensity', ctypes.c_double),
+        ('aerodynamics', ctypes.POINTER(lr_aerodynamics)),
+    ]
+
+
+class lr_turbulence_table(ctypes.Structure):
+    """k-epsilon samples in the units of the bake. Arrays are copied."""
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
+        ('count', ctypes.c_uint32),
+        ('chi', ctypes.POINTER(ctypes.c_float)),
+        ('epsilon', ctypes.POINTER(ctypes.c_float)),
+        ('dt', ctypes.c_float),
+        ('u0', ctypes.c_float),
+        ('l', ctypes.c_float),
+        ('c0', ctypes.c_float),
+        ('stationary', ctypes.c_uint32),
+        ('reserved', ctypes.c_uint32),
+    ]
+
+
 # What each field is, by struct.
 FIELD_DOCS = {
     'lr_allocator': {
@@ -956,39 +956,6 @@ FIELD_DOCS = {
         'fluid_viscosity': 'm^2/s, kinematic, > 0; default 1.5e-5, air',
         'intensity': 'turbulence intensity I of k0 = 3/2 (I U0)^2, 0 to 10; default 1, as in the paper',
         'center_of_mass': "m, from the ellipsoid's centre, inside it; default 0. For ballast: the centre of buoyancy and the moments of inertia stay those of the uniform solid",
-    },
-    'lr_aerodynamics': {
-        'axes': 'rows: unit vectors in the body frame, right-handed',
-        'drag': 'Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v with Re = s d/nu, and along each axis -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. m^2, drag coefficient times area',
-        'drag_blunt': 'm^2, the part of rounded bodies, which grows with the Reynolds number',
-        'drag_layer': 'm^(3/2), boundary layer',
-        'drag_stokes': 'm, creeping flow',
-        'lift': 'Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i',
-        'spin_lift': 'm^3',
-        'lift_moment': 'm^3, moment of the lift about k: rho lift_moment_k v_i v_j',
-        'spin_drag': 'Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5',
-        'spin_drag_stream': 'm^4',
-        'spin_drag_stokes': 'm^3',
-        'intensity': "velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself",
-        'length': 'm: the fluctuations are correlated over length/s',
-        'wake_reynolds': 'scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar',
-        'broadside': 'Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k sigma to lift_moment_k. 0 to 1',
-        'lift_stall': '',
-        'lift_moment_stalled': 'm^3',
-        'roll_damping': 'Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps roll; in plane motion this spin is 0. All >= 0. m^4',
-        'center': 'm, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0',
-    },
-    'lr_rigid_desc': {
-        'mass': 'kg, > 0',
-        'volume': 'm^3, > 0',
-        'inertia': 'kg m^2, positive definite',
-        'added_mass': 'kg, kg m, kg m^2: order vx vy vz wx wy wz, fluid density included, as in lr_asset_info; positive semi-definite; default 0',
-        'center_of_buoyancy': 'm, from the centre of mass; default 0',
-        'fluid_density': 'kg/m^3, > 0; default 1.2, air',
-        'fluid_viscosity': 'm^2/s, kinematic, > 0; default 1.5e-5, air',
-        'extents': 'm, full size along the body axes, > 0',
-        'intensity': 'of the turbulence table, as in lr_ellipsoid_desc; default 1',
-        'aerodynamics': "copied; default null: an ellipsoid's with these extents",
     },
     'lr_asset_info': {
         'flags': '`AssetFlags`',
@@ -1163,16 +1130,6 @@ FIELD_DOCS = {
         'integrator': '`Integrator`; default `Integrator.DEFAULT`',
         'damping_gain': 'multiplies the turbulent damping, 0 to 100; default 1',
         'noise_gain': 'multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable',
-    },
-    'lr_turbulence_table': {
-        'count': 'samples, 1 to 65536',
-        'chi': '1/s, turbulent frequency epsilon / k, `count` values >= 0',
-        'epsilon': 'm^2/s^3, dissipation rate, `count` values >= 0',
-        'dt': 's between samples, > 0',
-        'u0': 'm/s, the speed that the table was made at, > 0; `TurbulenceClock.SPEED` scales by it',
-        'l': 'm, the length that the table was made with, > 0',
-        'c0': 'Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number',
-        'stationary': 'the sample that `TurbulenceClock.SPEED` uses, < count; default 0',
     },
     'lr_load_gains': {
         'drag': 'on translation, 0 to 100; default 1',
@@ -1391,13 +1348,54 @@ FIELD_DOCS = {
         'total_missed': '',
         'total_diverged': '',
     },
+    'lr_aerodynamics': {
+        'axes': 'rows: unit vectors in the body frame, right-handed',
+        'drag': 'Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v with Re = s d/nu, and along each axis -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. m^2, drag coefficient times area',
+        'drag_blunt': 'm^2, the part of rounded bodies, which grows with the Reynolds number',
+        'drag_layer': 'm^(3/2), boundary layer',
+        'drag_stokes': 'm, creeping flow',
+        'lift': 'Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i',
+        'spin_lift': 'm^3',
+        'lift_moment': 'm^3, moment of the lift about k: rho lift_moment_k v_i v_j',
+        'spin_drag': 'Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5',
+        'spin_drag_stream': 'm^4',
+        'spin_drag_stokes': 'm^3',
+        'intensity': "velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself",
+        'length': 'm: the fluctuations are correlated over length/s',
+        'wake_reynolds': 'scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar',
+        'broadside': 'Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k sigma to lift_moment_k. 0 to 1',
+        'lift_stall': '',
+        'lift_moment_stalled': 'm^3',
+        'roll_damping': 'Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps roll; in plane motion this spin is 0. All >= 0. m^4',
+        'center': 'm, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0',
+    },
+    'lr_rigid_desc': {
+        'mass': 'kg, > 0',
+        'volume': 'm^3, > 0',
+        'inertia': 'kg m^2, positive definite',
+        'added_mass': 'kg, kg m, kg m^2: order vx vy vz wx wy wz, fluid density included, as in lr_asset_info; positive semi-definite; default 0',
+        'center_of_buoyancy': 'm, from the centre of mass; default 0',
+        'fluid_density': 'kg/m^3, > 0; default 1.2, air',
+        'fluid_viscosity': 'm^2/s, kinematic, > 0; default 1.5e-5, air',
+        'extents': 'm, full size along the body axes, > 0',
+        'intensity': 'of the turbulence table, as in lr_ellipsoid_desc; default 1',
+        'aerodynamics': "copied; default null: an ellipsoid's with these extents",
+    },
+    'lr_turbulence_table': {
+        'count': 'samples, 1 to 65536',
+        'chi': '1/s, turbulent frequency epsilon / k, `count` values >= 0',
+        'epsilon': 'm^2/s^3, dissipation rate, `count` values >= 0',
+        'dt': 's between samples, > 0',
+        'u0': 'm/s, the speed that the table was made at, > 0; `TurbulenceClock.SPEED` scales by it',
+        'l': 'm, the length that the table was made with, > 0',
+        'c0': 'Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number',
+        'stationary': 'the sample that `TurbulenceClock.SPEED` uses, < count; default 0',
+    },
 }
 
 # The `_init` function of each struct that has one.
 INITS = {
     'lr_ellipsoid_desc': 'lr_ellipsoid_desc_init',
-    'lr_aerodynamics': 'lr_aerodynamics_init',
-    'lr_rigid_desc': 'lr_rigid_desc_init',
     'lr_asset_info': 'lr_asset_info_init',
     'lr_world_desc': 'lr_world_desc_init',
     'lr_world_info': 'lr_world_info_init',
@@ -1412,7 +1410,6 @@ INITS = {
     'lr_timings': 'lr_timings_init',
     'lr_recording_desc': 'lr_recording_desc_init',
     'lr_batch_desc': 'lr_batch_desc_init',
-    'lr_turbulence_table': 'lr_turbulence_table_init',
     'lr_load_gains': 'lr_load_gains_init',
     'lr_batch_pace': 'lr_batch_pace_init',
     'lr_batch_view': 'lr_batch_view_init',
@@ -1432,6 +1429,9 @@ INITS = {
     'lr_batch_rules': 'lr_batch_rules_init',
     'lr_emitter_desc': 'lr_emitter_desc_init',
     'lr_batch_counts': 'lr_batch_counts_init',
+    'lr_aerodynamics': 'lr_aerodynamics_init',
+    'lr_rigid_desc': 'lr_rigid_desc_init',
+    'lr_turbulence_table': 'lr_turbulence_table_init',
 }
 
 # name: (result, parameters, their names, text)
@@ -1548,10 +1548,11 @@ PROTOTYPES = {
         ('desc', 'struct_size'),
         """lr_status lr_ellipsoid_desc_init(lr_ellipsoid_desc* desc, uint32_t struct_size)
 
-        Sets the defaults. All other _init functions work alike.
+        Sets the defaults, those of LR_ELLIPSOID_DESC_INIT. All other _init functions work alike. struct_size:
+        sizeof(lr_ellipsoid_desc) in the caller's header.
 
         desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof(lr_ellipsoid_desc) in the caller's header.
+        struct_size: sizeof the struct in the caller's header
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
         Any thread.
@@ -1598,42 +1599,6 @@ PROTOTYPES = {
         Any thread.
         """,
     ),
-    'lr_aerodynamics_init': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_aerodynamics), ctypes.c_uint32],
-        ('aerodynamics', 'struct_size'),
-        """lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size)
-
-        Sets the axes to the body's, `length` to 1 and everything else to 0: no loads.
-
-        struct_size: sizeof the struct in the caller's header
-        """,
-    ),
-    'lr_rigid_desc_init': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_rigid_desc), ctypes.c_uint32],
-        ('desc', 'struct_size'),
-        """lr_status lr_rigid_desc_init(lr_rigid_desc* desc, uint32_t struct_size)
-
-        desc: initialised by its `_init` function, or with struct_size set
-        struct_size: sizeof the struct in the caller's header
-        """,
-    ),
-    'lr_asset_create_rigid': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_rigid_desc), ctypes.POINTER(ctypes.POINTER(lr_asset))],
-        ('desc', 'out'),
-        """lr_status lr_asset_create_rigid(const lr_rigid_desc* desc, lr_asset** out)
-
-        Creates an asset from given numbers.
-
-        desc: initialised by its `_init` function, or with struct_size set
-        out: as for lr_asset_load_file.
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for matrices that no body can have), LR_ERROR_OUT_OF_MEMORY.
-        Any thread.
-        """,
-    ),
     'lr_asset_info_init': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_asset_info), ctypes.c_uint32],
@@ -1653,21 +1618,6 @@ PROTOTYPES = {
 
         asset: the asset
         info: initialised by lr_asset_info_init, or with struct_size set.
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
-        Any thread.
-        """,
-    ),
-    'lr_asset_get_aerodynamics': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_asset), ctypes.POINTER(lr_aerodynamics)],
-        ('asset', 'aerodynamics'),
-        """lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics)
-
-        Reads an asset's baked coefficients.
-
-        asset: the asset
-        aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
         Any thread.
@@ -2441,61 +2391,6 @@ PROTOTYPES = {
 
         world: the world
         batch: handle of a batch of the world
-        """,
-    ),
-    'lr_turbulence_table_init': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_turbulence_table), ctypes.c_uint32],
-        ('table', 'struct_size'),
-        """lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t struct_size)
-
-        struct_size: sizeof the struct in the caller's header
-        """,
-    ),
-    'lr_batch_set_turbulence_table': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_turbulence_table)],
-        ('world', 'batch', 'table'),
-        """lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table)
-
-        Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the table replaces the
-        intensity of lr_aerodynamics: it sets the velocity of the fluid around the body.
-
-        world: the world
-        batch: handle of a batch of the world
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
-        """,
-    ),
-    'lr_batch_set_aerodynamics': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_aerodynamics)],
-        ('world', 'batch', 'aerodynamics'),
-        """lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics)
-
-        Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
-        restores the asset's. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. Axes other
-        than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
-
-        world: the world
-        batch: handle of a batch of the world
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
-        """,
-    ),
-    'lr_batch_get_aerodynamics': (
-        ctypes.c_int32,
-        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_aerodynamics)],
-        ('world', 'batch', 'aerodynamics'),
-        """lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics)
-
-        Reads a batch's current coefficients.
-
-        world: the world
-        batch: handle of a batch of the world
-        aerodynamics: initialised, or with struct_size set.
-
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
         """,
     ),
     'lr_load_gains_init': (
@@ -3350,6 +3245,112 @@ PROTOTYPES = {
         counts: initialised, or with struct_size set.
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+        """,
+    ),
+    'lr_aerodynamics_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_aerodynamics), ctypes.c_uint32],
+        ('aerodynamics', 'struct_size'),
+        """lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size)
+
+        Sets the axes to the body's, `length` to 1 and everything else to 0: no loads.
+
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_asset_get_aerodynamics': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_asset), ctypes.POINTER(lr_aerodynamics)],
+        ('asset', 'aerodynamics'),
+        """lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics)
+
+        Reads an asset's baked coefficients.
+
+        asset: the asset
+        aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
+        Any thread.
+        """,
+    ),
+    'lr_batch_set_aerodynamics': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_aerodynamics)],
+        ('world', 'batch', 'aerodynamics'),
+        """lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics)
+
+        Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
+        restores the asset's. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. Axes other
+        than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
+
+        world: the world
+        batch: handle of a batch of the world
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+        """,
+    ),
+    'lr_batch_get_aerodynamics': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_aerodynamics)],
+        ('world', 'batch', 'aerodynamics'),
+        """lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics)
+
+        Reads a batch's current coefficients.
+
+        world: the world
+        batch: handle of a batch of the world
+        aerodynamics: initialised, or with struct_size set.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+        """,
+    ),
+    'lr_rigid_desc_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_rigid_desc), ctypes.c_uint32],
+        ('desc', 'struct_size'),
+        """lr_status lr_rigid_desc_init(lr_rigid_desc* desc, uint32_t struct_size)
+
+        desc: initialised by its `_init` function, or with struct_size set
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_asset_create_rigid': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_rigid_desc), ctypes.POINTER(ctypes.POINTER(lr_asset))],
+        ('desc', 'out'),
+        """lr_status lr_asset_create_rigid(const lr_rigid_desc* desc, lr_asset** out)
+
+        Creates an asset from given numbers.
+
+        desc: initialised by its `_init` function, or with struct_size set
+        out: as for lr_asset_load_file.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for matrices that no body can have), LR_ERROR_OUT_OF_MEMORY.
+        Any thread.
+        """,
+    ),
+    'lr_turbulence_table_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_turbulence_table), ctypes.c_uint32],
+        ('table', 'struct_size'),
+        """lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t struct_size)
+
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_batch_set_turbulence_table': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_turbulence_table)],
+        ('world', 'batch', 'table'),
+        """lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table)
+
+        Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the table replaces the
+        intensity of lr_aerodynamics: it sets the velocity of the fluid around the body.
+
+        world: the world
+        batch: handle of a batch of the world
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
 }

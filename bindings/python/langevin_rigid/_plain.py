@@ -49,13 +49,6 @@ class OfWorld(Plain):
 class BatchPlain(OfWorld):
     """Plain getters and setters of `Batch`."""
 
-    @property
-    def aerodynamics(self) -> Aerodynamics:
-        """Reads a batch's current coefficients."""
-        value = init(native.lr_aerodynamics)
-        self._ask("lr_batch_get_aerodynamics", ctypes.byref(value))
-        return Aerodynamics.read(value)
-
     @takes("lr_load_gains")
     def set_load_gains(self, **gains: "Unpack[LoadGainsOptions]") -> None:
         """Sets the gains of a batch from the next step on. Without keywords, restores what there was first."""
@@ -133,6 +126,13 @@ class BatchPlain(OfWorld):
         value = init(native.lr_batch_counts)
         self._ask("lr_batch_get_counts", ctypes.byref(value))
         return BatchCounts.read(value)
+
+    @property
+    def aerodynamics(self) -> Aerodynamics:
+        """Reads a batch's current coefficients."""
+        value = init(native.lr_aerodynamics)
+        self._ask("lr_batch_get_aerodynamics", ctypes.byref(value))
+        return Aerodynamics.read(value)
 
 
 class ColliderPlain(OfWorld):

@@ -13,7 +13,7 @@ from langevin_rigid import _native as native
 from langevin_rigid import enums
 from langevin_rigid._library import library, library_path
 
-HEADER = (PREFIX / "include" / "langevin_rigid.h").read_text(encoding="utf-8")
+HEADER = "".join((PREFIX / "include" / name).read_text(encoding="utf-8") for name in ("langevin_rigid.h", "langevin_rigid_research.h"))
 
 
 def structs():
@@ -27,7 +27,7 @@ class Layout(unittest.TestCase):
         whole = {name: kind for name, kind in structs().items() if name in native.FIELD_DOCS}
         handles = {"lr_batch", "lr_body", "lr_collider", "lr_wind_source"}  # numbers here
         self.assertEqual(set(re.findall(r"^\} (lr_\w+);", HEADER, re.M)) - handles, set(whole))
-        lines = ["#include <langevin_rigid.h>", "#include <stddef.h>", "#include <stdio.h>", "int main(void) {"]
+        lines = ["#include <langevin_rigid_research.h>", "#include <stddef.h>", "#include <stdio.h>", "int main(void) {"]
         expected = []
         for name, kind in whole.items():
             lines.append(f'    printf("{name} %zu\\n", sizeof({name}));')

@@ -1,8 +1,8 @@
 // The runtime's C handles as owners, and statuses as exceptions.
 #pragma once
 
-#include "langevin_rigid.h"
 #include "langevin_rigid_baker.hpp"
+#include "langevin_rigid_research.h"
 
 #include <cstdint>
 #include <functional>

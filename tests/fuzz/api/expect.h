@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fuzz/api/input.h"
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 
 #include <cmath>
 #include <cstdio>

@@ -9,7 +9,7 @@ namespace {
 using test::may;
 using test::must;
 
-#define LR_STRUCT(name)                                                                                                \
+#define LR_STRUCT(name, initial)                                                                                       \
     inline lr_status init(name* s, uint32_t size) {                                                                    \
         return LR_CALL(name##_init)(s, size);                                                                          \
     }

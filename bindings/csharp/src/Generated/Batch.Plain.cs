@@ -4,39 +4,6 @@ namespace LangevinRigid
 {
     public sealed unsafe partial class Batch
     {
-        /// <summary>Replaces the turbulence table of a batch. <see cref="Native.lr_batch_set_turbulence_table"/></summary>
-        public void SetTurbulenceTable(TurbulenceTable table)
-        {
-            Leave(Native.lr_batch_set_turbulence_table(EnterChange(), _id, &table), "lr_batch_set_turbulence_table");
-        }
-
-        /// <summary>Undoes <see cref="SetTurbulenceTable(TurbulenceTable)"/>.</summary>
-        public void ResetTurbulenceTable()
-        {
-            Leave(Native.lr_batch_set_turbulence_table(EnterChange(), _id, null), "lr_batch_set_turbulence_table");
-        }
-
-        /// <summary>Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on.
-        /// <see cref="Native.lr_batch_set_aerodynamics"/></summary>
-        public void SetAerodynamics(Aerodynamics aerodynamics)
-        {
-            Leave(Native.lr_batch_set_aerodynamics(EnterChange(), _id, &aerodynamics), "lr_batch_set_aerodynamics");
-        }
-
-        /// <summary>Undoes <see cref="SetAerodynamics(Aerodynamics)"/>.</summary>
-        public void ResetAerodynamics()
-        {
-            Leave(Native.lr_batch_set_aerodynamics(EnterChange(), _id, null), "lr_batch_set_aerodynamics");
-        }
-
-        /// <summary>Reads a batch's current coefficients. <see cref="Native.lr_batch_get_aerodynamics"/></summary>
-        public Aerodynamics GetAerodynamics()
-        {
-            Aerodynamics value = new Aerodynamics { StructSize = (uint)sizeof(Aerodynamics) };
-            Leave(Native.lr_batch_get_aerodynamics(Enter(), _id, &value), "lr_batch_get_aerodynamics");
-            return value;
-        }
-
         /// <summary>Sets the gains of a batch from the next step on. <see cref="Native.lr_batch_set_load_gains"/></summary>
         public void SetLoadGains(LoadGains gains)
         {
@@ -154,6 +121,39 @@ namespace LangevinRigid
             BatchCounts value = new BatchCounts { StructSize = (uint)sizeof(BatchCounts) };
             Leave(Native.lr_batch_get_counts(Enter(), _id, &value), "lr_batch_get_counts");
             return value;
+        }
+
+        /// <summary>Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on.
+        /// <see cref="Native.lr_batch_set_aerodynamics"/></summary>
+        public void SetAerodynamics(Aerodynamics aerodynamics)
+        {
+            Leave(Native.lr_batch_set_aerodynamics(EnterChange(), _id, &aerodynamics), "lr_batch_set_aerodynamics");
+        }
+
+        /// <summary>Undoes <see cref="SetAerodynamics(Aerodynamics)"/>.</summary>
+        public void ResetAerodynamics()
+        {
+            Leave(Native.lr_batch_set_aerodynamics(EnterChange(), _id, null), "lr_batch_set_aerodynamics");
+        }
+
+        /// <summary>Reads a batch's current coefficients. <see cref="Native.lr_batch_get_aerodynamics"/></summary>
+        public Aerodynamics GetAerodynamics()
+        {
+            Aerodynamics value = new Aerodynamics { StructSize = (uint)sizeof(Aerodynamics) };
+            Leave(Native.lr_batch_get_aerodynamics(Enter(), _id, &value), "lr_batch_get_aerodynamics");
+            return value;
+        }
+
+        /// <summary>Replaces the turbulence table of a batch. <see cref="Native.lr_batch_set_turbulence_table"/></summary>
+        public void SetTurbulenceTable(TurbulenceTable table)
+        {
+            Leave(Native.lr_batch_set_turbulence_table(EnterChange(), _id, &table), "lr_batch_set_turbulence_table");
+        }
+
+        /// <summary>Undoes <see cref="SetTurbulenceTable(TurbulenceTable)"/>.</summary>
+        public void ResetTurbulenceTable()
+        {
+            Leave(Native.lr_batch_set_turbulence_table(EnterChange(), _id, null), "lr_batch_set_turbulence_table");
         }
     }
 }

@@ -97,42 +97,6 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>k-epsilon samples in the units of the bake. Arrays are copied.</summary>
-    [StructLayout(LayoutKind.Sequential)]
-    public unsafe partial struct TurbulenceTable
-    {
-        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
-        public uint StructSize;
-        /// <summary>samples, 1 to 65536</summary>
-        public uint Count;
-        /// <summary>1/s, turbulent frequency epsilon / k, <c>Count</c> values &gt;= 0</summary>
-        public float* Chi;
-        /// <summary>m^2/s^3, dissipation rate, <c>Count</c> values &gt;= 0</summary>
-        public float* Epsilon;
-        /// <summary>s between samples, &gt; 0</summary>
-        public float Dt;
-        /// <summary>m/s, the speed that the table was made at, &gt; 0; <see cref="TurbulenceClock.Speed"/> scales by
-        /// it</summary>
-        public float U0;
-        /// <summary>m, the length that the table was made with, &gt; 0</summary>
-        public float L;
-        /// <summary>Kolmogorov constant, &gt; 0; default 6.5, its limit at high Reynolds number</summary>
-        public float C0;
-        /// <summary>the sample that <see cref="TurbulenceClock.Speed"/> uses, &lt; count; default 0</summary>
-        public uint Stationary;
-        /// <summary>0.</summary>
-        public uint Reserved;
-
-        /// <summary>One with its initial values and its size.</summary>
-        public static TurbulenceTable Create()
-        {
-            var value = default(TurbulenceTable);
-            LangevinLibrary.EnsureLoaded();
-            LangevinException.Check(Native.lr_turbulence_table_init(&value, (uint)sizeof(TurbulenceTable)), "lr_turbulence_table_init");
-            return value;
-        }
-    }
-
     /// <summary>Artistic control of AERODYNAMIC loads. The factors multiply the coefficients, so bodies still move
     /// physically.</summary>
     [StructLayout(LayoutKind.Sequential)]

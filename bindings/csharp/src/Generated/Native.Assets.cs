@@ -47,11 +47,12 @@ namespace LangevinRigid
         public static extern Status lr_asset_check_memory(void* bytes, ulong size, IntPtr report, IntPtr user);
 
         /// <summary>
-        /// <para>Sets the defaults. All other _init functions work alike.</para>
+        /// <para>Sets the defaults, those of <c>LR_ELLIPSOID_DESC_INIT</c>. All other _init functions work alike.
+        /// struct_size: sizeof(<see cref="EllipsoidDesc"/>) in the caller's header.</para>
         /// <para>Any thread.</para>
         /// </summary>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="structSize">sizeof(<see cref="EllipsoidDesc"/>) in the caller's header.</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
         /// <see cref="Status.StructSize"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
@@ -88,30 +89,6 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern void lr_asset_release(IntPtr asset);
 
-        /// <summary>Sets the axes to the body's, <c>length</c> to 1 and everything else to 0: no loads.</summary>
-        /// <param name="aerodynamics">aerodynamics</param>
-        /// <param name="structSize">sizeof the struct in the caller's header</param>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_aerodynamics_init(Aerodynamics* aerodynamics, uint structSize);
-
-        /// <summary>Fills a struct with its initial values; <c>RigidDesc.Create()</c> does it with the right size.</summary>
-        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="structSize">sizeof the struct in the caller's header</param>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_rigid_desc_init(RigidDesc* desc, uint structSize);
-
-        /// <summary>
-        /// <para>Creates an asset from given numbers.</para>
-        /// <para>Any thread.</para>
-        /// </summary>
-        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
-        /// <param name="out">as for <see cref="Native.lr_asset_load_file"/>.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StructSize"/>,
-        /// <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/> (also for matrices that no body can
-        /// have), <see cref="Status.OutOfMemory"/>.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_asset_create_rigid(RigidDesc* desc, IntPtr* @out);
-
         /// <summary>Fills a struct with its initial values; <c>AssetInfo.Create()</c> does it with the right size.</summary>
         /// <param name="info">info</param>
         /// <param name="structSize">sizeof the struct in the caller's header</param>
@@ -128,17 +105,5 @@ namespace LangevinRigid
         /// <see cref="Status.StructSize"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_asset_get_info(IntPtr asset, AssetInfo* info);
-
-        /// <summary>
-        /// <para>Reads an asset's baked coefficients.</para>
-        /// <para>Any thread.</para>
-        /// </summary>
-        /// <param name="asset">the asset</param>
-        /// <param name="aerodynamics">initialised by <see cref="Native.lr_aerodynamics_init"/>, or with struct_size
-        /// set.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>,
-        /// <see cref="Status.StructSize"/>.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_asset_get_aerodynamics(IntPtr asset, Aerodynamics* aerodynamics);
     }
 }

@@ -39,46 +39,6 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern int lr_batch_is_valid(IntPtr world, BatchId batch);
 
-        /// <summary>Fills a struct with its initial values; <c>TurbulenceTable.Create()</c> does it with the right size.</summary>
-        /// <param name="table">table</param>
-        /// <param name="structSize">sizeof the struct in the caller's header</param>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_turbulence_table_init(TurbulenceTable* table, uint structSize);
-
-        /// <summary>Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the
-        /// table replaces the intensity of <see cref="Aerodynamics"/>: it sets the velocity of the fluid around the
-        /// body.</summary>
-        /// <param name="world">the world</param>
-        /// <param name="batch">handle of a batch of the world</param>
-        /// <param name="table">table</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>,
-        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>,
-        /// <see cref="Status.OutOfMemory"/>.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_set_turbulence_table(IntPtr world, BatchId batch, TurbulenceTable* table);
-
-        /// <summary>Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The
-        /// struct is copied; null restores the asset's. With intensity 0 and <see cref="LoadGains.Turbulence"/> 1 a
-        /// fall is the same for any seed. Axes other than the body's, or a center other than 0, put an
-        /// <see cref="AssetFlags.Diagonal"/> body on the slower path of all other bodies.</summary>
-        /// <param name="world">the world</param>
-        /// <param name="batch">handle of a batch of the world</param>
-        /// <param name="aerodynamics">aerodynamics</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world),
-        /// <see cref="Status.StaleBatch"/>, <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
-        /// <see cref="Status.InvalidArgument"/>.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_set_aerodynamics(IntPtr world, BatchId batch, Aerodynamics* aerodynamics);
-
-        /// <summary>Reads a batch's current coefficients.</summary>
-        /// <param name="world">the world</param>
-        /// <param name="batch">handle of a batch of the world</param>
-        /// <param name="aerodynamics">initialised, or with struct_size set.</param>
-        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBatch"/>,
-        /// <see cref="Status.StructSize"/>.</returns>
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
-        public static extern Status lr_batch_get_aerodynamics(IntPtr world, BatchId batch, Aerodynamics* aerodynamics);
-
         /// <summary>Fills a struct with its initial values; <c>LoadGains.Create()</c> does it with the right size.</summary>
         /// <param name="gains">gains</param>
         /// <param name="structSize">sizeof the struct in the caller's header</param>

@@ -277,79 +277,6 @@ export interface EllipsoidDesc {
   centerOfMass: number[];
 }
 
-/**
- * Coefficients of the quasi-steady loads (LR_LOADS_AERODYNAMIC) at scale 1; equations: docs/maintainers/physics.md,
- * AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
- * Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
- * lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
- */
-export interface Aerodynamics {
-  /** 9 elements. rows: unit vectors in the body frame, right-handed */
-  axes: number[];
-  /** 3 elements. m^2, drag coefficient times area */
-  drag: number[];
-  /** 3 elements. m^2, the part of rounded bodies, which grows with the Reynolds number */
-  dragBlunt: number[];
-  /** 3 elements. m^(3/2), boundary layer */
-  dragLayer: number[];
-  /** 3 elements. m, creeping flow */
-  dragStokes: number[];
-  /** 3 elements. m^2, positive where the body is thinner along j than along i */
-  lift: number[];
-  /** 3 elements. m^3 */
-  spinLift: number[];
-  /** 3 elements. m^3, moment of the lift about k: rho lift_moment_k v_i v_j */
-  liftMoment: number[];
-  /** 3 elements. m^5 */
-  spinDrag: number[];
-  /** 3 elements. m^4 */
-  spinDragStream: number[];
-  /** 3 elements. m^3 */
-  spinDragStokes: number[];
-  /** velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself */
-  intensity: number;
-  /** m: the fluctuations are correlated over length/s */
-  length: number;
-  /** scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar */
-  wakeReynolds: number;
-  /** 3 elements. 0 to 1 */
-  broadside: number[];
-  liftStall: number;
-  /** 3 elements. m^3 */
-  liftMomentStalled: number[];
-  /** 3 elements. m^4 */
-  rollDamping: number[];
-  /** 3 elements. m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0 */
-  center: number[];
-}
-
-/**
- * A body of known numbers without a mesh or file: from another solver, from measurements, or the cross-section of a
- * card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes.
- */
-export interface RigidDesc {
-  /** kg, > 0 */
-  mass: number;
-  /** m^3, > 0 */
-  volume: number;
-  /** 9 elements. kg m^2, positive definite */
-  inertia: number[];
-  /** 36 elements. kg, kg m, kg m^2: order vx vy vz wx wy wz, fluid density included, as in lr_asset_info; positive semi-definite; default 0 */
-  addedMass: number[];
-  /** 3 elements. m, from the centre of mass; default 0 */
-  centerOfBuoyancy: number[];
-  /** kg/m^3, > 0; default 1.2, air */
-  fluidDensity: number;
-  /** m^2/s, kinematic, > 0; default 1.5e-5, air */
-  fluidViscosity: number;
-  /** 3 elements. m, full size along the body axes, > 0 */
-  extents: number[];
-  /** of the turbulence table, as in lr_ellipsoid_desc; default 1 */
-  intensity: number;
-  /** copied; default null: an ellipsoid's with these extents */
-  aerodynamics: Aerodynamics;
-}
-
 /** Properties of an asset. Matrices are row-major and symmetric. */
 export interface AssetInfo {
   /** LR_ASSET_* */
@@ -696,26 +623,6 @@ export interface BatchDesc {
   dampingGain: number;
   /** multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable */
   noiseGain: number;
-}
-
-/** k-epsilon samples in the units of the bake. Arrays are copied. */
-export interface TurbulenceTable {
-  /** samples, 1 to 65536 */
-  count: number;
-  /** 1/s, turbulent frequency epsilon / k, `count` values >= 0 */
-  chi: Float32Array;
-  /** m^2/s^3, dissipation rate, `count` values >= 0 */
-  epsilon: Float32Array;
-  /** s between samples, > 0 */
-  dt: number;
-  /** m/s, the speed that the table was made at, > 0; LR_CLOCK_SPEED scales by it */
-  u0: number;
-  /** m, the length that the table was made with, > 0 */
-  l: number;
-  /** Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number */
-  c0: number;
-  /** the sample that LR_CLOCK_SPEED uses, < count; default 0 */
-  stationary: number;
 }
 
 /** Artistic control of AERODYNAMIC loads. The factors multiply the coefficients, so bodies still move physically. */
@@ -1152,6 +1059,99 @@ export interface BatchCounts {
   totalDiverged: number;
 }
 
+/**
+ * Coefficients of the quasi-steady loads (LR_LOADS_AERODYNAMIC) at scale 1; equations: docs/maintainers/physics.md,
+ * AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
+ * Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
+ * lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity.
+ */
+export interface Aerodynamics {
+  /** 9 elements. rows: unit vectors in the body frame, right-handed */
+  axes: number[];
+  /** 3 elements. m^2, drag coefficient times area */
+  drag: number[];
+  /** 3 elements. m^2, the part of rounded bodies, which grows with the Reynolds number */
+  dragBlunt: number[];
+  /** 3 elements. m^(3/2), boundary layer */
+  dragLayer: number[];
+  /** 3 elements. m, creeping flow */
+  dragStokes: number[];
+  /** 3 elements. m^2, positive where the body is thinner along j than along i */
+  lift: number[];
+  /** 3 elements. m^3 */
+  spinLift: number[];
+  /** 3 elements. m^3, moment of the lift about k: rho lift_moment_k v_i v_j */
+  liftMoment: number[];
+  /** 3 elements. m^5 */
+  spinDrag: number[];
+  /** 3 elements. m^4 */
+  spinDragStream: number[];
+  /** 3 elements. m^3 */
+  spinDragStokes: number[];
+  /** velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself */
+  intensity: number;
+  /** m: the fluctuations are correlated over length/s */
+  length: number;
+  /** scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar */
+  wakeReynolds: number;
+  /** 3 elements. 0 to 1 */
+  broadside: number[];
+  liftStall: number;
+  /** 3 elements. m^3 */
+  liftMomentStalled: number[];
+  /** 3 elements. m^4 */
+  rollDamping: number[];
+  /** 3 elements. m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0 */
+  center: number[];
+}
+
+/**
+ * A body of known numbers without a mesh or file: from another solver, from measurements, or the cross-section of a
+ * card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes.
+ */
+export interface RigidDesc {
+  /** kg, > 0 */
+  mass: number;
+  /** m^3, > 0 */
+  volume: number;
+  /** 9 elements. kg m^2, positive definite */
+  inertia: number[];
+  /** 36 elements. kg, kg m, kg m^2: order vx vy vz wx wy wz, fluid density included, as in lr_asset_info; positive semi-definite; default 0 */
+  addedMass: number[];
+  /** 3 elements. m, from the centre of mass; default 0 */
+  centerOfBuoyancy: number[];
+  /** kg/m^3, > 0; default 1.2, air */
+  fluidDensity: number;
+  /** m^2/s, kinematic, > 0; default 1.5e-5, air */
+  fluidViscosity: number;
+  /** 3 elements. m, full size along the body axes, > 0 */
+  extents: number[];
+  /** of the turbulence table, as in lr_ellipsoid_desc; default 1 */
+  intensity: number;
+  /** copied; default null: an ellipsoid's with these extents */
+  aerodynamics: Aerodynamics;
+}
+
+/** k-epsilon samples in the units of the bake. Arrays are copied. */
+export interface TurbulenceTable {
+  /** samples, 1 to 65536 */
+  count: number;
+  /** 1/s, turbulent frequency epsilon / k, `count` values >= 0 */
+  chi: Float32Array;
+  /** m^2/s^3, dissipation rate, `count` values >= 0 */
+  epsilon: Float32Array;
+  /** s between samples, > 0 */
+  dt: number;
+  /** m/s, the speed that the table was made at, > 0; LR_CLOCK_SPEED scales by it */
+  u0: number;
+  /** m, the length that the table was made with, > 0 */
+  l: number;
+  /** Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number */
+  c0: number;
+  /** the sample that LR_CLOCK_SPEED uses, < count; default 0 */
+  stationary: number;
+}
+
 /** The C functions as the module exports them: addresses are numbers, 64 bits are bigints. */
 export interface RawFunctions {
   /**
@@ -1197,7 +1197,8 @@ export interface RawFunctions {
    */
   lr_asset_check_memory(bytes: number, size: bigint, report: number, user: number): number;
   /**
-   * Sets the defaults. All other _init functions work alike.
+   * Sets the defaults, those of LR_ELLIPSOID_DESC_INIT. All other _init functions work alike. struct_size:
+   * sizeof(lr_ellipsoid_desc) in the caller's header.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
    */
   lr_ellipsoid_desc_init(desc: number, struct_size: number): number;
@@ -1214,26 +1215,12 @@ export interface RawFunctions {
   lr_asset_retain(asset: number): number;
   /** Gives back a reference. The last one frees the asset. Each batch holds its own. Null is allowed. */
   lr_asset_release(asset: number): void;
-  /** Sets the axes to the body's, `length` to 1 and everything else to 0: no loads. */
-  lr_aerodynamics_init(aerodynamics: number, struct_size: number): number;
-  lr_rigid_desc_init(desc: number, struct_size: number): number;
-  /**
-   * Creates an asset from given numbers.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for
-   * matrices that no body can have), LR_ERROR_OUT_OF_MEMORY.
-   */
-  lr_asset_create_rigid(desc: number, out: number): number;
   lr_asset_info_init(info: number, struct_size: number): number;
   /**
    * Reads an asset's properties.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
    */
   lr_asset_get_info(asset: number, info: number): number;
-  /**
-   * Reads an asset's baked coefficients.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
-   */
-  lr_asset_get_aerodynamics(asset: number, aerodynamics: number): number;
   lr_world_desc_init(desc: number, struct_size: number): number;
   /**
    * Creates a world.
@@ -1448,27 +1435,6 @@ export interface RawFunctions {
   lr_batch_destroy(world: number, batch: number): number;
   /** Returns 1 if the batch exists in this world, else 0. Never an error: see lr_body_is_valid. */
   lr_batch_is_valid(world: number, batch: number): number;
-  lr_turbulence_table_init(table: number, struct_size: number): number;
-  /**
-   * Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the table replaces the
-   * intensity of lr_aerodynamics: it sets the velocity of the fluid around the body.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
-   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
-   */
-  lr_batch_set_turbulence_table(world: number, batch: number, table: number): number;
-  /**
-   * Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
-   * restores the asset's. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. Axes other
-   * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
-   * LR_ERROR_INVALID_ARGUMENT.
-   */
-  lr_batch_set_aerodynamics(world: number, batch: number, aerodynamics: number): number;
-  /**
-   * Reads a batch's current coefficients.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
-   */
-  lr_batch_get_aerodynamics(world: number, batch: number, aerodynamics: number): number;
   lr_load_gains_init(gains: number, struct_size: number): number;
   /**
    * Sets the gains of a batch from the next step on; null sets all to 1. The gains of LANGEVIN loads are in
@@ -1781,4 +1747,39 @@ export interface RawFunctions {
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
    */
   lr_batch_get_counts(world: number, batch: number, counts: number): number;
+  /** Sets the axes to the body's, `length` to 1 and everything else to 0: no loads. */
+  lr_aerodynamics_init(aerodynamics: number, struct_size: number): number;
+  /**
+   * Reads an asset's baked coefficients.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_asset_get_aerodynamics(asset: number, aerodynamics: number): number;
+  /**
+   * Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
+   * restores the asset's. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. Axes other
+   * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+   * LR_ERROR_INVALID_ARGUMENT.
+   */
+  lr_batch_set_aerodynamics(world: number, batch: number, aerodynamics: number): number;
+  /**
+   * Reads a batch's current coefficients.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_batch_get_aerodynamics(world: number, batch: number, aerodynamics: number): number;
+  lr_rigid_desc_init(desc: number, struct_size: number): number;
+  /**
+   * Creates an asset from given numbers.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for
+   * matrices that no body can have), LR_ERROR_OUT_OF_MEMORY.
+   */
+  lr_asset_create_rigid(desc: number, out: number): number;
+  lr_turbulence_table_init(table: number, struct_size: number): number;
+  /**
+   * Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the table replaces the
+   * intensity of lr_aerodynamics: it sets the velocity of the fluid around the body.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
+   */
+  lr_batch_set_turbulence_table(world: number, batch: number, table: number): number;
 }

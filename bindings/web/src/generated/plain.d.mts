@@ -5,10 +5,6 @@ import type { Input } from '../../langevin_rigid.mjs';
 import type * as api from './api.mjs';
 
 export declare class BatchPlain {
-  /** Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. null undoes it. */
-  setAerodynamics(aerodynamics: Input<api.Aerodynamics> | null): void;
-  /** Reads a batch's current coefficients. */
-  readonly aerodynamics: api.Aerodynamics;
   /** Sets the gains of a batch from the next step on. null undoes it. */
   setLoadGains(gains: Input<api.LoadGains> | null): void;
   /** Reads the gains of a batch. */
@@ -36,6 +32,10 @@ export declare class BatchPlain {
   setEmitter(desc: Input<api.EmitterDesc> | null): void;
   /** Reads the counts of a batch. */
   readonly counts: api.BatchCounts;
+  /** Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. null undoes it. */
+  setAerodynamics(aerodynamics: Input<api.Aerodynamics> | null): void;
+  /** Reads a batch's current coefficients. */
+  readonly aerodynamics: api.Aerodynamics;
 }
 
 export declare class WorldPlain {

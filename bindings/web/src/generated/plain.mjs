@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 
 export class BatchPlain {
-  setAerodynamics(aerodynamics) { this.world.set('lr_aerodynamics', aerodynamics, 'lr_batch_set_aerodynamics', this.handle); }
-  get aerodynamics() { return this.world.get('lr_aerodynamics', 'lr_batch_get_aerodynamics', this.handle); }
   setLoadGains(gains) { this.world.set('lr_load_gains', gains, 'lr_batch_set_load_gains', this.handle); }
   get loadGains() { return this.world.get('lr_load_gains', 'lr_batch_get_load_gains', this.handle); }
   setRate(divisor) { this.world.call('lr_batch_set_rate', this.handle, divisor); }
@@ -17,6 +15,8 @@ export class BatchPlain {
   get divergencePolicy() { return this.world.number('i32', 'lr_batch_get_divergence_policy', this.handle); }
   setEmitter(desc) { this.world.set('lr_emitter_desc', desc, 'lr_batch_set_emitter', this.handle); }
   get counts() { return this.world.get('lr_batch_counts', 'lr_batch_get_counts', this.handle); }
+  setAerodynamics(aerodynamics) { this.world.set('lr_aerodynamics', aerodynamics, 'lr_batch_set_aerodynamics', this.handle); }
+  get aerodynamics() { return this.world.get('lr_aerodynamics', 'lr_batch_get_aerodynamics', this.handle); }
 }
 
 export class WorldPlain {
