@@ -66,7 +66,7 @@ HWY_INLINE void store(const Vec& a, SearchBlock::Row* rows, size_t at) {
     hw::Store(a.z, Tag(), rows[2] + at);
 }
 
-// The corner farthest along a direction, the first of equal ones.
+// The vertex farthest along a direction, the first of equals.
 HWY_INLINE Vec farthest(const SearchHull& hull, const Vec& d) {
     const auto corner = [&](uint32_t i) HWY_ATTR {
         return Vec{Lanes::number(hull.x[i]), Lanes::number(hull.y[i]), Lanes::number(hull.z[i])};
