@@ -5,8 +5,8 @@
 
 namespace {
 
-// A solver's error may leave added mass a little below zero where a thin or round body has next to none, and the checks of files let
-// that pass. In a dense fluid it would take from the body's own inertia, and turbulent loads along it would drive instead of damp.
+// A solver's error can leave added mass slightly below zero if a thin or round body has almost none, and such files pass the checks. In a dense
+// fluid it would reduce the body's own inertia, and turbulent loads along it would drive instead of damp.
 lr::AssetData&& settled(lr::AssetData&& d) {
     const double unit = d.volume + d.projected_area * d.length_d;
     lr::Matrix6 scaled = d.added_mass;

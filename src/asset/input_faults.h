@@ -1,4 +1,4 @@
-// Numbered faults: what is wrong with a mesh, an asset file or a parameter, where, and what to do about it.
+// Numbered faults of a mesh, an asset file or a parameter: the place, the problem and the remedy.
 #pragma once
 
 #include <charconv>

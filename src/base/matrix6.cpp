@@ -33,8 +33,8 @@ bool cholesky(const Matrix6& m, double floor, Matrix6& l) {
     return true;
 }
 
-// Cyclic Jacobi (Golub and Van Loan, Matrix Computations, section 8.5): `a` becomes diagonal, columns of the result its eigenvectors.
-// Some six sweeps; the bound is for what is not finite.
+// Cyclic Jacobi (Golub and Van Loan, Matrix Computations, section 8.5): `a` becomes diagonal, columns of the result its eigenvectors. About six
+// sweeps; the bound ends it if something is not finite.
 Matrix6 diagonalise(Matrix6& a) {
     Matrix6 v = unit_matrix();
     for (int sweep = 0; sweep < 30; ++sweep) {
@@ -164,7 +164,7 @@ bool invert_spd(const Matrix6& m, Matrix6& inverse) {
 }
 
 void eigen3(double (&m)[3][3], double (&vectors)[3][3]) {
-    Matrix6 padded{}; // what is padded stays apart
+    Matrix6 padded{}; // the padding stays separate
     for (size_t i = 0; i < 9; ++i) padded[i / 3 * 6 + i % 3] = m[i / 3][i % 3];
     make_symmetric(padded);
     const Matrix6 v = diagonalise(padded);

@@ -1,5 +1,5 @@
-// Transcendental functions in double that give the same bits with every C library: made of + - x / and exact scaling
-// only. Results go into assets and constants, so that two machines must agree on them to the last bit.
+// Transcendental functions in double from + - x / and exact scaling only, with the same bits for every C library: their results go into assets
+// and constants, on which all machines must agree.
 #pragma once
 
 namespace lr::shape {

@@ -100,7 +100,7 @@ void WorkerPool::wake(uint32_t helpers) {
 void WorkerPool::work() {
     uint32_t seen = 0;
     for (;;) {
-        // Rounds of one step follow each other within microseconds; those of different frames do not.
+        // Rounds of one step follow each other within microseconds; rounds of different frames do not.
         const auto called = [&] { return round_.load(std::memory_order_acquire) != seen; };
         if (!spin_until(called)) round_.wait(seen);
         seen = round_.load(std::memory_order_acquire);

@@ -1,4 +1,4 @@
-// Finds the bodies of a crowd that touch each other in a substep.
+// Finds the bodies that touch each other in a substep.
 #include "body_contact/body_contact_step.h"
 
 #include "collision/pair_contacts.h"
@@ -161,8 +161,7 @@ bool BodyContactStep::find_pairs() {
     return true;
 }
 
-// Bodies that touch others get places: batch by batch, each in the order of noise seeds and starting at a whole group of
-// lanes.
+// Bodies that touch others get places: batch by batch, each in the order of noise seeds and starting at a whole group of lanes.
 bool BodyContactStep::number_touching() {
     constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
     BodyContactBuffers& c = *buffers_;

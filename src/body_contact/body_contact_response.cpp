@@ -1,4 +1,4 @@
-// Solves the contacts of a crowd: bodies that touch no other awake one separately, the rest together.
+// Solves contacts: bodies that touch no other awake body separately, the rest together.
 #include "body_contact/body_contact_step.h"
 
 #include "kernel/divergence.h"
@@ -126,8 +126,7 @@ void BodyContactStep::fill_body(uint32_t place) {
     to.scale = a.field[field_scale][index];
 }
 
-// In the order of places: each body's contacts with fixed things, then the pairs that it has found, in the order of the
-// others' places.
+// In the order of places: each body's contacts with fixed things, then the pairs that it has found, in the order of the others' places.
 uint32_t BodyContactStep::list_units() {
     BodyContactBuffers& c = *buffers_;
     uint32_t used = 0;

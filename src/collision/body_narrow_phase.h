@@ -7,8 +7,7 @@
 
 namespace lr {
 
-// The shape with which bodies of a batch touch other bodies: always a hull of points with a rounding. Ellipsoids become hulls
-// too, flat ones plates.
+// The shape with which bodies of a batch touch other bodies: always a hull of points with a rounding. Ellipsoids become hulls too, flat ones plates.
 struct PairHull {
     static constexpr uint32_t lanes = 4; // points are padded to whole vectors by repeating the first
 

@@ -45,15 +45,14 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
                 std::vector<float>& normals, std::vector<uint8_t>& hidden_edges);
 
 inline constexpr uint32_t most_part_triangles = 8;
-// Reorders a mesh's triangles (3 indices each, in range) so that neighbours are adjacent, and divides them into parts for the broad
-// phase; large ones are alone. The same for the same mesh everywhere.
+// Reorders a mesh's triangles (3 indices each, in range) so that neighbours are adjacent, and divides them into parts for the broad phase;
+// large triangles are alone. The same on every machine.
 void make_mesh_parts(const float* vertices, uint32_t* indices, uint32_t triangle_count, std::vector<MeshPart>& parts);
 
 // The coarse heights of a HeightfieldGeometry.
 void build_coarse(const uint32_t (&counts)[2], const float* heights, std::vector<float>& coarse,
                   uint32_t (&coarse_counts)[2], float& lowest, float& highest);
-// The secant of the angle of the steepest triangle, or slightly more: the slope of the surface is at most the root of its square
-// less 1.
+// The secant of the angle of the steepest triangle, or slightly more: the surface's slope is at most sqrt(secant^2 - 1).
 float steepest_secant(const uint32_t (&counts)[2], const float (&spacing)[2], const float* heights);
 
 } // namespace lr

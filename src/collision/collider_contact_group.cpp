@@ -11,7 +11,7 @@
 namespace lr {
 namespace {
 
-// The box that a body may reach within dt; as in the kernel.
+// The box that a body can reach within dt; as in the kernel.
 Box vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i, float dt) {
     const float size = 1.5f * step.shape->reach * arrays.field[field_scale][i];
     const float speed =
@@ -278,7 +278,7 @@ ContactBodies ContactGroup::bodies(const ContactSubstep& substep) const {
 }
 
 void TouchList::take(uint32_t one, float impulse) {
-    // A place for it: its own, or that of the weakest one that is weaker.
+    // Its own place, or that of the weakest touch if that is weaker.
     size_t at = 0;
     while (at < 4 && id[at] != one && id[at] != 0) ++at;
     if (at == 4) at = static_cast<size_t>(std::min_element(strength, strength + 4) - strength);

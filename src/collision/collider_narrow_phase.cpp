@@ -224,7 +224,7 @@ bool near_box(const Way& way, const float* half) {
     return true;
 }
 
-// Whether the centre's way may come near a line along y (a point if its half length is 0).
+// Whether the centre's way can come near a line along y (a point if its half length is 0).
 bool near_axis(const Way& way, float radius, float half_length) {
     const float far = radius + way.reach, half[3] = {radius, half_length + radius, radius};
     if (!near_box(way, half)) return false;

@@ -9,8 +9,7 @@ namespace {
 // Levels of the grid rebuilt in each step; the static grid has the rest.
 constexpr uint32_t active_levels = 3, still_levels = most_occupancy_levels - active_levels;
 
-// Rounds up to four steps per octave: the static grid is not rebuilt for every change of the reach, and does not depend on
-// earlier reaches.
+// Rounds up to four steps per octave: the static grid is not rebuilt for every change of the reach, and does not depend on earlier reaches.
 float coarsened(float reach) {
     int power = 0;
     const float m = std::frexp(reach, &power); // 0.5 to 1

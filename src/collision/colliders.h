@@ -74,8 +74,6 @@ struct ColliderRecord {
     uint32_t pending, fresh;
 };
 
-// The motion of a collider in a step.
-
 // A box in a collider's own frame, with a rounding around it.
 struct LocalBounds {
     Box box;
@@ -103,8 +101,7 @@ public:
     Colliders(const Colliders&) = delete;
     Colliders& operator=(const Colliders&) = delete;
 
-    // To create all or none: begin_create, then create for each, then finish_create; cancel_create after any failure. Descs
-    // have been checked.
+    // To create all or none: begin_create, then create for each, then finish_create; cancel_create after any failure. Descs have been checked.
     lr_status begin_create(uint32_t count);
     lr_status create(const lr_collider_desc& desc);
     lr_status finish_create(lr_collider* ids); // ids: may be null
@@ -122,8 +119,7 @@ public:
     void move(uint32_t slot, const lr_collider_motion& motion);
     void set_surface(uint32_t slot, float friction, float restitution, uint32_t layers);
 
-    // Begins a step: computes poses at its ends and the broad phase. Allocates nothing. reach: m, of ordinary bodies and their
-    // way in the step.
+    // Begins a step: computes poses at its ends and the broad phase. Allocates nothing. reach: m, of ordinary bodies and their way in the step.
     void begin_step(double dt, float reach);
     // Moves colliders to the ends of their ways.
     void end_step();
@@ -156,8 +152,7 @@ public:
         for (const uint32_t slot : unbounded_)
             if (in_reach(colliders_[slot], box)) take(slot, {0, 0});
     }
-    // The same in order of slots and parts: at most most_candidates, the first ones after `after`, which may be null. more: others
-    // follow.
+    // The same in order of slots and parts: at most most_candidates, the first ones after `after`, which may be null. more: others follow.
     uint32_t candidates(const Box& box, uint32_t layers, const Candidate* after, Candidate (&out)[most_candidates],
                         bool& more) const;
     // The same for planes and heightfields alone; if there are too many, the first ones.

@@ -51,7 +51,7 @@ struct ContactCache {
     TouchNotes notes;
 };
 
-// A body falls asleep after touching something and hardly moving for this long,
+// A body falls asleep after touching something and hardly moving for this long.
 inline constexpr float time_to_rest = 0.5f; // s
 // m/s over the square root of the reach in m, the limit for still bodies: the speed of a fall by 1e-5 of the reach.
 inline float still_speed(float gravity) {
@@ -59,10 +59,9 @@ inline float still_speed(float gravity) {
 }
 // A body moves if it is faster than the limit of a still one by this factor.
 inline constexpr float trembling = 10.0f;
-// or after staying in place for this long, within this share of its reach, even if it trembles.
+// A trembling body falls asleep after staying in place for this long, within this share of its reach.
 inline constexpr float time_to_stay = 1.0f, stay_way = 0.02f; // s
 
-// After a substep.
 struct BodyAfter {
     uint32_t index;
     float speed;         // m/s, of its fastest point

@@ -36,8 +36,7 @@ float ContactPoints::least_gap(uint32_t from) const {
 uint32_t ContactPoints::choose(Contact* out) const {
     if (count_ == 0) return 0;
     const float reach = body.reach + body.radius, square = reach * reach;
-    // Place and direction of each as one point in six dimensions, directions times the reach; in columns, so that compilers
-    // vectorise.
+    // Place and direction of each as one point in six dimensions, directions times the reach; in columns, so that compilers vectorise.
     float columns[6][most_found], apart[most_found];
     uint32_t next = 0;
     for (uint32_t i = 0; i < count_; ++i) {

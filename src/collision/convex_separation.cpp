@@ -9,7 +9,7 @@ namespace lr {
 namespace {
 
 using Lane = HWY_NAMESPACE::OnePair<double, Double3, true, 40>;
-// Relative to the square of the distance. Relative to the pair's size: smaller distances have no meaningful direction.
+// converged: relative to the square of the distance. touching: relative to the pair's size; closer points give no meaningful direction.
 constexpr double converged = 1e-7, touching = 1e-7;
 
 // A guess of the normal: unit, from the collider to the body.

@@ -34,8 +34,7 @@ inline bool same_arrays(const lr_collider_desc& a, const lr_collider_desc& b) {
            std::equal(a.counts, a.counts + 2, b.counts) && std::equal(a.spacing, a.spacing + 2, b.spacing);
 }
 
-// A desc that recreates it: a collider at the origin. A mesh's triangles are in the order of its parts, which recreation keeps;
-// but its hash differs.
+// A desc that recreates it: a collider at the origin. A mesh's triangles are in the order of its parts, which recreation keeps; but its hash differs.
 lr_collider_desc desc_of(const SharedGeometry& geometry);
 
 class GeometryStore {

@@ -1,4 +1,4 @@
-// A wind source of any kind in one struct, as snapshots, recordings and hashes hold it, and how each desc of the API is laid into it.
+// A wind source of any kind in one struct, for snapshots, recordings and hashes, and its conversion from and to each desc of the API.
 #pragma once
 
 #include "langevin_rigid.h"
@@ -24,7 +24,7 @@ struct SourceDesc {
     uint32_t counts[3] = {}, frames = 1;
     float spacing[3] = {1.0f, 1.0f, 1.0f};
     uint32_t reserved = 0;
-    const float* samples = nullptr; // of a grid that is given: not held
+    const float* samples = nullptr; // of a caller's grid, not owned
 };
 // Bytes that say what a source is: everything but the pointer to samples that were copied.
 inline constexpr size_t source_bytes = offsetof(SourceDesc, samples);
@@ -151,7 +151,7 @@ inline const SourceType* type_of(const SourceDesc& source) {
     return nullptr;
 }
 
-// Of a desc that is as large as its type says. Its kind is 0 where the core is unknown.
+// From a desc as large as its type says. The kind is 0 if the core is unknown.
 inline SourceDesc source_of(const SourceType& type, const void* desc) {
     SourceDesc source;
     for (const SourceField& f : type.fields) f.copy(&source, f.in_source, desc, f.in_desc);

@@ -278,8 +278,8 @@ void lr_world::fill_step(Batch& batch, float dt, bool& unfit) {
     if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.awake());
     StepInput& in = batch.step;
     fill_input(batch, pace.time(), pace.record().first_substep, pace.record().wind, unfit);
-    // In a fluid that accelerates as a whole, bodies move as if gravity were less by it. Above the limit, which only
-    // steps of microseconds reach, the product with the step could overflow.
+    // In a fluid that accelerates as a whole, gravity acts as if reduced by that acceleration. Above the limit, which only steps of microseconds
+    // reach, the product with the step could overflow.
     for (size_t k = 0; k < 3 && in.wind_changes; ++k)
         in.gravity[k] -= std::clamp((in.wind[k] - in.wind_begin[k]) / seconds, -1e9f, 1e9f);
 }
@@ -430,8 +430,8 @@ bool lr_world::reserve_contact() {
     return enough;
 }
 
-// Twice gravity, for other loads; part of the wind, which light bodies take on within a step; and a large value for external
-// forces, which may be anything.
+// Twice gravity, for other loads; part of the wind, which light bodies take on within a step; and a large value for external forces, which
+// have no common limit.
 float lr_world::contact_gain(const Batch& batch, float dt) const {
     const float forced = batch.step.external.any ? 50.0f : 0.0f;
     return 2.0f * dt * length(vector_of(gravity)) + 0.5f * length(vector_of(wind.uniform.wind)) + forced;
@@ -440,7 +440,7 @@ float lr_world::contact_gain(const Batch& batch, float dt) const {
 void lr_world::finish_batches(double dt) {
     FaultReport faults;
     each_batch([&](Batch& batch, uint32_t slot) {
-        // State since the step began; bodies may wake at its end.
+        // State at the step's beginning: bodies can wake at its end.
         const bool still = !batch.pace.waits(), waits = !still && batch.pace.granted() == 0;
         Lifecycle* const lifecycle = batch.lifecycle();
         if (waits) {
@@ -496,7 +496,7 @@ uint64_t lr_world::hash() const {
             mix(std::bit_cast<uint64_t>(batch.lifecycle()->state().burst_clock));
         }
     });
-    // Decides whose turn the wind trial is.
+    // The step's number decides which bodies try the wind.
     if (paced || pacing.limited() || ((colliders.any() || pairs.any()) && any_resting())) mix(step_count);
     pacing.hash(mix);
     for (uint64_t word : {wind.hash(time), surface.hash(), colliders.hash()})

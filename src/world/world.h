@@ -85,7 +85,7 @@ struct lr_world {
     // All or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
     lr_status set_rest(const lr_body* bodies, uint32_t count, bool rest);
     uint32_t wake_box(const lr::Box& box); // how many
-    // A body is removed or moved away: bodies that may lie on it are woken by wake_left().
+    // A body is removed or moved away: wake_left() wakes the bodies that can lie on it.
     void leave(const lr::Batch& batch, uint32_t index);
     void wake_left();
     // meets(slot): whether that batch will have body contact. False when out of memory.
@@ -98,8 +98,7 @@ struct lr_world {
 
     uint32_t take_key(); // the noise seed of the next body
 
-    // mode: stores the caller's floating-point mode. False if, for lack of memory, bodies passed through each other; the step was
-    // still taken.
+    // mode: stores the caller's floating-point mode. False if, for lack of memory, bodies passed through each other; the step was still taken.
     bool step(float dt, uint32_t substeps, const lr::FloatMode& mode);
     void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
@@ -113,7 +112,7 @@ struct lr_world {
     void resume_events();                // after a restore: contacts exist, without events
     bool reserve_contact();              // of all batches; false when out of memory
     float contact_reach(float dt) const; // m, for the broad phase
-    // m/s that bodies of a batch may gain in `dt`: limits how far they search for contacts.
+    // m/s that bodies of a batch can gain in `dt`: limits how far they search for contacts.
     float contact_gain(const lr::Batch& batch, float dt) const;
 
     // For substeps in a uniform wind that was `begin` before them. unfit: set if a batch cannot be in the water.
@@ -150,7 +149,7 @@ struct lr_world {
     lr::Buffer<BatchSlot> batches;
     lr::Buffer<lr::StepItem> items; // scratch of a step, with room for all batches
 
-    // Former places of bodies that others may have lain on. Room for every body with body contact: each leaves once per call.
+    // Former places of bodies on which others can have lain. Room for every body with body contact: each leaves once per call.
     struct Left {
         uint32_t slot; // of the batch
         lr::Box box;

@@ -56,16 +56,16 @@ struct BodyFaults {
     uint64_t total = 0;
 };
 
-// Settings that may change at any time: numbers of 32 bits, or structs of them. Snapshots hold them as they are here.
+// Settings that calls can change at any time: 32-bit numbers, or structs of them. Snapshots contain this struct.
 struct BatchOptions {
     int32_t divergence_policy = LR_DIVERGENCE_AUTO;
-    uint32_t reserved = 0; // a whole number of eight bytes
+    uint32_t reserved = 0; // keeps the size a multiple of 8 bytes
 };
 inline const char* wrong_in(const BatchOptions& o) {
     if (o.divergence_policy < LR_DIVERGENCE_AUTO || o.divergence_policy > LR_DIVERGENCE_REMOVE) return "unknown policy";
     return o.reserved != 0 ? "reserved is not 0" : nullptr;
 }
-// Those that are not initial are part of the world's hash.
+// Settings that are not initial are part of the world's hash.
 template <class Mix> void hash(const BatchOptions& options, const Mix& mix) {
     using Words = std::array<uint32_t, sizeof options / 4>;
     const auto words = std::bit_cast<Words>(options), initial = std::bit_cast<Words>(BatchOptions());
@@ -156,8 +156,7 @@ public:
     uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
     const BatchSettings& settings() const { return settings_; }
 
-    // Its constants in water, recomputed when the water or the loads have changed. Null if the batch cannot be in water; `failed`
-    // is then set once.
+    // Its constants in water, recomputed when the water or the loads have changed. Null if the batch cannot be in water; `failed` is then set once.
     const WaterBody* water_body(const lr_water_desc& surface, bool& failed);
 
     ExternalForces external;

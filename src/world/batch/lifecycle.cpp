@@ -125,8 +125,7 @@ void Lifecycle::respawn(Batch& batch, const lr_world& world, uint32_t index) {
     if (batch.events()) batch.events()->clear(unpack(batch.ids()[index]).slot);
 }
 
-// A body moved into the place of an ended one was already judged. The result depends on noise seed and life alone, so the
-// order does not matter.
+// A body moved into the place of an ended one was already judged. The result depends on noise seed and life alone, so the order does not matter.
 void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
     const uint32_t awake = batch.awake(), count = batch.count();
     const auto note = [&](uint32_t i) {

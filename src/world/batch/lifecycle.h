@@ -44,7 +44,7 @@ public:
     // In each step: judge() for all awake bodies, from any threads, each for whole cuts (world/schedule/step_chunks.h); then
     // judge_rest() and finish() once.
     void judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end);
-    // Checks sleeping bodies if the rules may give a new answer for them.
+    // Checks sleeping bodies if the rules can give a new answer for them.
     void judge_rest(EndedFunction ended, Batch& batch);
     void finish(Batch& batch, lr_world& world, double dt);
     // Between these calls: ends an awake body because it diverged, whatever the rules; and whether rules end it.

@@ -132,8 +132,8 @@ void StepScheduler::ask(Batch& batch, uint32_t slot, const Step& step) {
     claim.urgency = claim.due ? static_cast<double>(pace.record().substeps) / divisor : 0.0;
 }
 
-// In the order of their waiting, each gets the fewest substeps that respect its longest one; then, in the same order, as many of
-// the rest as it wants.
+// In the order of their waiting, each gets the fewest substeps that respect its longest substep; then, in the same order, as many of the rest
+// as it wants.
 void StepScheduler::share(uint64_t step) {
     Claim* const end = claims_.data() + count_;
     for (uint32_t i = 0; i < count_; ++i) claims_[i].turn = (step + i) % count_;
@@ -157,7 +157,7 @@ void StepScheduler::share(uint64_t step) {
     }
     record_.saved = short_of ? left : 0;
     for (Claim* c = claims_.data(); c != end && !short_of; ++c) grant(*c, c->wanted - c->granted);
-    // Beyond the budget, in addition to those whose turn it was.
+    // Beyond the budget, in addition to the batches whose turn it was.
     for (Claim* c = claims_.data(); c != end; ++c)
         if (c->forced) c->granted = std::max(c->granted, 1u);
 }

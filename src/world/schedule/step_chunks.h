@@ -55,8 +55,7 @@ inline const StepItem* item_at(const StepItem* items, uint32_t count, uint64_t a
     return std::upper_bound(items, items + count, at, [](uint64_t a, const StepItem& i) { return a < i.begin; }) - 1;
 }
 
-// Chunks are equal lengths of that line, with ends moved back to the last cut: part of a large batch, or many small
-// ones.
+// Chunks are equal lengths of that line, with ends moved back to the last cut: part of a large batch, or many small ones.
 class StepChunks {
 public:
     // work: body-substeps of one run over them.

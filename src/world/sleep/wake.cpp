@@ -12,13 +12,12 @@ namespace {
 constexpr uint32_t chunk_bodies = 8 * cut_bodies; // sleeping; few of them have their turn
 constexpr auto most = static_cast<uint32_t>(field_block);
 
-// A body would move if it gains this share of gravity over the substep in spite of its contacts: above the limit of the static
-// lock, so that nothing wakes only to lie still again.
+// A body would move if it gains this share of gravity over the substep in spite of its contacts: above the limit of the static lock, so
+// that no body wakes only to lie still again.
 constexpr float going = 0.05f;
 
 constexpr uint32_t grain = 256; // bodies
-// Times the speed of a still body: a fall by a tenth of the reach. Slower bodies, as in a settling heap, only wake bodies that
-// they touch.
+// Times the speed of a still body: a fall by a tenth of the reach. Slower bodies, as in a settling heap, only wake bodies that they touch.
 constexpr float hits = 100.0f;
 
 // The first cut with sleeping bodies.

@@ -18,9 +18,8 @@ SnapshotHeader header_of(const void* memory) {
     return value_at<SnapshotHeader>(static_cast<const unsigned char*>(memory), 0);
 }
 
-// The checksum detects damage, not forgery. It takes 64-bit words, the seal itself as 0: word i goes to sum i mod 8, so that no
-// multiplication waits for the one before it. Each step of a sum, and of combining the sums, is a bijection: one changed word always
-// changes the seal.
+// The checksum detects damage, not forgery. It takes 64-bit words, the seal itself as 0: word i goes to sum i mod 8, so that no multiplication waits
+// for the one before it. Each step of a sum, and of combining the sums, is a bijection: one changed word always changes the seal.
 uint64_t seal_of(const unsigned char* bytes, uint64_t size) {
     constexpr uint64_t factor = 0x9e3779b97f4a7c15ull, block = 64;
     const auto take = [](uint64_t& sum, uint64_t word) {

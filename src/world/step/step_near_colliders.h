@@ -41,7 +41,7 @@ BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t 
 void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
                          uint32_t live, uint32_t begin, uint32_t end);
 
-// In a wind field: the bodies of [begin, end), at most field_block, that may touch something within a substep.
+// In a wind field: the bodies of [begin, end), at most field_block, that can touch something within a substep.
 class ContactPass {
 public:
     // Before substep `substep` of the step.
