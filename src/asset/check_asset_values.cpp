@@ -112,9 +112,9 @@ void check_table(const TurbulenceData& t, Checker& check) {
             return;
         }
     if (t.stationary >= t.chi.size())
-        check.fail(FaultId::asset_out_of_range, "turbulence.stationary", "It points behind the table.");
+        check.fail(FaultId::asset_out_of_range, "turbulence.stationary", "It points past the end of the table.");
     if (t.loop_begin > t.loop_end || t.loop_end > t.chi.size())
-        check.fail(FaultId::asset_out_of_range, "turbulence.loop", "It ends before it begins, or behind the table.");
+        check.fail(FaultId::asset_out_of_range, "turbulence.loop", "It ends before it begins, or past the table.");
     for (double side : t.domain) check.range(side, "turbulence.domain", 0.0, 1e9);
 #define LR_NUMBER(name, least, most) check.range(static_cast<double>(t.name), "turbulence." #name, least, most);
     LR_TURBULENCE_NUMBERS(LR_NUMBER)
@@ -203,13 +203,12 @@ void check_hull(const AssetData& d, Checker& check) {
     for (size_t i = 0; i < h.triangles.size(); ++i)
         if (h.triangles[i] >= h.vertices.size() / 3) {
             check.fail(FaultId::asset_bad_hull, "hull.triangles[" + std::to_string(i) + "]",
-                       "The index points behind the vertices.");
+                       "The index is past the last vertex.");
             return;
         }
     check_convex(h, d.length_d, check);
 }
 
-// A number or a vector of the loads.
 struct Coefficient {
     double AerodynamicData::*number;
     std::array<double, 3> AerodynamicData::*vector;

@@ -16,7 +16,6 @@ template <class T> struct Vector3 {
     T x, y, z;
     constexpr T operator[](uint32_t k) const { return k == 0 ? x : k == 1 ? y : z; }
 };
-// Along one of the axes.
 template <class T> constexpr Vector3<T> along_axis(uint32_t k, T size) {
     return {k == 0 ? size : T(0), k == 1 ? size : T(0), k == 2 ? size : T(0)};
 }

@@ -34,7 +34,6 @@ private:
     bool any_ = false;
 };
 
-// A batch in such a step.
 struct BodyContactBatch {
     StepItem item;
     uint32_t slot;
@@ -55,7 +54,6 @@ struct BodyContactBuffers {
         uint32_t collider; // slot, or ContactGroup::a_body
         ContactGroup::AtRest at_rest;
     };
-    // A body in a substep.
     struct Moved {
         PairBody body;
         float margin; // m

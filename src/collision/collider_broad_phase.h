@@ -96,7 +96,7 @@ template <class Found> void ColliderBroadPhase::query(const Box& box, Found&& fo
             for (uint32_t e = buckets_[b]; e < buckets_[b + 1]; ++e) {
                 const Proxy& proxy = proxies_[entries_[e]];
                 if (!overlap(proxy.box, box) || level_of_[entries_[e]] != l) continue;
-                // Of the cells that share a bucket only one holds the box's middle.
+                // Only one of the cells that share a bucket holds the box's middle.
                 if (cell_at(middle_of(proxy.box), levels_[l].inverse_bucket) == at) found(proxy);
             }
         });

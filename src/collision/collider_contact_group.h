@@ -54,7 +54,6 @@ protected:
     ~RestingBodies() = default;
 };
 
-// A batch in a step.
 struct ContactStep {
     const ContactTarget* target;
     const Colliders* colliders;

@@ -8,7 +8,6 @@
 namespace lr {
 namespace {
 
-// |a - b|^2
 double squared_difference(const Rotation& a, const Rotation& b) {
     const Quaternion<double> d = to_double(a) - to_double(b);
     return dot(d, d);

@@ -27,7 +27,6 @@ struct SharedGeometry {
     Buffer<float> given;    // the source points of a hull, if there are more than its corners
 };
 
-// Whether two descs share the same arrays.
 inline bool same_arrays(const lr_collider_desc& a, const lr_collider_desc& b) {
     return a.kind == b.kind && a.vertices == b.vertices && a.indices == b.indices && a.heights == b.heights &&
            a.vertex_count == b.vertex_count && a.triangle_count == b.triangle_count &&

@@ -52,7 +52,6 @@ bool relate(const PairBody& a, const PairBody& b, float margin, NearPair& out);
 // Closer than the larger core times this, rounding determines the direction.
 inline constexpr float touching_cores = 3e-5f;
 
-// The nearest points of the cores.
 struct Closest {
     enum class State : uint8_t { apart, beyond, overlap };
     State state;

@@ -13,7 +13,6 @@ struct Triangle {
 };
 
 Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index);
-// Whether a box overlaps the box around a triangle.
 bool reaches(const Box& box, const Triangle& t);
 
 struct HeightPoint {

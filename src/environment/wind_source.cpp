@@ -16,7 +16,7 @@ namespace {
 // A sum of octaves with energies 1, e, e^2, e^3 of the first: Kolmogorov's spectrum, e = 2^(-2/3). Eddies of half the size live 2^(-2/3) as long.
 constexpr double octave_amplitude = 0.79370052598409973738; // 2^(-1/3)
 constexpr double octave_energy = 0.62996052494743658238;    // 2^(-2/3)
-// Of the lattice of eddies with random vectors of components in [-1, 1], by quadrature of its correlation: root mean
+// The lattice of eddies, random vectors with components in [-1, 1], by quadrature of its correlation: root mean
 // square of each component, and longitudinal integral length over the cell, mean of all directions.
 constexpr double eddy_rms = 0.3491933, eddy_length = 0.4976;
 // The velocity of turbulence hardly ever exceeds this many root mean squares.

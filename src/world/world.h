@@ -119,7 +119,7 @@ struct lr_world {
     void fill_input(lr::Batch& batch, const lr::StepTime& time, uint64_t first_substep, const float (&begin)[3],
                     bool& unfit);
 
-    void lap(double& phase); // of `timings`: what has passed since the last lap was that phase
+    void lap(double& phase); // adds the time since the last lap to that phase of `timings`
 
     // An error is also the calling thread's last one.
     void log(int32_t level, const char* function, const char* message) const;

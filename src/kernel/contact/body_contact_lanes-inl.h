@@ -66,7 +66,6 @@ HWY_INLINE Twist impulse_at(const Matrix& turn, Vec3 impulse, Vec3 arm) {
 HWY_INLINE Twist answer(const Side& s, const Twist& impulse) {
     return s.weight * symmetric6(s.inverse_mass, impulse);
 }
-// Applies a contact's impulse to both bodies.
 HWY_INLINE void push(const Side& a, const Side& b, const PairContacts& c, size_t at, Vec3 impulse, Twist& ta,
                      Twist& tb) {
     ta += answer(a, impulse_at(a.turn, impulse, load3(c.arm_a, at)));
@@ -78,7 +77,6 @@ HWY_INLINE Vec3 relative_velocity(const Matrix& turn_a, const Matrix& turn_b, co
     return velocity_of(turn_a, ta, load3(c.arm_a, at)) - velocity_of(turn_b, tb, load3(c.arm_b, at));
 }
 
-// A contact's normal and tangents.
 HWY_INLINE Matrix frame_of(const PairContacts& c, size_t at) {
     const Vec3 normal = load3(c.normal, at), first = load3(c.tangent, at);
     return {{normal, first, cross(normal, first)}};

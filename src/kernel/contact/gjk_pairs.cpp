@@ -36,7 +36,6 @@ HWY_INLINE Vec cross(const Vec& a, const Vec& b) {
             hw::Sub(hw::Mul(a.x, b.y), hw::Mul(a.y, b.x))};
 }
 
-// A pair in each lane.
 struct Lanes {
     using V = Number;
     using Vec = search::Vec;

@@ -243,7 +243,7 @@ private:
     GroundBelow below_;
 };
 
-// True if the surface is farther than `radius` from all centres: over a heightfield no point at that distance is lower by more than radius * secant.
+// True if the surface is farther than `radius` from all centres: over a heightfield, points within `radius` are at most radius * secant lower.
 HWY_INLINE bool far_above(const GroundSurface& g, Vec3 x, VF radius) {
     const Vec3 p = lr::HWY_NAMESPACE::rows(g.axes, x - broadcast(g.position));
     if (!g.grid.heights) return hn::AllFalse(DF(), p.y <= radius);

@@ -25,7 +25,6 @@ HWY_INLINE Vec3 zero3() {
     const VF zero = hn::Zero(DF());
     return {zero, zero, zero};
 }
-// Applies f to each component.
 template <class F, class... V> HWY_INLINE Vec3 each_axis(const F& f, const V&... v) {
     return {f(v.x...), f(v.y...), f(v.z...)};
 }
@@ -189,7 +188,6 @@ template <class T> HWY_INLINE Vec3 symmetric3(const T* m, Vec3 a) {
 template <class T> HWY_INLINE Twist broadcast6(const T* v) {
     return {broadcast(v), broadcast(v + 3)};
 }
-// entry(i, j): of a 6x6 matrix.
 template <class Entry> HWY_INLINE Twist times_matrix6(const Entry& entry, const Twist& t) {
     const VF in[6] = {t.v.x, t.v.y, t.v.z, t.u.x, t.u.y, t.u.z};
     VF out[6];
@@ -391,7 +389,6 @@ HWY_INLINE void store_velocities(const BatchArrays& a, size_t at, Vec3 v, Vec3 w
         store3(a, field_wx, at, without_dust(w));
     });
 }
-// At the end of a step.
 template <bool kGust>
 HWY_INLINE void store_body(const BatchArrays& a, size_t at, const Body& b, Vec3 v, Vec3 w, float seconds,
                            uint32_t* faults) {

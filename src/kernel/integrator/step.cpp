@@ -133,7 +133,7 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
     return !hn::AllTrue(du, hn::Eq(any, hn::Zero(DU())));
 }
 
-// Of sample_wind.cpp, water_loads.cpp, collider_contact.cpp and gjk_pairs.cpp.
+// Defined in sample_wind.cpp, water_loads.cpp, collider_contact.cpp and gjk_pairs.cpp.
 PredictFunction predict;
 EvaluateFunction evaluate;
 CombineFunction combine;

@@ -126,7 +126,6 @@ HWY_INLINE void turbulence(const SourceInstant& s, Vec3 x, Flow& out) {
         sum.row[0].x -= q, sum.row[1].y -= q, sum.row[2].z -= q;
         gradient = gradient + sum;
     }
-    // Back to the world's axes.
     out.wind = columns(s.lattice, strength * wind);
     out.rate = columns(s.lattice, strength * rate);
     const auto turned = [&](const Matrix& m) LR_LAMBDA {
@@ -354,7 +353,6 @@ void predict(const BatchArrays& a, size_t begin, size_t end, float h, FieldBlock
     }
 }
 
-// The square of the distance of a point from the block's bounds.
 float distance_squared(const float point[3], const float low[3], const float high[3]) {
     float sum = 0.0f;
     for (int i = 0; i < 3; ++i) {

@@ -20,7 +20,6 @@ template <class Function> void each(unsigned char* const (&data)[column_count], 
     }
 }
 
-// Mixes one column into the hashes of `count` bodies.
 void mix_in(const Column& column, const unsigned char* from, uint32_t count, bool rests, uint64_t* bodies) {
     const auto mixed = [&](uint32_t i) {
         return mix64(bodies[i] ^ (value_at<uint32_t>(from, i) + (uint64_t{column.tag} << 32)));

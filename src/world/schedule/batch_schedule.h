@@ -71,7 +71,6 @@ public:
     void grant(uint32_t substeps, bool passed_over, double h);
     uint32_t granted() const { return granted_; }
     double lost_now() const { return lost_now_; } // s, in this step
-    // After the step has been taken.
     void stepped(uint32_t bodies);
 
     bool waits() const { return record_.steps != 0; }
@@ -109,7 +108,6 @@ public:
         uint32_t substeps;
         double h; // s
     };
-    // Starts a step.
     void begin() { count_ = 0, report_ = {}; }
     // Registers a batch with awake bodies, once per step, after its wait().
     void ask(Batch& batch, uint32_t slot, const Step& step);

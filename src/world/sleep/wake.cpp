@@ -32,7 +32,6 @@ void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float stil
     const Vector v = vector_in(a.field, field_vx, i);
     const float turns = reach * length(vector_in(a.field, field_wx, i));
     if (!(length(v) + turns > hits * still * std::sqrt(reach))) return;
-    // Box of its way in the step.
     const Pose pose = pose_of(a, i);
     const Box box = bounds(batch.asset().meeting, scale, pose);
     const Vector way = dt * rotate(pose.rotation, v), none{0.0f, 0.0f, 0.0f};

@@ -10,7 +10,6 @@
 
 namespace lr {
 
-// A batch in a step.
 struct ContactRun {
     ContactStep step;
     const KernelTarget* target;
