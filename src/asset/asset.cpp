@@ -19,7 +19,6 @@ lr::AssetData&& settled(lr::AssetData&& d) {
     d.added_mass = scaled;
     return std::move(d);
 }
-
 } // namespace
 
 lr_asset::lr_asset(lr::AssetData&& from, uint32_t version, const std::array<double, 3>& size)
@@ -36,5 +35,4 @@ void retain(const lr_asset& asset) {
 void release(const lr_asset* asset) {
     if (asset && asset->references.fetch_sub(1, std::memory_order_acq_rel) == 1) delete asset;
 }
-
 } // namespace lr

@@ -32,5 +32,4 @@ void release(const lr_asset* asset); // null is fine
 // processes do not inherit it.
 // LR_OK, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_CORRUPT (over 1 GiB), LR_ERROR_OUT_OF_MEMORY; throws std::bad_alloc.
 lr_status read_asset_bytes(const char* path_utf8, std::vector<unsigned char>& out);
-
 } // namespace lr

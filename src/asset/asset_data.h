@@ -127,5 +127,4 @@ struct AssetData {
 
     double reynolds() const { return u0 * length_d / fluid_viscosity; }
 };
-
 } // namespace lr

@@ -150,7 +150,6 @@ flatbuffers::Offset<format::Turbulence> encode(const TurbulenceData& t, flatbuff
 #undef LR_NUMBER
     return to.Finish();
 }
-
 } // namespace
 
 std::vector<uint8_t> write_asset(const AssetData& d) {
@@ -229,5 +228,4 @@ bool read_asset(const void* bytes, size_t size, AssetData& out, Faults& faults) 
     }
     return decode(asset, out, faults) && check_asset(out, faults) && check_plausible(out, faults);
 }
-
 } // namespace lr

@@ -32,5 +32,4 @@ double largest_coupling(const AssetData& asset);
 inline bool is_diagonal(const AssetData& asset) {
     return largest_coupling(asset) <= 1e-6;
 }
-
 } // namespace lr

@@ -254,7 +254,6 @@ constexpr Number numbers[] = {{&AssetData::mass, "mass", 1e-18, 1e12},
                               {&AssetData::length_l, "lengths.l", 1e-9, 1e4},
                               {&AssetData::projected_area, "projected_area", 1e-15, 1e9},
                               {&AssetData::u0, "u0", 1e-9, 1e6}};
-
 } // namespace
 
 const char* wrong_in(const AerodynamicData& a) {
@@ -323,7 +322,6 @@ double extent(const HullData& hull) {
     }
     return largest;
 }
-
 } // namespace
 
 bool check_plausible(const AssetData& d, Faults& faults) {
@@ -395,5 +393,4 @@ double largest_coupling(const AssetData& a) {
         }
     return largest;
 }
-
 } // namespace lr

@@ -83,5 +83,4 @@ inline std::string shortest(double value) {
     char buffer[32];
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
-
 } // namespace lr

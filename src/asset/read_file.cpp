@@ -81,7 +81,6 @@ int open_file(const char* path) {
     }
 }
 #endif
-
 } // namespace
 
 #if defined(_WIN32) || defined(__wasm__)
@@ -108,5 +107,4 @@ lr_status read_asset_bytes(const char* path_utf8, std::vector<unsigned char>& ou
                     [&](unsigned char* to, size_t room) { return ::read(file.fd, to, room); });
 }
 #endif
-
 } // namespace lr

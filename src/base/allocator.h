@@ -170,5 +170,4 @@ template <class F> lr_status unless_out_of_memory(F&& body) {
     return std::forward<F>(body)();
 #endif
 }
-
 } // namespace lr

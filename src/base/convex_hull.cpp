@@ -286,7 +286,6 @@ std::vector<HullTriangle> flat_hull(const std::vector<Point>& points, const Poin
     }
     return faces;
 }
-
 } // namespace
 
 HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out) {
@@ -355,5 +354,4 @@ HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out) {
     out.slack = (skin * (1.0 + passes) + 2.0) * step; // skin of each pass, and the rounding of point and face
     return HullOutcome::done;
 }
-
 } // namespace lr::shape

@@ -61,5 +61,4 @@ private:
     uint32_t word_[4] = {};
     int next_ = 4;
 };
-
 } // namespace lr

@@ -69,5 +69,4 @@ struct Greatest {
         return second > first ? second : first;
     }
 };
-
 } // namespace lr

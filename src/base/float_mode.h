@@ -64,5 +64,4 @@ public:
     CallersMode(const CallersMode&) = delete;
     CallersMode& operator=(const CallersMode&) = delete;
 };
-
 } // namespace lr

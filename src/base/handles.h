@@ -53,5 +53,4 @@ inline lr_collider pack(ColliderHandle h) {
 inline ColliderHandle unpack(lr_collider collider) {
     return {static_cast<uint32_t>(collider.id), static_cast<uint32_t>(collider.id >> 32)};
 }
-
 } // namespace lr

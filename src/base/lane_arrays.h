@@ -48,5 +48,4 @@ struct BatchArrays {
     // Null: the uniform wind of the step. Else the fluid at the bodies of a single substep.
     const FluidSample* fluid;
 };
-
 } // namespace lr

@@ -88,7 +88,6 @@ Matrix6 transposed(const Matrix6& m) {
         for (size_t j = 0; j < 6; ++j) t[i * 6 + j] = m[j * 6 + i];
     return t;
 }
-
 } // namespace
 
 Matrix6 rigid_mass_matrix(double mass, const std::array<double, 9>& inertia) {
@@ -183,5 +182,4 @@ bool is_rotation(const std::array<double, 9>& rows, double tolerance) {
                q[2] * (q[3] * q[7] - q[4] * q[6]) >
            0.0;
 }
-
 } // namespace lr

@@ -42,5 +42,4 @@ void shift_added_mass(Matrix6& m, const std::array<double, 3>& to);
 
 // Rows of unit length, right-handed, each dot product within `tolerance`. False if an entry is not finite.
 bool is_rotation(const std::array<double, 9>& rows, double tolerance);
-
 } // namespace lr

@@ -12,5 +12,4 @@ double portable_log(double x);
 
 // e^x for |x| < 700; relative error below 1e-15 (1 + |x|).
 double portable_exp(double x);
-
 } // namespace lr::shape

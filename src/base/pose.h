@@ -208,5 +208,4 @@ template <class Rows> Pose pose_in(const Rows& rows, size_t i) {
 inline Pose pose_of(const BatchArrays& arrays, size_t i) {
     return pose_in(arrays.field, i);
 }
-
 } // namespace lr

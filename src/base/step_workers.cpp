@@ -28,7 +28,6 @@ template <class Ready> bool spin_until(const Ready& ready) {
     }
     return ready();
 }
-
 } // namespace
 
 void ChunkQueue::open(uint32_t chunks, Task task, void* context) {
@@ -181,5 +180,4 @@ void StepWorkers::run(uint32_t chunks, uint32_t helpers, ChunkQueue::Task task, 
     if (!gathered) finish(mode);
     queue_.wait();
 }
-
 } // namespace lr

@@ -127,5 +127,4 @@ private:
     StepWorkers* step_workers_;
     const FloatMode* mode_;
 };
-
 } // namespace lr

@@ -76,5 +76,4 @@ private:
     mutable std::condition_variable changed_;
 };
 #endif
-
 } // namespace lr

@@ -55,5 +55,4 @@ private:
     Buffer<uint32_t> links_;
     uint32_t used_ = 0;
 };
-
 } // namespace lr

@@ -17,7 +17,6 @@ constexpr uint32_t grain = 128; // bodies: some ten microseconds
 template <class... T> bool grow_all(Allocator& allocator, size_t count, Buffer<T>&... buffers) {
     return (grow(allocator, buffers, count) && ...);
 }
-
 } // namespace
 
 float BodyContactStep::margin_of(const BodyContactBatch& member, uint32_t index) const {
@@ -206,5 +205,4 @@ bool BodyContactStep::number_touching() {
     held_used_ = 0;
     return true;
 }
-
 } // namespace lr

@@ -29,7 +29,6 @@ Pose began(const SolverBody& b) {
 Pose now(const SolverBody& b) {
     return {vector_of(b.x), {b.q[0], b.q[1], b.q[2], b.q[3]}};
 }
-
 } // namespace
 
 void BodyContactStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const {
@@ -230,5 +229,4 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     enter_body(member.run.book, body, may_rest(*member.run.step.settings), static_cast<float>(time_.h), last(substep),
                [&](uint32_t collider) { return meeting(place, collider); });
 }
-
 } // namespace lr

@@ -17,7 +17,6 @@ constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
 constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: no heap may press a body into a collider
 // Blocks and groups of bodies that justify another thread: some microseconds of work.
 constexpr uint32_t block_grain = 4, group_grain = 16;
-
 } // namespace
 
 bool BodyContactSolver::reserve_bodies(uint32_t count) {
@@ -249,5 +248,4 @@ bool BodyContactSolver::solve(const BodyContactTarget& target, float h, float gr
     each_group(workers, [&](uint32_t kind, uint32_t begin) { target.finish(in, kind, begin); });
     return true;
 }
-
 } // namespace lr

@@ -87,5 +87,4 @@ private:
     Buffer<uint32_t> first_block_; // by colour, and the end
     Buffer<uint32_t> first_unit_;  // by block, and the end
 };
-
 } // namespace lr

@@ -144,5 +144,4 @@ private:
     bool wet_, starved_ = false;
     std::atomic<uint32_t> held_used_{0};
 };
-
 } // namespace lr

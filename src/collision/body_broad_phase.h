@@ -97,5 +97,4 @@ private:
     Buffer<uint32_t> index_; // of boxes, in the order of rows
     Buffer<uint32_t> first_; // by bucket, and the end
 };
-
 } // namespace lr

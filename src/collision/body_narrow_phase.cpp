@@ -276,7 +276,6 @@ bool relate_ordered(const PairBody& one, const PairBody& other, float margin, Ne
     near.tolerance = by_gap < by_size ? by_gap : by_size;
     return !boxes_apart(pair, near.enough + 1e-6f * pair.size, near.start);
 }
-
 } // namespace
 
 bool relate(const PairBody& a, const PairBody& b, float margin, NearPair& out) {
@@ -330,5 +329,4 @@ uint32_t contacts_of(const NearPair& near, Closest closest, PairContact (&out)[m
     }
     return count;
 }
-
 } // namespace lr

@@ -54,5 +54,4 @@ PairBody pair_body(const PairHull& shape, float scale, const Pose& from, const P
 
 // Box about a placed body.
 Box bounds(const PairHull& shape, float scale, const Pose& at);
-
 } // namespace lr

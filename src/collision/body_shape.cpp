@@ -71,7 +71,6 @@ void add_face(BodyShape& shape, Double3 normal, double offset, const std::vector
     face.count = static_cast<uint8_t>(corners.size());
     for (size_t i = 0; i < corners.size(); ++i) shape.corners[used + i] = static_cast<uint8_t>(corners[i]);
 }
-
 } // namespace
 
 void drop_corners(const Points& points, std::vector<uint32_t>& corners, double enough, size_t most) {
@@ -363,7 +362,6 @@ BodyShape shape_of(const AssetData& asset, const std::array<double, 3>& extents)
     set_ellipsoid(shape, middle, semi);
     return shape;
 }
-
 } // namespace
 
 BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& extents) {
@@ -371,5 +369,4 @@ BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& e
     add_samples(shape);
     return shape;
 }
-
 } // namespace lr

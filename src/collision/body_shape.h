@@ -73,5 +73,4 @@ void set_outline(BodyShape& shape, const std::vector<shape::HullPoint>& corners,
 // For an asset: its hull, reduced to few points; without one an ellipsoid, or a box if the volume fills it. extents: m, of a body without a hull,
 // along its axes about its centre of buoyancy; zero if unknown: then those of the ellipsoid with its inertia. May throw std::bad_alloc.
 BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& extents = {});
-
 } // namespace lr

@@ -41,7 +41,6 @@ struct Edge {
     uint32_t low, high; // welded vertices
     uint32_t triangle, number;
 };
-
 } // namespace
 
 double extent_of(const std::vector<HullPoint>& points) {
@@ -268,7 +267,6 @@ void split(Triangle* from, Triangle* to, uint32_t first, std::vector<MeshPart>& 
     split(from, from + half, first, parts);
     split(from + half, to, first + half, parts);
 }
-
 } // namespace
 
 void make_mesh_parts(const float* vertices, uint32_t* indices, uint32_t triangle_count, std::vector<MeshPart>& parts) {
@@ -294,5 +292,4 @@ void make_mesh_parts(const float* vertices, uint32_t* indices, uint32_t triangle
         std::copy_n(indices + size_t{3} * triangles[i].index, 3, sorted.data() + size_t{3} * i);
     std::copy(sorted.begin(), sorted.end(), indices);
 }
-
 } // namespace lr

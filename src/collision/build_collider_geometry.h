@@ -54,5 +54,4 @@ void build_coarse(const uint32_t (&counts)[2], const float* heights, std::vector
                   uint32_t (&coarse_counts)[2], float& lowest, float& highest);
 // The secant of the angle of the steepest triangle, or slightly more: the surface's slope is at most sqrt(secant^2 - 1).
 float steepest_secant(const uint32_t (&counts)[2], const float (&spacing)[2], const float* heights);
-
 } // namespace lr

@@ -9,7 +9,6 @@ namespace {
 constexpr uint64_t spare_words = uint64_t{8} * most_occupancy_levels;
 
 constexpr uint64_t few = 1u << 12; // proxies
-
 } // namespace
 
 // Words of bits for `count` proxies, monotonic in count: a few per cent of the bits are set, or one in ten or twenty where the bits
@@ -141,5 +140,4 @@ uint32_t ColliderBroadPhase::levels_about(const Box& box) const {
     }
     return levels;
 }
-
 } // namespace lr

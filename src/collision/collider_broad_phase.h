@@ -102,5 +102,4 @@ template <class Found> void ColliderBroadPhase::query(const Box& box, Found&& fo
         });
     }
 }
-
 } // namespace lr

@@ -43,7 +43,6 @@ float height_over(const Geometry& g, Vector at) {
     if (!f) return at.y;
     return f->covers(at.x, at.z) ? at.y - height_at(*f, at.x, at.z).height : -1.0f;
 }
-
 } // namespace
 
 const char* wrong_in(const lr_batch_contact& s) {
@@ -409,5 +408,4 @@ void ContactGroup::ground_effect(const ContactSubstep& substep) {
         }
     }
 }
-
 } // namespace lr

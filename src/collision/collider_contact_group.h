@@ -255,5 +255,4 @@ private:
     alignas(64) uint32_t near_[near_range];
     uint32_t index_[field_block];
 };
-
 } // namespace lr

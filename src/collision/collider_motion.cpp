@@ -70,7 +70,6 @@ void sine_cosine(double angle, double& sine, double& cosine) {
     sine = s;
     cosine = c;
 }
-
 } // namespace
 
 LocalBounds bounds_of(const Geometry& geometry, const SharedGeometry* shared) {
@@ -129,5 +128,4 @@ Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector
     to.rotation = nearer_to(from.rotation, unit_of(turn * to_double(from.rotation)));
     return to;
 }
-
 } // namespace lr

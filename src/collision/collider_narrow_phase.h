@@ -28,5 +28,4 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
 // up part of the core's remaining distance. Conservative advancement: the result can be too small.
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part);
-
 } // namespace lr

@@ -267,5 +267,4 @@ private:
     lr_collider_desc last_desc_{}; // during creation: the last one with shared geometry
     SharedGeometry* last_shared_ = nullptr;
 };
-
 } // namespace lr

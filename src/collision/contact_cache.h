@@ -156,5 +156,4 @@ void enter_body(const ContactCache& book, const BodyAfter& body, bool may_rest, 
     if (book.notes.noted) note_touches(book, body, meeting);
     for (size_t k = 0; k < most_touches; ++k) book.touching[k][at] = body.now[k];
 }
-
 } // namespace lr

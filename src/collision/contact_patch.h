@@ -101,5 +101,4 @@ struct Patch {
 };
 // slack: m, by which one side may extend beyond the other.
 void lay_over(const Side& upper, const Side& lower, float slack, Patch& out);
-
 } // namespace lr

@@ -14,7 +14,6 @@ constexpr float same = 1e-3f;
 // Parallel lanes of the search: one long chain of maxima is slow.
 constexpr uint32_t lanes = 4;
 static_assert(most_found % lanes == 0);
-
 } // namespace
 
 void ContactPoints::add(Vector point, Vector normal, float gap) {
@@ -179,7 +178,6 @@ void add_rims(ContactPoints& set, const PlacedCollider& round, Double3 normal, f
     add(a + tilt, b), add(a - tilt, b), add(a, b + tilt), add(a, b - tilt);
     add(-a, b), add(a, -b), add(-a, -b);
 }
-
 } // namespace
 
 void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Separation& along) {
@@ -205,5 +203,4 @@ void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Sepa
     set.add_core(point, n, gap);
     if (body.count == 0) add_rims(set, collider, along.normal, gap);
 }
-
 } // namespace lr

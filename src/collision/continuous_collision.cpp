@@ -77,7 +77,6 @@ bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t cou
         if (room[k] - dot(sides[k].normal, pose.position) > little) return false;
     return true;
 }
-
 } // namespace
 
 void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
@@ -155,5 +154,4 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         }
     }
 }
-
 } // namespace lr

@@ -56,7 +56,6 @@ void middle(const void* object, ccd_vec3_t* out) {
     const Side& side = *static_cast<const Side*>(object);
     set(out, side, side.middle);
 }
-
 } // namespace
 
 HWY_ATTR Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough) {
@@ -178,7 +177,6 @@ void refine(Search& search, Separation from) {
         if (distance > search.best.distance + 1e-4 * (out < 0.0 ? 0.0 : out)) search.offer(from.normal, distance);
     }
 }
-
 } // namespace
 
 Separation separate_from_plane(const PlacedBody& body, const PlacedCollider& collider, Double3 normal, bool one_sided) {
@@ -240,5 +238,4 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
     }
     return search.best;
 }
-
 } // namespace lr

@@ -44,5 +44,4 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
 
 // Only along the normals of a triangle's two sides, or of one.
 Separation separate_from_plane(const PlacedBody& body, const PlacedCollider& collider, Double3 normal, bool one_sided);
-
 } // namespace lr

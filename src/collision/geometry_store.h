@@ -63,5 +63,4 @@ private:
     Buffer<SharedGeometry*> lists_; // by the hash: a power of two, at least one per geometry
     size_t count_ = 0;
 };
-
 } // namespace lr

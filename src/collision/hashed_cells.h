@@ -64,5 +64,4 @@ void sort_into_buckets(uint32_t count, uint32_t buckets, const BucketOf& bucket_
     // Fills each bucket backwards: its end moves down to its start.
     for (uint32_t i = count; i-- > 0;) index[--first[bucket_of(i)]] = i;
 }
-
 } // namespace lr

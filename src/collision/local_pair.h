@@ -47,5 +47,4 @@ struct PlacedCollider {
     Double3 support(Double3 direction) const;
     Double3 middle() const; // a point inside
 };
-
 } // namespace lr

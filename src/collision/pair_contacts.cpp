@@ -20,7 +20,6 @@ Vector farthest(const PairBody& body, Vector direction) {
     const Vector d = rotate(inverse(body.to.rotation), direction);
     return body.scale * (s.point(farthest_point(s.x, s.y, s.z, s.count, d)) + s.radius * d);
 }
-
 } // namespace
 
 float near_enough(const PairBody& a, const PairBody& b, float margin) {
@@ -104,5 +103,4 @@ uint32_t PairBatch::contacts_at(uint32_t at, uint32_t lane, WayContact (&out)[mo
     const uint32_t count = contacts_of(waiting.near, closest, touching);
     return keep_way_contacts(*waiting.a, *waiting.b, waiting.margin, touching, count, out);
 }
-
 } // namespace lr

@@ -124,5 +124,4 @@ private:
     Waiting waiting_[most];
     SearchBlock block_;
 };
-
 } // namespace lr

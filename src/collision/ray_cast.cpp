@@ -118,7 +118,6 @@ bool reaches_sphere(Double3 from, Double3 direction, double radius, double most,
     first = std::max(middle - half, 0.0);
     return middle + half >= 0.0 && middle - half <= most;
 }
-
 } // namespace
 
 Ray ray_in(const Pose& frame, const Ray& ray) {
@@ -291,7 +290,6 @@ bool meets_heightfield(const HeightfieldGeometry& field, const Ray& ray, double 
         next[k] += every[k];
     }
 }
-
 } // namespace
 
 bool ray_meets_collider(const Geometry& g, const SharedGeometry* shared, const Ray& ray, double most, RayHit& hit) {
@@ -313,5 +311,4 @@ bool ray_meets_collider(const Geometry& g, const SharedGeometry* shared, const R
     }
     return false;
 }
-
 } // namespace lr

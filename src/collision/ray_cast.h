@@ -24,5 +24,4 @@ bool ray_meets_collider(const Geometry& geometry, const SharedGeometry* shared, 
                         RayHit& hit);
 
 Ray ray_in(const Pose& frame, const Ray& ray);
-
 } // namespace lr

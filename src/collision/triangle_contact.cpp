@@ -131,7 +131,6 @@ void add_points(ContactPoints& set, const HeightfieldGeometry& field) {
     }
     add(to_float(body.support(-to_double(normal))));
 }
-
 } // namespace
 
 Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index) {
@@ -231,5 +230,4 @@ void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field) {
             }
         }
 }
-
 } // namespace lr

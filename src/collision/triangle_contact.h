@@ -33,5 +33,4 @@ Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k
 // alone: without the surrounding parts, so that no edge is left to them.
 void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, bool alone = false);
 void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field);
-
 } // namespace lr

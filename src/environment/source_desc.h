@@ -173,5 +173,4 @@ inline void desc_of(const SourceType& type, const SourceDesc& source, void* desc
     if (source.kind == SourceDesc::rankine) static_cast<lr_vortex_desc*>(desc)->core = LR_VORTEX_RANKINE;
     if (source.kind == SourceDesc::grid) static_cast<lr_wind_grid_desc*>(desc)->samples = source.samples;
 }
-
 } // namespace lr

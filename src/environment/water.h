@@ -42,5 +42,4 @@ private:
     Record record_{};
 };
 static_assert(sizeof(Water::Record) % 8 == 0);
-
 } // namespace lr

@@ -99,5 +99,4 @@ private:
     Buffer<SourceInstant> prepared_;
     FieldInstant instants_[slice] = {};
 };
-
 } // namespace lr

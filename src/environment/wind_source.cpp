@@ -123,7 +123,6 @@ void sin_cos_turns(double turns, double& sine, double& cosine) {
 double spectrum(double f) {
     return shape::portable_pow(1.0 + 70.8 * f * f, -5.0 / 6.0);
 }
-
 } // namespace
 
 Outcome check_wind_source(const SourceDesc& source) {
@@ -238,7 +237,6 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
         out[o] = s;
     }
 }
-
 } // namespace
 
 void WindSource::at(double time, uint64_t world_seed, const double drift[3], const double drift_velocity[3],
@@ -356,5 +354,4 @@ void Gusts::add(double age, double (&velocity)[3]) const {
         for (uint32_t k = 0; k < 3; ++k) velocity[k] += grown * cosine * m.amplitude[k];
     }
 }
-
 } // namespace lr

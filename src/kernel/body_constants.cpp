@@ -91,7 +91,6 @@ double chi_star(const TurbulenceSample& s) {
 double epsilon_star(const TurbulenceSample& s) {
     return s.epsilon * s.l / (s.u0 * s.u0 * s.u0);
 }
-
 } // namespace
 
 bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyConstants& out) {
@@ -237,7 +236,6 @@ void equivalent_ellipsoid(const AssetData& a, WaterBody& out) {
     }
     out.radius = static_cast<float>(std::sqrt(longest) + std::sqrt(offset));
 }
-
 } // namespace
 
 bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gains& gains,
@@ -273,5 +271,4 @@ bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gai
     narrow(modes.from, out.from);
     return true;
 }
-
 } // namespace lr

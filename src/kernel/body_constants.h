@@ -116,5 +116,4 @@ void set_gust_turbulence(const TurbulenceSample& stationary, const Gains& gains,
 // Pope's coefficients (paper Eq. 9) with the gains folded in.
 double langevin_alpha(double chi, double c0, const Gains& gains);
 double langevin_beta_squared(double epsilon, double c0, const Gains& gains);
-
 } // namespace lr

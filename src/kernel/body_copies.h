@@ -85,5 +85,4 @@ inline StepInput substep_of(const StepInput& in, uint32_t substep) {
     }
     return one;
 }
-
 } // namespace lr

@@ -131,7 +131,6 @@ template <class N, class Eigen> HWY_INLINE void set_frame(N zero, N one, const E
         for (size_t i = 0; i < 3; ++i) a.modes[i * 3 + j] = vectors[i][j];
     }
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

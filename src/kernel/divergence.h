@@ -83,5 +83,4 @@ public:
 private:
     float value_[field_count][lane_block];
 };
-
 } // namespace lr

@@ -53,5 +53,4 @@ namespace lr {
 template <class T, size_t N> const T& of_target(const T (&targets)[N], int32_t simd) {
     return *std::find_if(std::begin(targets), std::end(targets) - 1, [simd](const T& t) { return t.simd == simd; });
 }
-
 } // namespace lr

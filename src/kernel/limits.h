@@ -83,5 +83,4 @@ inline const char* wrong_in(const TurbulenceSample& s) {
                ? nullptr
                : "a sample is negative or far too large";
 }
-
 } // namespace lr

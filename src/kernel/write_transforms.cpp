@@ -234,7 +234,6 @@ void write_range(const BatchArrays& a, uint32_t count, float ahead, int32_t form
     }
     (std::make_integer_sequence<int32_t, LR_TRANSFORM_4X4_COLUMN_MAJOR + 1>{});
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -255,7 +254,6 @@ struct Target {
 #define LR_TARGET(simd, target) {simd, &N_##target::write_range},
 constexpr Target targets[] = {LR_FOR_BUILT_TARGETS(LR_TARGET)};
 #undef LR_TARGET
-
 } // namespace
 
 uint32_t transform_bytes(int32_t format) {
@@ -269,6 +267,5 @@ void write_transforms(int32_t simd, const BatchArrays& a, uint32_t count, float 
     const bool stream = stride == transform_bytes(format) && uint64_t{count} * stride >= stream_bytes;
     of_target(targets, simd).write(a, count, ahead, format, static_cast<unsigned char*>(to), stride, stream);
 }
-
 } // namespace lr
 #endif

@@ -14,5 +14,4 @@ uint32_t transform_bytes(int32_t format);
 // processor has; all write the same bits. ahead: s by which bodies move on with their velocities.
 void write_transforms(int32_t simd, const BatchArrays& arrays, uint32_t count, float ahead, int32_t format, void* to,
                       uint64_t stride);
-
 } // namespace lr

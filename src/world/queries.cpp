@@ -145,7 +145,6 @@ private:
     Geometry geometry_{};
     float reach_; // m, of a sphere around it
 };
-
 } // namespace
 
 lr_ray_hit cast_ray(const lr_world& world, const lr_ray& given, const Batch* only) {
@@ -195,5 +194,4 @@ uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const
     });
     return count;
 }
-
 } // namespace lr

@@ -28,7 +28,6 @@ lr_status enter(const lr_world& world, const char* function) {
     world.call_guard.end_telling();
     return status;
 }
-
 } // namespace lr
 
 using namespace lr;
@@ -45,7 +44,6 @@ template <class Run> void by_time(StepItem* some, uint32_t count, const Run& run
         some = to;
     }
 }
-
 } // namespace
 
 lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {

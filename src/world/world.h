@@ -58,7 +58,6 @@ private:
 
 // For checked worlds: CallGuard::enter, and logs a refusal.
 lr_status enter(const lr_world& world, const char* function);
-
 } // namespace lr
 
 struct lr_world {
@@ -204,5 +203,4 @@ lr_ray_hit cast_ray(const lr_world& world, const lr_ray& ray, const Batch* only)
 // Returns how many bodies overlap; writes up to `capacity` ids, sorted if there is room for all.
 uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const Batch* only, lr_body* bodies,
                        uint32_t capacity);
-
 } // namespace lr

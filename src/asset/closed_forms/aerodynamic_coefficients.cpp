@@ -96,7 +96,6 @@ void set_lift(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& p
     const double wing = g.extent[g.area[i] > g.area[j] ? j : i];
     out.roll_damping[k] = plate.roll * sheet * g.stroke2[k] * (1.0 + roll_half) * share(wing, roll_half * g.extent[k]);
 }
-
 } // namespace
 
 AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCoefficients& plate) {
@@ -121,5 +120,4 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     out.wake_reynolds = plate.wake_reynolds;
     return out;
 }
-
 } // namespace lr::shape

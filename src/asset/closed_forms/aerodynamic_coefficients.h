@@ -42,5 +42,4 @@ struct PlateCoefficients {
 
 // The default coefficients: one set of rules for all shapes.
 AerodynamicData default_aerodynamics(const AerodynamicGeometry& geometry, const PlateCoefficients& plate = {});
-
 } // namespace lr::shape

@@ -52,7 +52,6 @@ HullData ellipsoid_hull(const std::array<double, 3>& axes, const std::array<doub
     }
     return hull;
 }
-
 } // namespace
 
 BodyScales body_scales(double largest_extent, double smallest_extent, double volume, double projected_area,
@@ -159,5 +158,4 @@ TurbulenceData decay_table(const AssetData& asset, double intensity) {
     if (start.k > 0.0) table.c0 = kolmogorov_c0(taylor_reynolds(start, asset.fluid_viscosity));
     return table;
 }
-
 } // namespace lr::shape

@@ -43,5 +43,4 @@ void set_scales(const std::array<double, 3>& semi_axes, const std::array<double,
 // The decay of k and epsilon in a uniform stream in closed form (docs/maintainers/physics.md, "Turbulence tables"), which the MAC grid computes for
 // an empty stream. Needs lengths, u0 and fluid.
 TurbulenceData decay_table(const AssetData& asset, double intensity);
-
 } // namespace lr::shape

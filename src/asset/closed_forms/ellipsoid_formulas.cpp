@@ -133,7 +133,6 @@ std::vector<Node> unit_interval_rule() {
     }
     return nodes;
 }
-
 } // namespace
 
 // With the point (a u_x, b u_y, c u_z), u on the unit sphere, n dA = N dOmega, N_i = a_j a_k u_i, and
@@ -193,5 +192,4 @@ AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes) {
     }
     return out;
 }
-
 } // namespace lr::shape

@@ -30,5 +30,4 @@ StokesResistance stokes_resistance(const std::array<double, 3>& semi_axes);
 
 // Axes of the body, centre of buoyancy at the centre.
 AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes);
-
 } // namespace lr::shape

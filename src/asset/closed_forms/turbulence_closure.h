@@ -27,5 +27,4 @@ double taylor_reynolds(TurbulenceState state, double viscosity);
 
 // Paper Eq. 10, read with the Taylor-scale Reynolds number (docs/maintainers/physics.md section 7). 0 at rest, 6.5 at most.
 double kolmogorov_c0(double r_lambda);
-
 } // namespace lr::shape

@@ -88,5 +88,4 @@ struct BodyContactTarget {
     bool (*restrain)(const BodyContactInput&, PairBlock&); // true: a bounce would gain energy
     void (*finish)(const BodyContactInput&, uint32_t kind, uint32_t begin);
 };
-
 } // namespace lr

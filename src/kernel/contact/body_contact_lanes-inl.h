@@ -161,7 +161,6 @@ struct GatheredBodies {
         for (size_t lane = 0; lane < contact_lanes; ++lane) put(twist, lane, in.twists[begin + lane]);
     }
 };
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

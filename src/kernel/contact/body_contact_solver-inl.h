@@ -474,7 +474,6 @@ void body_contact_finish(const BodyContactInput& in, uint32_t kind, uint32_t beg
     }
     bodies.put_back(in, begin);
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -131,5 +131,4 @@ struct ContactTarget {
     GroundFunction ground;
     ContactFunction resolve;
 };
-
 } // namespace lr

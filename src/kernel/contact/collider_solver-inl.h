@@ -388,7 +388,6 @@ void resolve_contacts(const ContactBodies& b, ContactSlots& slots) {
     else
         resolve<true>(b, slots);
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -155,7 +155,6 @@ HWY_INLINE Closest<L> closest(const Support& support, const typename L::Vec& sta
     overlap = L::without(L::either(overlap, L::inverse(square > least)), beyond);
     return {beyond, overlap, L::root(square), lower, normal, v, on_a};
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

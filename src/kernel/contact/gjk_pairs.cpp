@@ -110,13 +110,11 @@ HWY_INLINE void nearest_of_hulls(const SearchHull& a, const SearchHull& b, Searc
     const Number overlap = Lanes::choose(found.overlap, Lanes::number(SearchBlock::overlap), apart);
     hw::Store(Lanes::choose(found.beyond, beyond, overlap), d, block.state + at);
 }
-
 } // namespace search
 
 void search_pairs(const SearchHull& a, const SearchHull& b, uint32_t count, SearchBlock& block) {
     for (size_t at = 0; at < count; at += hwy::HWY_NAMESPACE::Lanes(search::Tag()))
         search::nearest_of_hulls(a, b, block, at);
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

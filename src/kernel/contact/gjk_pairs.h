@@ -27,5 +27,4 @@ struct SearchBlock {
 
 // Searches the first `count` lanes.
 using PairSearch = void(const SearchHull& a, const SearchHull& b, uint32_t count, SearchBlock& block);
-
 } // namespace lr

@@ -368,7 +368,6 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
     }
     return any;
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -404,7 +404,6 @@ HWY_INLINE void store_body(const BatchArrays& a, size_t at, const Body& b, Vec3 
         store1(a, field_age_rest, at, b.age_rest);
     });
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -505,7 +505,6 @@ HWY_INLINE void splitting_substep(const StepInput& in, const C& c, Held& held, V
     b.x += constant(in.h) * held.wind;
     grow_older(b, constant(in.h));
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

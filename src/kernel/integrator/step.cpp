@@ -167,7 +167,6 @@ void step_range_rk4(const StepInput& in, const BatchArrays& a, size_t begin, siz
                         HWY_ATTR { step_bodies<kFull, kAerodynamic, Integrator::rk4>(in, a, begin, end); });
 }
 #endif
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -202,6 +201,5 @@ const KernelTarget* find_target(int32_t simd) {
     }
     return nullptr;
 }
-
 } // namespace lr
 #endif

@@ -90,5 +90,4 @@ const KernelTarget* built_targets(size_t& count);
 
 // The best target that this processor runs, or the requested one (LR_SIMD_*); null if it cannot run that.
 const KernelTarget* find_target(int32_t simd);
-
 } // namespace lr

@@ -191,7 +191,6 @@ template <class F> HWY_INLINE void for_variant(const StepInput& in, const F& f) 
     else
         aerodynamic ? f.template operator()<true, true>() : f.template operator()<true, false>();
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -427,7 +427,6 @@ HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, c
     free_step<kFull, true>(0.5f * in.h, c, held, b);
     couple_at_end<kFull>(in, c, held, b);
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

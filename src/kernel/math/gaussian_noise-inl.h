@@ -171,7 +171,6 @@ HWY_INLINE void three_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[
     gaussian_pair(word[0], pair_angle<0>(word), out[0], out[1]);
     gaussian_pair(word[1], pair_angle<1>(word), out[2], unused);
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

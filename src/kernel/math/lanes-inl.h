@@ -247,7 +247,6 @@ HWY_INLINE void sin_cos_turn(VF turn, VF& sine, VF& cosine) {
     sine = hn::BitCast(DF(), hn::Xor(hn::BitCast(du, a), sine_sign));
     cosine = hn::BitCast(DF(), hn::Xor(hn::BitCast(du, b), cosine_sign));
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

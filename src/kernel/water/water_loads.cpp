@@ -461,6 +461,5 @@ void settle_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, 
     else
         settle_bodies<true>(in, s, a, count);
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

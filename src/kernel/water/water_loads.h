@@ -85,5 +85,4 @@ struct SurfaceTarget {
 bool make_water_body(const AssetData& asset, const AerodynamicData& loads, const Gains& gains,
                      const TurbulenceSample& stationary, bool diagonal, double air_density, double water_density,
                      double water_viscosity, const BodyConstants& air, WaterBody& out);
-
 } // namespace lr

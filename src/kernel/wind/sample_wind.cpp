@@ -503,6 +503,5 @@ void settle(const BodyConstants& c, float h, const FieldBlock& b, const FluidSam
         store_velocities(a, at, settled, turns, faults);
     }
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -72,5 +72,4 @@ struct FieldInstant {
     uint32_t source_count;
     const SourceInstant* sources;
 };
-
 } // namespace lr

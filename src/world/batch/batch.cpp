@@ -27,7 +27,6 @@ double reach_of(const AssetData& a) {
                          norm(static_cast<double>(v[i]), static_cast<double>(v[i + 1]), static_cast<double>(v[i + 2])));
     return reach;
 }
-
 } // namespace
 
 Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
@@ -481,5 +480,4 @@ bool Batch::set_asset_table() {
         samples.data(), samples.data() + count, count, t.stationary, t.dt * a.length_l / a.u0, a.u0, a.length_l, t.c0};
     return set_table(view, true);
 }
-
 } // namespace lr

@@ -229,5 +229,4 @@ template <class Move> void move_awake(const Batch& batch, uint32_t begin, uint32
     move();
     kept.put_back(batch.arrays(), index);
 }
-
 } // namespace lr

@@ -33,7 +33,6 @@ void mix_in(const Column& column, const unsigned char* from, uint32_t count, boo
     else
         for (uint32_t i = 0; i < count; ++i) bodies[i] = mixed(i);
 }
-
 } // namespace
 
 bool BodyColumns::reserve(Allocator& allocator, ColumnPart part, size_t lanes) {
@@ -95,5 +94,4 @@ uint64_t BodyColumns::hash(uint32_t awake, uint32_t count) const {
     }
     return sum;
 }
-
 } // namespace lr

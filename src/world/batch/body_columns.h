@@ -106,5 +106,4 @@ private:
     unsigned char* data_[column_count] = {};
     Buffer<unsigned char> memory_[column_parts];
 };
-
 } // namespace lr

@@ -105,7 +105,6 @@ const char* wrong_in(const lr_emitter_desc& d) {
     if (d.reserved != 0) return "reserved is not 0";
     return nullptr;
 }
-
 } // namespace
 
 Outcome check(const lr_emitter_desc& d) {
@@ -144,5 +143,4 @@ BodyState Emitter::draw(uint64_t seed, uint32_t noise_seed, uint32_t life) const
     out.value[field_scale] = std::clamp(static_cast<float>(scale), desc_.scale_min, desc_.scale_max);
     return out;
 }
-
 } // namespace lr

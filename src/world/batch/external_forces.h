@@ -44,5 +44,4 @@ struct Kick {
 
 // The change of velocity by an impulse (N s) and an angular impulse (N m s), body frame, including the added mass: (M + added)^-1 of them.
 Kick impulse_response(const BodyConstants& body, double scale, const Kick& impulse);
-
 } // namespace lr

@@ -32,7 +32,6 @@ const char* wrong_in(const lr_batch_rules& r) {
     }
     return nullptr;
 }
-
 } // namespace
 
 Outcome check(const lr_batch_rules& r) {
@@ -241,5 +240,4 @@ void log_faults(const lr_world& world, const FaultReport& report) {
                   report.count == 1 ? "body" : "bodies", report.noise_seed, report.batch.id);
     world.log(LR_LOG_WARNING, "lr_world_step", text);
 }
-
 } // namespace lr

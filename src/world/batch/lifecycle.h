@@ -105,5 +105,4 @@ struct FaultReport {
 // At the end of a step of the batch, before its rules end bodies.
 void settle_faults(lr_world& world, Batch& batch, lr_batch handle, FaultReport& report);
 void log_faults(const lr_world& world, const FaultReport& report);
-
 } // namespace lr

@@ -81,5 +81,4 @@ private:
     StepList<Entry> entries_;
     bool all_ = false, looks_ = false;
 };
-
 } // namespace lr

@@ -15,7 +15,6 @@ constexpr double pace_of_length = 1.5;        // m/s
 
 // Rounding of step lengths must not add a substep.
 constexpr double slack = 0.01;
-
 } // namespace
 
 BatchClock::BatchClock(double length) : record_{}, longest_(std::min(longest_of_all, length / pace_of_length)) {
@@ -181,5 +180,4 @@ void StepScheduler::decide(const Step& step) {
         report_.lost = std::max(report_.lost, pace.lost_now());
     }
 }
-
 } // namespace lr

@@ -153,5 +153,4 @@ private:
     lr_step_report report_{};
 };
 static_assert(sizeof(StepScheduler::Record) % 8 == 0);
-
 } // namespace lr

@@ -81,5 +81,4 @@ private:
     uint64_t blocks_;
     uint64_t chunk_; // lane blocks in each
 };
-
 } // namespace lr

@@ -75,5 +75,4 @@ private:
     Buffer<Box> boxes_; // by slot; NaN for none
 };
 static_assert(sizeof(SleepingBodies::State) % 8 == 0);
-
 } // namespace lr

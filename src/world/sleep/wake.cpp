@@ -42,7 +42,6 @@ void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float stil
         partner.look_at_resting(around, [&](uint32_t index) { partner.note_rest(index); });
     });
 }
-
 } // namespace
 
 WakeByFlow::WakeByFlow(lr_world& world, StepItem* items, const StepTime& time)
@@ -172,5 +171,4 @@ void wake_before_hit(lr_world& world, float dt, const FloatMode& mode) {
         if (any && world.pairs.meets(slot)) batch.wake_noted();
     });
 }
-
 } // namespace lr

@@ -37,7 +37,6 @@ bool consistent(const ColliderRecord& c) {
            !wrong_velocity({c.linear.x, c.linear.y, c.linear.z}, {c.angular.x, c.angular.y, c.angular.z}) &&
            (c.pending == 0 || !ColliderMotion{c.linear, c.angular, {}, false}.moves());
 }
-
 } // namespace
 
 ColliderSnapshot::Slot ColliderSnapshot::slot(uint32_t i) const {
@@ -159,5 +158,4 @@ void ColliderSnapshot::commit() {
         c.any_fresh_ = c.any_fresh_ || r.fresh != 0;
     }
 }
-
 } // namespace lr

@@ -182,7 +182,6 @@ bool table_consistent(const SavedBatch& s, const Batch& batch) {
            in_range(h.speed_alpha, 0.0, static_cast<double>(speed.speed_alpha)) &&
            in_range(h.speed_beta, 0.0, static_cast<double>(speed.speed_beta));
 }
-
 } // namespace
 
 class SnapshotAccess {
@@ -348,7 +347,6 @@ void write(const lr_world& w, const SnapshotHeader& header, Writer& to) {
     to.bytes(w.pairs.links(), sizeof(uint32_t) * uint64_t{w.pairs.link_count()});
     for (uint32_t i = 0; i < w.batch_slots; ++i) SnapshotAccess::save(w.batches[i], to);
 }
-
 } // namespace
 
 uint64_t snapshot_size(const lr_world& w) {
@@ -452,5 +450,4 @@ lr_status snapshot_restore(lr_world& w, const void* memory) {
     w.resume_events();
     return LR_OK;
 }
-
 } // namespace lr

@@ -31,5 +31,4 @@ template <class Next> bool make_chain(uint32_t first, uint32_t last, uint32_t fr
     }
     return true;
 }
-
 } // namespace lr

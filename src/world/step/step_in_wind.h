@@ -22,5 +22,4 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
 // Velocities at the prepared moment. positions, velocities: x y z of each, may be the same array. batch: passed to the wind callback; 0 for points.
 void sample_field(const KernelTarget& target, WindField& field, double time, lr_batch batch, const float* positions,
                   uint32_t count, float* velocities);
-
 } // namespace lr

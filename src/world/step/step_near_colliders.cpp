@@ -68,7 +68,6 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
         touch(run, group, states, near, arrays, before, first, i, in.faults);
     }
 }
-
 } // namespace
 
 void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
@@ -121,5 +120,4 @@ void ContactPass::resolve() {
     }
     states.put_back(*arrays_, index);
 }
-
 } // namespace lr

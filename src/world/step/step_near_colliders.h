@@ -58,5 +58,4 @@ private:
     NearContacts near_;
     alignas(64) float before_[pose_fields][field_block];
 };
-
 } // namespace lr

@@ -49,5 +49,4 @@ private:
 // Steps [begin, end) through all substeps of a step in a uniform wind. surface: null without water; its time is not read.
 void step_lanes(const KernelTarget& target, const WaterStep* surface, const StepTime& time, const StepInput& in,
                 const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end);
-
 } // namespace lr
