@@ -34,8 +34,7 @@ struct TurbulenceData {
     X(max_divergence, 0.0, 1e12)                                                                                       \
     X(stationary, 0, 65535) X(loop_begin, 0, 65536) X(loop_end, 0, 65536) X(wake, 0, 1) X(settled, 0, 1)
 
-// Quasi-steady loads at scale 1, docs/maintainers/physics.md section 5. All are about `center`, along `axes`, and turn with the
-// body; s: speed through the fluid, (i, j, k) cyclic.
+// Quasi-steady loads at scale 1 (docs/maintainers/physics.md section 5), about `center`, along `axes`. s: speed through the fluid; (i, j, k) cyclic.
 struct AerodynamicData {
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: unit vectors in the body frame, right-handed
     // Drag opposes v_r: rho sum_i (v_i/s)^2 [1/2 (drag_i + drag_blunt_i Re/(Re + 8710)) s + layer_i sqrt(nu s) + stokes_i nu] v_r, Re = s d/nu.
@@ -58,16 +57,14 @@ struct AerodynamicData {
     std::array<double, 3> spin_drag_stokes{}; // m^3
     // Roll damping -rho g_k (g . w)/s, g_k = sqrt(roll_damping_k) v_k: of the part of the spin about the stream.
     std::array<double, 3> roll_damping{}; // m^4
-    // Velocity of the fluid in the body's own wake: per axis intensity times s Re/(Re + wake_reynolds), correlated over length/s. Wakes below a Re of
-    // some hundreds are laminar.
+    // Velocity of the fluid in the wake: per axis intensity times s Re/(Re + wake_reynolds), correlated over length/s. Below some 100s it is laminar.
     double intensity = 0.0;
     double wake_reynolds = 0.0;
     double length = 1.0;            // m
     std::array<double, 3> center{}; // m, from the centre of buoyancy, body frame
 };
 
-// Its coefficients, for loops over them. Vectors: X(name, least, most, power), limits in units of d^power. Folded and bristling surfaces have many
-// times the area of their silhouette.
+// Its coefficients for loops: X(name, least, most, power), limits in units of d^power. Folded surfaces have many times the area of their silhouette.
 #define LR_AERODYNAMIC_VECTORS(X)                                                                                      \
     X(drag, 0.0, 1e6, 2.0)                                                                                             \
     X(drag_blunt, 0.0, 1e6, 2.0)                                                                                       \

@@ -24,8 +24,7 @@ bool check_plausible(const AssetData& data, Faults& faults);
 // Hash of everything that affects motion and contact, without names and provenance.
 uint64_t content_hash(const AssetData& data);
 
-// The largest entry off the diagonals of inertia and added mass, over the geometric mean of the entries that it couples, or the offset of buoyancy or
-// of the quasi-steady loads over the length d.
+// The largest entry off the diagonals of inertia and added mass, relative to those it couples, or offset of buoyancy or of the loads over d.
 double largest_coupling(const AssetData& asset);
 
 // A mesh that is symmetric by design is not so to the last bit: couplings up to a millionth count as zero.

@@ -142,8 +142,7 @@ bool before(const Edge& a, const Edge& b) {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
 }
 
-// For triangles with valid indices and finite vertices. A neighbour can rise over a face by a ten thousandth of `length`. Hulls without volume, as of
-// flat bodies, cannot face inward.
+// For valid indices and finite vertices. A neighbour can rise over a face by 1e-4 of `length`. Flat hulls, without volume, cannot face inward.
 void check_convex(const HullData& hull, double length, Checker& check) {
     const auto flaw = [&](size_t triangle, FaultId id, const char* what) {
         check.fail(id, "hull.triangles[" + std::to_string(3 * triangle) + "]", what);

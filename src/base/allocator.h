@@ -157,8 +157,7 @@ template <class T> struct StepList {
     }
 };
 
-// LR_ERROR_OUT_OF_MEMORY if `body` throws bad_alloc. WebAssembly is built without exceptions: its operator new leaves to the host
-// (bindings/web/native/memory.cpp).
+// LR_ERROR_OUT_OF_MEMORY if `body` throws bad_alloc. WebAssembly has no exceptions: operator new leaves to the host (bindings/web/native/memory.cpp).
 template <class F> lr_status unless_out_of_memory(F&& body) {
 #if defined(__cpp_exceptions)
     try {

@@ -230,8 +230,7 @@ bool is_redundant(const std::vector<Point>& neighbours, const Point& point) {
     return ring.run() && !ring.is_outside(point);
 }
 
-// Early vertices that rounding keeps barely outside of the corners they lie between. Two neighbours never go at once: each can make the
-// other redundant.
+// Early vertices that rounding keeps barely outside of the corners around them. Two neighbours never go at once: each can make the other redundant.
 std::vector<char> redundant_vertices(const std::vector<Point>& points, const std::vector<HullTriangle>& faces) {
     std::vector<std::vector<uint32_t>> rings(points.size());
     for (const HullTriangle& face : faces)

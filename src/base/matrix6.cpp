@@ -33,8 +33,7 @@ bool cholesky(const Matrix6& m, double floor, Matrix6& l) {
     return true;
 }
 
-// Cyclic Jacobi (Golub and Van Loan, Matrix Computations, section 8.5): `a` becomes diagonal, columns of the result its eigenvectors. About six
-// sweeps; the bound ends it if something is not finite.
+// Cyclic Jacobi (Golub and Van Loan, section 8.5): `a` becomes diagonal, columns of the result its eigenvectors. Some six sweeps, bounded for NaN.
 Matrix6 diagonalise(Matrix6& a) {
     Matrix6 v = unit_matrix();
     for (int sweep = 0; sweep < 30; ++sweep) {

@@ -1,5 +1,4 @@
-// Transcendental functions in double from + - x / and exact scaling only, with the same bits for every C library: their results go into assets
-// and constants, on which all machines must agree.
+// Transcendental functions in double from + - x / and exact scaling, with the same bits for every C library: assets and constants depend on them.
 #pragma once
 
 namespace lr::shape {

@@ -12,8 +12,7 @@
 #include <thread>
 #endif
 
-// Without a futex, libstdc++ before 13 compares the value before it locks and notifies without the lock: a wake-up in between is
-// lost, and both sides wait forever.
+// Without a futex, libstdc++ before 13 compares before it locks and notifies without the lock: wake-ups get lost, and both sides wait forever.
 #if defined(_WIN32) && defined(__GLIBCXX__)
 #define LR_WAITS_ON_ATOMICS 0
 #include <condition_variable>

@@ -40,8 +40,7 @@ void BodyContactSolver::order_pairs(const BodyContactScene& scene) {
     }
 }
 
-// Each pair takes the lowest colour that neither of its bodies has yet. Fixed things come last in each sweep: they must hold better
-// than bodies hold each other.
+// Each pair takes the lowest colour that its bodies do not have yet. Fixed things come last in a sweep: they must hold better than bodies do.
 void BodyContactSolver::colour(const BodyContactScene& scene) {
     const std::span units(scene.units, scene.unit_count);
     std::fill_n(used_colours_.data(), body_count_, uint64_t{0});

@@ -1,5 +1,4 @@
-// A step of the batches with body contact: all bodies take one substep, then touching ones are solved together, then the next
-// substep. docs/maintainers/contact.md
+// A step of batches with body contact: all bodies take a substep, then touching ones are solved together, and so on (docs/maintainers/contact.md).
 #pragma once
 
 #include "base/float_mode.h"

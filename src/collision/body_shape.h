@@ -1,5 +1,4 @@
-// The contact shape of a batch's bodies: the convex hull of a few points with a rounding, or an ellipsoid. At scale 1, in
-// the body frame, from the centre of mass.
+// The contact shape of a batch's bodies: a rounded convex hull of a few points, or an ellipsoid; at scale 1, body frame, from the centre of mass.
 #pragma once
 
 #include "asset/asset_data.h"

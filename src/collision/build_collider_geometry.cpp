@@ -241,8 +241,7 @@ Box around(const Triangle* from, const Triangle* to) {
     return box;
 }
 
-// Halves by the middles along the longest side until few are left. Only the sets of the selection are used, so the order
-// does not depend on the library's algorithm.
+// Halves by the middles along the longest side until few are left. The order does not depend on how the library selects: only its sets are used.
 void split(Triangle* from, Triangle* to, uint32_t first, std::vector<MeshPart>& parts) {
     const auto count = static_cast<uint32_t>(to - from);
     if (count <= most_part_triangles) {

@@ -28,8 +28,7 @@ public:
     size_t capacity() const { return proxies_.size(); }
     uint32_t size() const { return count_; }
 
-    // To build: clear, add up to capacity(), build. At most `levels` cell sizes, up to most_occupancy_levels; the bits find bodies
-    // that reach at most `dilation` (m).
+    // To build: clear, add up to capacity(), build. levels: cell sizes, up to most_occupancy_levels. dilation: m, the largest reach that bits find.
     void clear();
     void add(const Proxy& proxy) { proxies_[count_++] = proxy; }
     void build(float dilation, uint32_t levels);

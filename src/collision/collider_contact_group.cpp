@@ -331,8 +331,7 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
         const uint32_t from = end_, to = std::min(from + at_a_time, last);
         step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, from, to,
                           near_ + (from - begin));
-        // The grids depend on when they were built, which must not affect results: a body that nothing reaches takes the same
-        // path as far ones, to the bit.
+        // Results must not depend on when the grids were built: a body that nothing reaches takes the same path as far ones, to the bit.
         for (uint32_t i = from; i < std::min(to, live); ++i) {
             if (is_held(arrays.field[field_age_rest][i])) {
                 near_[i - begin] = 0; // it touches nothing

@@ -228,8 +228,7 @@ template <class Found> void ContactGroup::any_order(uint32_t i, const Box& aroun
         each_candidate(i, around, found);
 }
 
-// The bodies of [begin, end) that can touch something within `dt`: at most near_range are examined, until field_block are found. A longer
-// range fills more of a group's lanes when few are near.
+// Bodies of [begin, end) that can touch something within `dt`: examines at most near_range, which fills a group's lanes, until field_block are found.
 class NearContacts {
 public:
     static constexpr uint32_t near_range = 16 * field_block;

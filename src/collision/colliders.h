@@ -142,8 +142,7 @@ public:
             if (in_use(i) && slots_[i].shared) visit(slots_[i].shared->hash, desc_of(*slots_[i].shared));
     }
 
-    // Calls found(candidate) once for each whose box, over the whole step, overlaps `box` (m, world) and that is in one of `layers`, in no
-    // particular order. Any thread.
+    // Calls found(candidate) once for each in one of `layers` whose box, over the whole step, overlaps `box` (m, world), in no order. Any thread.
     template <class Found> void visit(const Box& box, uint32_t layers, Found&& found) const {
         const auto take = [&](uint32_t slot, ColliderPart part) {
             if ((colliders_[slot].layers & layers) != 0) found(Candidate{slot, part});
@@ -246,8 +245,7 @@ private:
     Buffer<Collider> colliders_;
     Buffer<ColliderMotion> motions_;
     Buffer<Slot> slots_;
-    // Finite colliders are in the static grid, which is rebuilt now and then, or in `active_`, whose grid is rebuilt in each step:
-    // moving ones, and still ones that are not in the static grid yet.
+    // Finite colliders are in the static grid, rebuilt now and then, or in `active_`, rebuilt in each step: moving ones, and still ones added since.
     List active_, unbounded_;
     ColliderBroadPhase still_grid_{true}, active_grid_{false};
     NearColliders near_{};

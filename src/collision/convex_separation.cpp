@@ -26,8 +26,7 @@ Double3 between(const PlacedBody& body, const PlacedCollider& collider) {
 
 static_assert(sizeof(ccd_real_t) == sizeof(double), "libccd has to be built for double precision");
 
-// Refinement stops at libccd's own limit, but its loops that search for a portal have none. Past this many supports all points are
-// equal, which ends them.
+// Refinement stops at libccd's own limit, but its search for a portal has none: past this many supports all points are equal, which ends it.
 constexpr uint32_t most_supports = 400;
 
 struct Side {

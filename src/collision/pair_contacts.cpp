@@ -41,8 +41,7 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
         if (end < margin) out[kept++] = {c, end};
     }
     if (a.turns + b.turns == 0.0f) return kept;
-    // The plane between them at the beginning of the substep must also separate them at its end: otherwise fast rotation would bring
-    // other points through than the near ones.
+    // The plane between them at the substep's beginning must also separate them at its end: fast rotation could bring other points through.
     const Vector n = found[0].normal;
     const float slop = 1e-3f * std::min(a.reach(), b.reach());
     if (!(gap > -slop)) return kept;

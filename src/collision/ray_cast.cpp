@@ -74,8 +74,7 @@ bool meets_ellipsoid(Double3 middle, Double3 semi_axes, const Ray& ray, double m
     return true;
 }
 
-// Steps along the ray from plane to plane, each with the body behind it, through the body's point nearest to the ray's (van den
-// Bergen 2004). Converges in a few rounds and never passes the surface.
+// Steps along the ray from plane to plane through the body's point nearest to the ray's (van den Bergen 2004): few rounds, never past the surface.
 bool meets_rounded(const BodyShape& shape, float scale, const Ray& ray, double most, RayHit& hit) {
     const PlacedBody body(shape, scale, {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}});
     const double radius = wide(body.radius), near = met * wide(scale * shape.reach);

@@ -1,5 +1,4 @@
-// Constants of a body that follow from others: in double, once for a batch (kernel/body_constants.cpp), and in vectors for bodies in two fluids
-// (kernel/water/water_loads.cpp). N: the number type. zero, one: its constants.
+// Constants of a body that follow from others: in double for a batch, in vectors for bodies in two fluids. N: number type; zero, one: its constants.
 #if defined(LR_KERNEL_DERIVED_CONSTANTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_DERIVED_CONSTANTS_INL_H_
 #undef LR_KERNEL_DERIVED_CONSTANTS_INL_H_

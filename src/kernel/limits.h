@@ -1,5 +1,4 @@
-// Limits of input. Setters and snapshots share them, along with the checks of each struct. Quantities that grow with steps are kept below them: a
-// world always accepts its own snapshot.
+// Limits of input, for setters and snapshots. Quantities that grow with steps are kept below them: a world always accepts its own snapshot.
 #pragma once
 
 #include "kernel/body_constants.h"

@@ -25,8 +25,7 @@ struct RayFilter {
     float most;               // m, along the ray
 };
 
-// For bodies [begin, end), at most filter_block: a loop over arrays that compilers vectorise. Returns whether any is marked. It can mark
-// bodies that are not hit, but misses none.
+// For bodies [begin, end), at most filter_block, in a loop that compilers vectorise. Returns whether any is marked: perhaps too many, never too few.
 bool filter_bodies(const RayFilter& f, const BatchArrays& arrays, uint32_t begin, uint32_t end,
                    uint32_t (&marks)[filter_block]) {
     const float *const x = arrays.field[field_x] + begin, *const y = arrays.field[field_y] + begin,

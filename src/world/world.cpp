@@ -276,8 +276,7 @@ void lr_world::fill_step(Batch& batch, float dt, bool& unfit) {
     if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.awake());
     StepInput& in = batch.step;
     fill_input(batch, pace.time(), pace.record().first_substep, pace.record().wind, unfit);
-    // In a fluid that accelerates as a whole, gravity acts as if reduced by that acceleration. Above the limit, which only steps of microseconds
-    // reach, the product with the step could overflow.
+    // In an accelerating fluid, gravity acts as if reduced by the acceleration; clamped, or steps of microseconds could overflow the product.
     for (size_t k = 0; k < 3 && in.wind_changes; ++k)
         in.gravity[k] -= std::clamp((in.wind[k] - in.wind_begin[k]) / seconds, -1e9f, 1e9f);
 }
@@ -428,8 +427,7 @@ bool lr_world::reserve_contact() {
     return enough;
 }
 
-// Twice gravity, for other loads; part of the wind, which light bodies take on within a step; and a large value for external forces, which
-// have no common limit.
+// Twice gravity for other loads; part of the wind, which light bodies take on within a step; and a large value for external forces.
 float lr_world::contact_gain(const Batch& batch, float dt) const {
     const float forced = batch.step.external.any ? 50.0f : 0.0f;
     return 2.0f * dt * length(vector_of(gravity)) + 0.5f * length(vector_of(wind.uniform.wind)) + forced;

@@ -23,8 +23,7 @@ struct AerodynamicGeometry {
     std::array<double, 3> rub{};     // m^5, int |e_k x r|^3 dA: scales skin friction against spin
 };
 
-// Additions of thin plates in free flight to the rules for steady streams; 0 for bodies that are no plates. Fitted to measured falls of discs
-// (docs/maintainers/physics.md, "Plates in free flight").
+// Additions of thin plates in free flight, from measured falls of discs (docs/maintainers/physics.md, "Plates in free flight"); else 0.
 struct PlateCoefficients {
     double unsteady_disc = 2.536, unsteady_strip = 1.8; // drag broadside over that in a steady stream
     double edge_drag = 0.317, edge_strip = 0.6;         // C_D of the planform, edge on

@@ -1,5 +1,4 @@
-// Body contact: Gauss-Seidel over pairs, with the mass and added mass of both bodies. The formulas are those of
-// kernel/contact/collider_solver-inl.h, for two bodies (docs/maintainers/contact.md).
+// Body contact: Gauss-Seidel over pairs with mass and added mass of both; formulas as in collider_solver-inl.h (docs/maintainers/contact.md).
 #if defined(LR_KERNEL_CONTACT_BODY_CONTACT_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_BODY_CONTACT_SOLVER_INL_H_
 #undef LR_KERNEL_CONTACT_BODY_CONTACT_SOLVER_INL_H_

@@ -1,5 +1,4 @@
-// Contact with colliders: Gauss-Seidel over the contacts of each body, with its mass and added mass, first for the displacement of the substep, then
-// for the velocity at its end (docs/maintainers/contact.md).
+// Contact with colliders: Gauss-Seidel over each body's contacts, first for displacement, then for velocity (docs/maintainers/contact.md).
 #if defined(LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_
 #undef LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_

@@ -1,5 +1,4 @@
-// Closest points of two convex cores (Gilbert, Johnson and Keerthi 1988) with bounded work. L: the number type, a float or double of one pair, or a
-// vector of independent pairs, one per lane.
+// Closest points of two convex cores (Gilbert, Johnson and Keerthi 1988), bounded. L: the number type, of one pair or of a vector of pairs.
 #if defined(LR_KERNEL_CONTACT_GJK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_GJK_INL_H_
 #undef LR_KERNEL_CONTACT_GJK_INL_H_

@@ -69,8 +69,7 @@ HWY_INLINE Vec3 columns(const float* m, Vec3 a) {
     return a.x * broadcast(m) + a.y * broadcast(m + 3) + a.z * broadcast(m + 6);
 }
 
-// The ground below the bodies of a vector. Bodies smaller than half a cell overlap at most two by two cells, whose heights and normals are fetched
-// once; samples have the same bits.
+// The ground below a vector's bodies. Bodies below half a cell overlap at most two by two cells, which are fetched once, with equal bits.
 class GroundBelow {
 public:
     HWY_INLINE GroundBelow(const HeightGrid& g, Vec3 middle, VF radius) : grid_(g) {
@@ -259,8 +258,7 @@ HWY_INLINE VF contact_margin(const ContactBodies& b, VF reach, Vec3 x) {
 // Slopes whose normals differ by more than this length form an edge between the points.
 constexpr float sharp = 0.2f;
 
-// Picks the deepest point, the point farthest from it, and the farthest on either side of their line, touching points before near ones: the corners
-// of about the largest quadrilateral if a body lies flat.
+// Picks the deepest point, the farthest from it, and the farthest on both sides of their line, touching ones first: about the largest quadrilateral.
 bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::Slot (&out)[manifold_slots],
                   uint32_t* rough) {
     const DU du;

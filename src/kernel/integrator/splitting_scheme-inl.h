@@ -116,8 +116,7 @@ template <bool kFull, class C> HWY_INLINE Twist newton_step(const C& c, Twist st
     return {z.v + dv, z.u + du};
 }
 
-// A body that moves more of its lengths than this in half a step turns too often to be resolved: it turns less, with the same energy. Beyond a
-// hundred, single precision would lose the energy too.
+// A body that moves more of its lengths in half a step is unresolved: it turns less, with the same energy. Beyond 100, energy would get lost too.
 inline constexpr float most_lengths = 8.0f;
 
 // The implicit midpoint turns a steady spin through 2 atan(w h/2) instead of w h, and the moment in the middle of the chord is too small by
@@ -312,8 +311,7 @@ HWY_INLINE Relaxation relaxation(VF x) {
     return {c, x * c + constant(1.0f)};
 }
 
-// The noise that leaves a mode's stationary variance exact, over h/4. Over the whole step exp(-2x) = 1/D^2: the variance (1 - 1/D^4)/(4x), without
-// cancellation, as D - 1 = x C.
+// The noise that keeps a mode's stationary variance, over h/4. With exp(-2x) = 1/D^2: variance (1 - 1/D^4)/(4x), D - 1 = x C against cancellation.
 HWY_INLINE VF quadruple_variance(const Relaxation& r, VF inverse) {
     const VF one = constant(1.0f);
     return r.c * inverse * ((one + inverse) * (inverse * inverse + one));
@@ -460,8 +458,7 @@ HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held
     if (sheared) b.t.u += fluid_spin();
 }
 
-// A step of free motion. kStretched: with the error of turning corrected, and along the mean of the end velocities: the middle one is the chord of an
-// arc, too short by (w h)^2/8.
+// A step of free motion. kStretched: corrects the turning, and moves along the mean of the end velocities: the chord is too short by (w h)^2/8.
 template <bool kFull, bool kStretched = false, class C>
 HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     VF g = constant(0.5f * h) * held.inverse_length;

@@ -363,8 +363,7 @@ HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF 
         t.v += scaled_by(c.inverse_mass, impulse);
 }
 
-// The gain by weight, buoyancy and external forces. A torque acts with the drag on the full path, where it moves the load centre, and with the spin
-// drag on the diagonal path.
+// The gain by weight, buoyancy and external forces. A torque acts with the drag (full path: it moves the load centre) or the spin drag (diagonal).
 template <bool kFull, class C>
 HWY_INLINE Pull pull_of(const StepInput& in, const C& c, const Held& held, Quaternion q) {
     const VF tau = constant(0.5f * in.h);

@@ -13,8 +13,7 @@ namespace lr::LR_KERNEL_NAMESPACE {
 
 // Philox4x32-7: Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011; seven rounds are the fewest that pass BigCrush there.
 
-// One word per body, even and odd lanes apart: each word in the low half of 64 bits, the half that the wide product reads. The high half does not
-// matter: a product serves as its own low word.
+// One word per body, even and odd lanes apart, in the low half of 64 bits, which the wide product reads: a product serves as its own low word.
 #if HWY_TARGET == HWY_SCALAR
 struct Word {
     uint64_t even;

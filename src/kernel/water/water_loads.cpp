@@ -96,8 +96,7 @@ HWY_INLINE Immersion immersed(const WaterBody& w, const SurfaceInstant& plane, V
 
 using LaneConstants = BodyConstantsOf<VF>;
 
-// Eigenvalues on the diagonal of `a`, eigenvectors in the columns of `v`. Cyclic Jacobi with a fixed number of sweeps, as all lanes must do the same:
-// seven leave only single precision's rounding for six rows.
+// Eigenvalues on the diagonal of `a`, eigenvectors in columns of `v`: cyclic Jacobi. Seven sweeps, for all lanes, leave only rounding for six rows.
 template <int N> static HWY_NOINLINE void eigen(VF (&a)[N][N], VF (&v)[N][N]) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     for (int i = 0; i < N; ++i)

@@ -476,8 +476,7 @@ void combine(float h, size_t count, const FieldBlock& b, FluidSample& out) {
     }
 }
 
-// The substep used the wind's change along the path at its first velocity. The mean velocity of both ends adds d: the wind at the end is stronger by
-// d, and the momentum lacks -m d.
+// The substep used the wind's change along the path at its first velocity. The mean velocity adds d to the wind at the end, and -m d to the momentum.
 void settle(const BodyConstants& c, float h, const FieldBlock& b, const FluidSample& sample, const BatchArrays& a,
             size_t begin, size_t end, uint32_t* faults) {
     const VF half = constant(0.5f), hv = constant(h), mass = constant(0.5f * (1.0f + c.weight));

@@ -97,8 +97,7 @@ public:
     // Both leave the old table in place when they fail.
     bool set_table(const TableView& table, bool of_asset = false);
     bool set_asset_table();
-    // An upper bound of all samples of a table with this stationary sample (u0 is 0 for the asset's own table), and the range of
-    // rates (1/s) at which samples follow each other.
+    // An upper bound of a table with this stationary sample (u0 is 0 for the asset's own), and the range of rates (1/s) of its samples.
     TurbulenceSample strongest_turbulence(const TurbulenceSample& stationary, double& least_rate,
                                           double& most_rate) const;
     // Sets quasi-steady loads other than the asset's own. False if they cannot be used; nothing has then changed.

@@ -131,8 +131,7 @@ void StepScheduler::ask(Batch& batch, uint32_t slot, const Step& step) {
     claim.urgency = claim.due ? static_cast<double>(pace.record().substeps) / divisor : 0.0;
 }
 
-// In the order of their waiting, each gets the fewest substeps that respect its longest substep; then, in the same order, as many of the rest
-// as it wants.
+// In the order of waiting, each gets the fewest substeps that respect its longest; then, in the same order, as many of the rest as it wants.
 void StepScheduler::share(uint64_t step) {
     Claim* const end = claims_.data() + count_;
     for (uint32_t i = 0; i < count_; ++i) claims_[i].turn = (step + i) % count_;

@@ -24,8 +24,7 @@ static_assert(LR_CHUNK_BODIES > 0 && LR_CHUNK_BODIES % lane_block == 0);
 
 // Batches are cut only at multiples of this. Rules record ended bodies per cut, each written by one thread.
 inline constexpr uint32_t cut_bodies = LR_CHUNK_BODIES < 256 ? LR_CHUNK_BODIES : 256;
-// Bodies in a chunk of a large world. Shorter chunks cost nothing extra; longer ones would make the caller wait for the last,
-// the more so if its thread shares its core.
+// Bodies in a chunk of a large world. Shorter chunks cost nothing extra; after longer ones the caller waits for the last.
 inline constexpr uint32_t most_chunk_bodies = LR_CHUNK_BODIES;
 inline constexpr uint32_t most_chunk_work = 8192; // body-substeps
 // Body-substeps that justify another thread: tens of microseconds of work, when waking it takes up to ten.

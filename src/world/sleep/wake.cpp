@@ -12,8 +12,7 @@ namespace {
 constexpr uint32_t chunk_bodies = 8 * cut_bodies; // sleeping; few of them have their turn
 constexpr auto most = static_cast<uint32_t>(field_block);
 
-// A body would move if it gains this share of gravity over the substep in spite of its contacts: above the limit of the static lock, so
-// that no body wakes only to lie still again.
+// A body wakes if it gains this share of gravity in spite of its contacts: above the static lock's limit, so that it does not lie still again.
 constexpr float going = 0.05f;
 
 constexpr uint32_t grain = 256; // bodies

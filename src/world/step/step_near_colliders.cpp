@@ -46,8 +46,7 @@ void leave(const ContactCache& book, const NearContacts& near, uint32_t begin, u
     }
 }
 
-// Sorts bodies: in the air, moving in contact, nearly still. The solver sweeps until the last body of a vector is done: similar bodies should
-// share vectors.
+// Sorts bodies: in the air, moving in contact, nearly still. The solver sweeps until a vector's last body is done: similar bodies share vectors.
 void arrange(const ContactCache& book, NearContacts& near) {
     if (!book.rest_time) return;
     near.arrange(3, [&](uint32_t i) { return book.touching[0][i] == 0 ? 0u : book.rest_time[i] == 0.0f ? 1u : 2u; });
