@@ -43,7 +43,7 @@ struct AerodynamicData {
     std::array<double, 3> drag_layer{};  // m^(3/2)
     std::array<double, 3> drag_stokes{}; // m
     // Lift rho Gamma x v_r, Gamma_k = spin_lift_k w_k - lift_k v_i v_j/s.
-    std::array<double, 3> lift{};      // m^2, positive where j is the thinner direction
+    std::array<double, 3> lift{};      // m^2, positive if j is the thinner direction
     std::array<double, 3> spin_lift{}; // m^3
     // Moment of that lift about the centre: rho lift_moment_k v_i v_j; minus the part of the Munk moment that separated flow does not create.
     std::array<double, 3> lift_moment{}; // m^3
@@ -111,7 +111,7 @@ struct AssetData {
     std::array<double, 3> center_of_buoyancy{};            // m, from the centre of mass
     std::array<double, 9> inertia{};                       // kg m^2, row-major
     std::array<double, 36> added_mass{};                   // fluid density 1, row-major, order vx vy vz wx wy wz
-    std::array<double, 36> added_mass_error{};             // same units; zero where unknown
+    std::array<double, 36> added_mass_error{};             // same units; zero: unknown
     double fluid_density = 0.0;                            // kg/m^3
     double fluid_viscosity = 0.0;                          // m^2/s
     double length_d = 0.0, length_b = 0.0, length_l = 0.0; // m

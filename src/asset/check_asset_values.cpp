@@ -310,7 +310,7 @@ bool has_spread(const AssetData& d) {
     return is_positive_definite(rigid_mass_matrix(1.0, beyond), 0.0);
 }
 
-// Along the axes of the body; d itself may lie across them.
+// Along the axes of the body; d itself can lie across them.
 double extent(const HullData& hull) {
     double largest = 0.0;
     for (size_t axis = 0; axis < 3; ++axis) {

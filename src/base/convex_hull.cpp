@@ -31,7 +31,7 @@ double norm(const Point& a) {
     return std::sqrt(x * x + y * y + z * z);
 }
 
-// n.d exactly, as high * 2^26 + low with 0 <= low < 2^26: the sum itself may need 79 bits.
+// n.d exactly, as high * 2^26 + low with 0 <= low < 2^26: the sum itself can need 79 bits.
 struct Wide {
     int64_t high, low;
     int sign() const { return high != 0 ? (high > 0 ? 1 : -1) : (low > 0 ? 1 : 0); }

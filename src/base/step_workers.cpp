@@ -44,7 +44,7 @@ void ChunkQueue::take() {
     const FloatMode mode;
     uint32_t done = 0;
     while (left != 0) {
-        // Only a thread that holds a chunk may look at the round: it then lasts until that chunk is done.
+        // Only a thread that holds a chunk may read the round, which lasts until that chunk is done.
         if (!left_.compare_exchange_weak(left, left - 1, std::memory_order_acquire)) continue;
         task_(context_, chunks_ - left);
         ++done;
@@ -126,7 +126,7 @@ void StepWorkers::job(void* step_workers, uint32_t begin, uint32_t end) {
     self.present_.fetch_sub(end - begin, std::memory_order_release);
 }
 
-// A job system may run its tasks inside enqueue, on the caller's thread or while it waits: then no more work can come.
+// A job system can run its tasks inside enqueue, on the caller's thread or while it waits: then no more work can come.
 void StepWorkers::stay() {
     queue_.take();
     if (this_thread() == caller_) return;

@@ -47,7 +47,7 @@ inline unsigned hardware_threads() {
 }
 #endif
 
-// A count that threads can wait for; replaces std::atomic's waits where these are unreliable.
+// A count that threads can wait for; replaces std::atomic's waits if these are unreliable.
 #if LR_WAITS_ON_ATOMICS
 using WaitedCount = std::atomic<uint32_t>;
 #else
@@ -55,7 +55,7 @@ class WaitedCount : public std::atomic<uint32_t> {
 public:
     using std::atomic<uint32_t>::atomic;
 
-    // Waits until the count differs from `seen`; may also return earlier.
+    // Waits until the count differs from `seen`; can also return earlier.
     void wait(uint32_t seen) const {
         std::unique_lock lock(mutex_);
         if (load(std::memory_order_acquire) == seen) changed_.wait(lock);

@@ -14,7 +14,7 @@ constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 constexpr uint32_t usual_colours = 64; // as bits; units without a free colour get blocks of their own
 constexpr uint32_t body_contact_sweeps = 20, roll_every = 4;
 constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
-constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: no heap may press a body into a collider
+constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: a heap must not press a body into a collider
 // Blocks and groups of bodies that justify another thread: some microseconds of work.
 constexpr uint32_t block_grain = 4, group_grain = 16;
 } // namespace

@@ -39,7 +39,7 @@ struct BodyContactScene {
     const SolverBodyKind* kinds;
     const BodyContactRange* ranges;
     uint32_t range_count;
-    // In the same order on every machine; a body's units with fixed things are consecutive. The bodies of a unit may be swapped.
+    // In the same order on every machine; a body's units with fixed things are consecutive. The bodies of a unit can be swapped.
     BodyContactPair* units;
     uint32_t unit_count;
 };

@@ -110,7 +110,7 @@ void draw_out(const PlacedPair& pair, Vector n, float separation, float apart, D
         const Vector shift = (apart - separation) * n;
         Closest closest = closest_points(pair, shift, 1e-3f * apart, n);
         if (closest.state == Closest::State::overlap) {
-            // They are still apart along n. The farthest point of the larger core may be far from the other core.
+            // They are still apart along n. The farthest point of the larger core can be far from the other core.
             const bool by_a = pair.a->core_reach < pair.ratio * pair.b->core_reach;
             closest.state = Closest::State::apart;
             closest.normal = n;

@@ -12,7 +12,7 @@ using shape::HullPoint;
 
 // Share of a hull's largest extent: thinner hulls are flat.
 constexpr double flat = 1e-4;
-// Sine of the angle by which a surface may bend at an edge and still be flat.
+// Sine of the angle by which a surface can bend at an edge and still be flat.
 constexpr double bend = 1e-3;
 
 Double3 over(Double3 a, double b) {

@@ -48,7 +48,7 @@ private:
         Vector spread;        // m: the largest half extents of its boxes
     };
 
-    uint32_t levels_about(const Box& box) const; // a bit for each level that may have a box there
+    uint32_t levels_about(const Box& box) const; // a bit for each level that can have a box there
     // The place of a cell's bit within a level.
     struct Bit {
         uint32_t word, mask;

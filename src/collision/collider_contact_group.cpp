@@ -196,7 +196,7 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         const SurfaceMotion motion = motion_of(step_->colliders->at(slot), substep);
         for (uint32_t n = 0; n < count; ++n) add(i, slot, contacts[n], pose, motion);
     };
-    // Contacts of all parts of a mesh together, reduced to the best: hundreds of parts may be under a body.
+    // Contacts of all parts of a mesh together, reduced to the best: hundreds of parts can be under a body.
     std::optional<ContactPoints> mesh;
     uint32_t mesh_slot = 0;
     Pose mesh_pose{};

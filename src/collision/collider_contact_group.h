@@ -62,7 +62,7 @@ struct ContactStep {
     float gravity;                          // m/s^2, magnitude
     float fluid_density;                    // kg/m^3
     float dt;                               // s, of the step
-    float gain;                             // m/s that bodies may gain in it
+    float gain;                             // m/s that bodies can gain in it
     const RestingBodies* resting = nullptr; // sleeping ones that they can touch; null: none
 };
 
@@ -196,7 +196,7 @@ private:
     BatchArrays arrays_;
     uint32_t count_;
     uint32_t ground_count_ = 0;
-    uint32_t grounds_[contact_lanes * most_candidates]; // room for all: none may be lost because of other bodies
+    uint32_t grounds_[contact_lanes * most_candidates]; // room for all: other bodies must not displace any
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
     Near near_[contact_lanes];

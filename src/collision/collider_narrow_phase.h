@@ -13,7 +13,7 @@ inline constexpr uint32_t most_contacts = 8; // of one pair
 struct Contact {
     Vector arm;    // m, body frame: the touching point of the body, from its centre of mass, at its true size
     Vector normal; // collider frame, unit: from the collider to the body
-    float gap;     // m, along the normal; negative where they overlap
+    float gap;     // m, along the normal; negative if they overlap
 };
 
 // Contacts where the body, `scale` times its shape, touches the collider or is closer than `margin`; for flat ellipsoids on round

@@ -29,7 +29,7 @@ constexpr int sizes_of(int32_t kind) {
 }
 inline const char* wrong_sizes(int32_t kind, const float (&size)[3]) {
     for (int i = 0; i < sizes_of(kind); ++i)
-        if (!(size[i] > 0.0f) || !in_range(size[i], 0.0, most_size)) return "size is not above 0 and up to 1e6 m";
+        if (!(size[i] > 0.0f) || !in_range(size[i], 0.0, most_size)) return "size is not positive, or is over 1e6 m";
     return nullptr;
 }
 
@@ -104,7 +104,7 @@ public:
     // To create all or none: begin_create, then create for each, then finish_create; cancel_create after any failure. Descs have been checked.
     lr_status begin_create(uint32_t count);
     lr_status create(const lr_collider_desc& desc);
-    lr_status finish_create(lr_collider* ids); // ids: may be null
+    lr_status finish_create(lr_collider* ids); // ids: can be null
     void cancel_create();
 
     bool find(lr_collider collider, uint32_t& slot) const;
@@ -151,7 +151,7 @@ public:
         for (const uint32_t slot : unbounded_)
             if (in_reach(colliders_[slot], box)) take(slot, {0, 0});
     }
-    // The same in order of slots and parts: at most most_candidates, the first ones after `after`, which may be null. more: others follow.
+    // The same in order of slots and parts: at most most_candidates, the first ones after `after`, which can be null. more: others follow.
     uint32_t candidates(const Box& box, uint32_t layers, const Candidate* after, Candidate (&out)[most_candidates],
                         bool& more) const;
     // The same for planes and heightfields alone; if there are too many, the first ones.

@@ -33,7 +33,7 @@ struct TouchNotes {
     const lr_body* ids = nullptr; // by dense index
     uint8_t* noted = nullptr;     // noted_* bits
     Meetings* met = nullptr;      // of the step
-    bool all = false;             // slots of colliders may have been reused: report all touches anew
+    bool all = false;             // slots of colliders can have been reused: report all touches anew
 
     uint32_t slot(uint32_t index) const { return unpack(ids[index]).slot; }
 };
@@ -152,7 +152,7 @@ void enter_body(const ContactCache& book, const BodyAfter& body, bool may_rest, 
     book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
     const bool stayed = stays(book, body, seconds) && body.touches;
     if (last && may_rest && (stayed || book.rest_time[at] >= time_to_rest)) book.comes_to_rest(book.batch, at);
-    if (!last && body.now[0] == 0) return; // the contact may return within the step
+    if (!last && body.now[0] == 0) return; // the contact can return within the step
     if (book.notes.noted) note_touches(book, body, meeting);
     for (size_t k = 0; k < most_touches; ++k) book.touching[k][at] = body.now[k];
 }

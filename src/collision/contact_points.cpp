@@ -166,7 +166,7 @@ void add_rims(ContactPoints& set, const PlacedCollider& round, Double3 normal, f
     const double flat = 1.0 - size[shortest] / size[longest];
     if (flat < 0.8 || round.count == 0 || round.count > 2) return;
     const uint32_t first = (shortest + 1) % 3, second = (shortest + 2) % 3;
-    // Closer rims may be pressed in when the nearest point is pushed out.
+    // Closer rims can be pressed in when the nearest point is pushed out.
     const float wide = set.margin + 0.1f * body.reach + 2.0f * std::max(-gap, 0.0f);
     const auto add = [&](double a, double b) {
         const Double3 p = body.support(-(along[shortest] * axes[shortest] + a * axes[first] + b * axes[second]));

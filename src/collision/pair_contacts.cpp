@@ -52,7 +52,7 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
     const bool first = a.way() >= b.way();
     const Vector arm_a = to_inner(a.to, first ? on_a : on_b + apart * n);
     const Vector arm_b = to_inner(b.to, first ? on_a - apart * n : on_b);
-    // On a far larger body this point may be far from the other body.
+    // On a far larger body this point can be far from the other body.
     if (length(arm_a) > off_body * a.reach() || length(arm_b) > off_body * b.reach()) return kept;
     uint32_t at = kept;
     if (kept == most_pair_contacts) {

@@ -1,4 +1,4 @@
-// Ray tests against bodies and colliders. Everything is in double: origins may be far away.
+// Ray tests against bodies and colliders. Everything is in double: origins can be far away.
 #pragma once
 
 #include "collision/geometry_store.h"

@@ -14,7 +14,7 @@ namespace lr {
 // Fields that a kind does not use keep their initial values.
 struct SourceDesc {
     enum Kind : int32_t { gusts = 1, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid, ground };
-    uint32_t struct_size = 144; // also where pointers have 32 bits
+    uint32_t struct_size = 144; // also with pointers of 32 bits
     int32_t kind = 0;
     float position[3] = {}, direction[3] = {1.0f, 0.0f, 0.0f}, side[3] = {0.0f, 0.0f, 1.0f}, velocity[3] = {};
     float speed = 1.0f, circulation = 1.0f, size = 1.0f, radius = 0.0f, half_length = 0.0f, range = 10.0f;

@@ -62,7 +62,7 @@ inline Outcome invalid(const char* why) { // null: valid
     return {why ? LR_ERROR_INVALID_ARGUMENT : LR_OK, why};
 }
 
-// Null if valid, else the reason of the refusal.
+// Null if valid, else the reason.
 inline const char* wrong_gravity(const float (&gravity)[3]) {
     return within(gravity, most_gravity) ? nullptr : "gravity is over 1e4 m/s^2";
 }

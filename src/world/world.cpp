@@ -191,7 +191,7 @@ lr_status lr_world::set_rest(const lr_body* bodies, uint32_t count, bool rest) {
         }
         index = batch.rest(index);
         if (batch.events()) batch.events()->take_back(unpack(batch.ids()[index]).slot, noted_waking);
-        batch.resting()->ask_again(); // it may never have been in a step
+        batch.resting()->ask_again(); // rules have perhaps never checked it
     }
     return LR_OK;
 }
@@ -507,5 +507,5 @@ void lr_world::log(int32_t level, const char* function, const char* message) con
         std::snprintf(text, sizeof text, "%s: %s", function, message);
         log_callback(log_user, level, text);
     }
-    if (level == LR_LOG_ERROR) note_error(function, message); // last: the callback may have failed elsewhere
+    if (level == LR_LOG_ERROR) note_error(function, message); // last: the callback can have failed elsewhere
 }

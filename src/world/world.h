@@ -45,7 +45,7 @@ public:
     }
     const char* function() const { return function_.load(std::memory_order_relaxed); } // null: between two calls
 
-    // Logging a refusal may call back into the library, which is refused again: log only once.
+    // Logging a refusal can call back into the library, which is refused again: log only once.
     bool begin_telling() { return !telling_.exchange(true, std::memory_order_relaxed); }
     void end_telling() { telling_.store(false, std::memory_order_relaxed); }
 

@@ -33,7 +33,7 @@ struct PlateCoefficients {
     double moment = 0.0392, moment_stalled = 0.072; // of the planform times the chord
     double spin_disc = 1.076, spin_strip = 2.5;     // C_M by span over chord
     double spin_stream = 0.0152;                    // of stroke2
-    double roll = 0.56;                             // damping of roll, of stroke2, where span and chord are alike
+    double roll = 0.56;                             // damping of roll, of stroke2, for equal span and chord
     double spin_creeping = 0.3;                     // of the creeping couple
     double intensity = 0.0505, correlation = 0.48;  // of the wake; in largest extents
     double wake_reynolds = 600;

@@ -60,7 +60,7 @@ BodyScales body_scales(double largest_extent, double smallest_extent, double vol
     s.d = largest_extent;
     // Volume over area is a sheet's mean thickness, however curled; 3/2 of it is an ellipsoid's. A flat box has its true thickness as its extent.
     s.b = std::min(smallest_extent, 1.5 * volume / projected_area);
-    // Half the depth of the fluid that moves along broadside: with the paper's 100 % intensity, paper discs of 70 g/m^2 fall as measured ("Scales").
+    // Half the depth of the fluid that moves along broadside: with the paper's 100 % intensity, paper discs of 70 g/m^2 fall as measured.
     s.l = 0.5 * broadside_added_mass / projected_area;
     s.u0 = speed_scale(density, fluid_density, s.b);
     return s;

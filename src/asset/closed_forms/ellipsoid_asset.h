@@ -39,6 +39,6 @@ bool ellipsoid_body(const EllipsoidSpec& spec, AssetData& out, Faults& faults);
 // Lengths, silhouette and speed scale of a body as large as this ellipsoid. Needs volume, density, fluid. added_mass: m^3, fluid density 1.
 void set_scales(const std::array<double, 3>& semi_axes, const std::array<double, 3>& added_mass, AssetData& asset);
 
-// The decay of k and epsilon in a uniform stream, as the MAC grid computes it (physics.md, "Turbulence tables"). Needs lengths, u0 and fluid.
+// The decay of k and epsilon in a uniform stream (docs/maintainers/physics.md, "Turbulence tables"). Needs lengths, u0 and fluid.
 TurbulenceData decay_table(const AssetData& asset, double intensity);
 } // namespace lr::shape

@@ -13,13 +13,13 @@ struct alignas(64) SolverBody {
     float v0[3], w0[3];
     float scale;
     // Results of contact.
-    float way[6];        // displacement twist (v, d s w) times s; in the second projection: the velocity before it
+    float way[6]; // displacement, twist (v, d s w) times seconds; in the second projection: the velocity before it
     float correction[6]; // of the displacement
     float depth;         // m, of the deepest overlap
     float shallow;       // m, the least gap with a collider at the beginning, at most 0
     float carried;       // m/s, of the fastest surface that it touches
     float touches;       // 1: touches something
-    float rolled[3];     // couple impulse against rolling
+    float rolled[3];     // angular impulse against rolling
     float dust;          // m or m/s: smaller changes do not count
 };
 // The part of a body that sweeps change.

@@ -333,7 +333,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
         project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-3f) * slow, t);
-        // Restitution and friction of several contacts together can add energy (Kane 1984), which a surface has not, in its own frame.
+        // In the frame of the surface, which has no energy to give: restitution and friction together could add some (Kane 1984).
         const Vec3 base = to_body(q, carried);
         const Twist came{met.v - base, met.u};
         Twist goes{t.v - base, t.u};

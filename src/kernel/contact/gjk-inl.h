@@ -39,7 +39,7 @@ template <class L> HWY_INLINE Corner<L> choose(typename L::M m, const Corner<L>&
     return {L::choose(m, yes.w, no.w), L::choose(m, yes.on_a, no.on_a)};
 }
 
-// The point of a triangle nearest to the origin. The newest vertex, c, always supports it (the triangle without c was farther); which others do.
+// The point of a triangle nearest to the origin. The newest vertex, c, always supports it (without c it was farther); the masks name the others.
 template <class L> struct Nearby {
     typename L::Vec point, on_a;
     typename L::V square;

@@ -258,7 +258,7 @@ HWY_INLINE VF contact_margin(const ContactBodies& b, VF reach, Vec3 x) {
 // Slopes whose normals differ by more than this length form an edge between the points.
 constexpr float sharp = 0.2f;
 
-// Picks the deepest point, the farthest from it, and the farthest on both sides of their line, touching ones first: about the largest quadrilateral.
+// The deepest point, the farthest from it, and the farthest on both sides of their line, touching ones first: about the largest quadrilateral.
 bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::Slot (&out)[manifold_slots],
                   uint32_t* rough) {
     const DU du;

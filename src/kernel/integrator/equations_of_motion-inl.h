@@ -258,7 +258,7 @@ struct Held {
     Vec3 wind;       // m/s
     Vec3 weight;     // force per mass unit: gravity, buoyancy, acceleration of the fluid and of the frame of t
     Vec3 gravity;    // m/s^2, effective for buoyancy: less the fluid's own acceleration
-    Vec3 fluid_spin; // d s times half the vorticity; read only where `sheared`
+    Vec3 fluid_spin; // d s times half the vorticity; read only if `sheared`
     bool sheared;
     bool uniform;                       // weight is (m - rho V)/U gravity
     const External* external = nullptr; // null without external forces

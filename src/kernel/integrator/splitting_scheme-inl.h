@@ -116,7 +116,7 @@ template <bool kFull, class C> HWY_INLINE Twist newton_step(const C& c, Twist st
     return {z.v + dv, z.u + du};
 }
 
-// A body that moves more of its lengths in half a step is unresolved: it turns less, with the same energy. Beyond 100, energy would get lost too.
+// A body that moves more lengths than this in half a step is unresolved: it turns less, with the same energy. Beyond 100, energy would suffer too.
 inline constexpr float most_lengths = 8.0f;
 
 // The implicit midpoint turns a steady spin through 2 atan(w h/2) instead of w h, and the moment in the middle of the chord is too small by
@@ -138,7 +138,7 @@ template <bool kFull, class C> HWY_INLINE Solved solve_middle(const C& c, const 
     const VF g = full_g / hn::Max(lengths * constant(1.0f / most_lengths), constant(1.0f));
     const Twist first = newton_step<kFull>(c, start, from, g);
     const Twist second = newton_step<kFull>(c, start, first, g);
-    // The true middle has no more energy than the ends. For unresolved steps Newton's can miss it by far: take the momenta at the start.
+    // The true middle has no more energy than the ends. Newton's step can miss it by far if the time step is too long: take the momenta at the start.
     const Twist second_mu = momentum<kFull>(c, second);
     const auto sound = dot(second.v, second_mu.v) + dot(second.u, second_mu.u) <= energy * constant(1.5f);
     return {middle_increment<kFull>(c, from, select(sound, second_mu, start), g), g};

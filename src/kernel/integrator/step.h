@@ -62,7 +62,7 @@ using PredictFunction = void(const BatchArrays&, size_t begin, size_t end, float
 using EvaluateFunction = void(const FieldInstant&, size_t count, FieldBlock& block);
 // The fluid at the bodies, as a substep needs it, from these winds.
 using CombineFunction = void(float h, size_t count, const FieldBlock& block, FluidSample& out);
-// After the substep: corrects velocities, as bodies felt the wind along their mean velocity, not along their first.
+// After the substep: corrects velocities for the wind along the mean velocity of the substep instead of the first.
 using SettleFunction = void(const BodyConstants&, float h, const FieldBlock& block, const FluidSample& sample,
                             const BatchArrays&, size_t begin, size_t end, uint32_t* faults);
 

@@ -323,7 +323,7 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held
 }
 
 // The middle of the implicit midpoint for v' = N (2 k) x v: (1 - N [k]x)^-1 v = (v + N (k x v) + (k.a v) k)/(1 + k.a k),
-// a the adjugate of N; a rotation where N is the unit matrix.
+// a the adjugate of N; a rotation if N is the unit matrix.
 template <bool kFull, class C> HWY_INLINE Vec3 lifted_middle(const C& c, Vec3 k, Vec3 v) {
     const auto& a = c.aerodynamics;
     const Vec3 kv = cross(k, v);

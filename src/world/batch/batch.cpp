@@ -314,7 +314,7 @@ void Batch::settle_noted() {
 // Forwards, so that a body moved into another's place was already visited.
 void Batch::wake_noted() {
     if (!columns_.has(part_contact)) return;
-    const uint32_t shared = awake_ / cut_bodies; // shared with awake bodies, which may be marked for sleep
+    const uint32_t shared = awake_ / cut_bodies; // shared with awake bodies, which can be marked for sleep
     for (uint32_t cut = shared, end = cut_count(count_); cut < end; ++cut) {
         if (cut == shared ? cut_noted_[cut] == 0 : !take_cut(cut)) continue;
         const uint32_t begin = cut * cut_bodies;

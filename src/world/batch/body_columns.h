@@ -19,9 +19,9 @@ enum class Hashed : uint8_t {
     never,
     always,
     awake,  // of awake bodies
-    rare,   // where it is not 0: most are 0
+    rare,   // values other than 0: most are 0
     birth,  // of sleeping bodies
-    remnant // of awake bodies, where it is not 0
+    remnant // of awake bodies, values other than 0
 };
 
 struct Column {

@@ -28,7 +28,7 @@ bool BatchClock::consistent(const Record& r, double time, uint64_t substep_count
     if (r.steps == 0) return r.substeps == 0 && r.behind == 0.0 && r.passed_over == 0;
     // Sums of the same steps, up to rounding.
     const bool meets = std::abs(r.begin + r.behind - time) <= 1e-9 * std::abs(time) + 1e-9;
-    // The count of substeps may have wrapped around once.
+    // The count of substeps can have wrapped around once.
     return meets && in_range(r.begin, 0.0, time) && r.behind > 0.0 && r.substeps >= r.steps &&
            r.first_substep + r.substeps == substep_count;
 }

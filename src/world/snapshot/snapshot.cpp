@@ -124,7 +124,7 @@ bool bodies_consistent(const SavedBatch& s) {
     return bad == 0;
 }
 
-// Slots may be those of destroyed colliders. meets_bodies: the batch has body contact.
+// Slots can be those of destroyed colliders. meets_bodies: the batch has body contact.
 bool touched_consistent(const SavedBatch& s, bool meets_bodies) {
     if (piece_bytes(s.header, column_touching) == 0) return true;
     const uint32_t most = meets_bodies ? 1 : 0;
@@ -253,7 +253,7 @@ public:
         b.external.set_batch(h.force);
         b.external.restored((h.parts >> part_forces & 1u) != 0);
         b.contact = h.contact;
-        b.faults.noted = 1; // some may have diverged since the last step
+        b.faults.noted = 1; // some can have diverged since the last step
         b.faults.last = 0;
         if (b.lifecycle_) b.lifecycle_->restore(h.lifecycle);
         b.columns_.clear(b.awake_, b.count_, field_vx, 6);
