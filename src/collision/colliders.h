@@ -29,7 +29,7 @@ constexpr int sizes_of(int32_t kind) {
 }
 inline const char* wrong_sizes(int32_t kind, const float (&size)[3]) {
     for (int i = 0; i < sizes_of(kind); ++i)
-        if (!(size[i] > 0.0f) || !in_range(size[i], 0.0, most_size)) return "size is not positive, or is over 1e6 m";
+        if (!(size[i] > 0.0f) || !in_range(size[i], 0.0, most_size)) return "size is not above 0 and up to 1e6 m";
     return nullptr;
 }
 
