@@ -5,8 +5,8 @@
 
 namespace {
 
-// A solver's error may leave added mass a little below zero where a thin or round body has next to none, and the checks of files let
-// that pass. In a dense fluid it would take from the body's own inertia, and turbulent loads along it would drive instead of damp.
+// A solver's error can leave added mass slightly below zero if a thin or round body has almost none, and such files pass the checks. In a dense
+// fluid it would reduce the body's own inertia, and turbulent loads along it would drive instead of damp.
 lr::AssetData&& settled(lr::AssetData&& d) {
     const double unit = d.volume + d.projected_area * d.length_d;
     lr::Matrix6 scaled = d.added_mass;
@@ -19,7 +19,6 @@ lr::AssetData&& settled(lr::AssetData&& d) {
     d.added_mass = scaled;
     return std::move(d);
 }
-
 } // namespace
 
 lr_asset::lr_asset(lr::AssetData&& from, uint32_t version, const std::array<double, 3>& size)
@@ -36,5 +35,4 @@ void retain(const lr_asset& asset) {
 void release(const lr_asset* asset) {
     if (asset && asset->references.fetch_sub(1, std::memory_order_acq_rel) == 1) delete asset;
 }
-
 } // namespace lr

@@ -18,8 +18,8 @@ struct lr_asset {
     const bool diagonal;                 // inertia and added mass diagonal, B = 0, buoyancy centred
     const uint32_t format_version;       // of the file; 0 without one
     const std::array<double, 3> extents; // m, along the body axes, of a rigid without a hull; else zero
-    const lr::BodyShape shape;           // what of its bodies touches colliders
-    const lr::PairHull meeting;          // and each other
+    const lr::BodyShape shape;           // contact shape against colliders
+    const lr::PairHull meeting;          // and against other bodies
     mutable std::atomic<uint32_t> references{1};
 };
 
@@ -28,10 +28,8 @@ namespace lr {
 void retain(const lr_asset& asset);
 void release(const lr_asset* asset); // null is fine
 
-// Of an asset file, the only file that the runtime ever opens: a regular one, whole. It does not wait for a pipe nor read a
-// device, and a child process does not inherit it.
-// LR_OK, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_CORRUPT (over 1 GiB), LR_ERROR_OUT_OF_MEMORY; throws
-// std::bad_alloc.
+// Reads an asset file, the only file that the runtime ever opens: a regular file, whole. It does not wait for pipes nor read devices, and child
+// processes do not inherit it.
+// LR_OK, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_CORRUPT (over 1 GiB), LR_ERROR_OUT_OF_MEMORY; throws std::bad_alloc.
 lr_status read_asset_bytes(const char* path_utf8, std::vector<unsigned char>& out);
-
 } // namespace lr

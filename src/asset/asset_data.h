@@ -1,4 +1,4 @@
-// What an asset file says, as plain data: the one thing that the baker makes and the runtime reads.
+// The contents of an asset file as plain data, which the baker makes and the runtime reads.
 #pragma once
 
 #include <array>
@@ -34,21 +34,18 @@ struct TurbulenceData {
     X(max_divergence, 0.0, 1e12)                                                                                       \
     X(stationary, 0, 65535) X(loop_begin, 0, 65536) X(loop_end, 0, 65536) X(wake, 0, 1) X(settled, 0, 1)
 
-// Quasi-steady loads at scale 1, docs/maintainers/physics.md section 5. All are about `center`, along `axes`, and turn with the
-// body; s: speed through the fluid, (i, j, k) cyclic.
+// Quasi-steady loads at scale 1 (docs/maintainers/physics.md section 5), about `center`, along `axes`. s: speed through the fluid; (i, j, k) cyclic.
 struct AerodynamicData {
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: unit vectors in the body frame, right-handed
-    // Drag opposes v_r: rho sum_i (v_i/s)^2 [1/2 (drag_i + drag_blunt_i Re/(Re + 8710)) s + layer_i sqrt(nu s) +
-    // stokes_i nu] v_r, Re = s d/nu.
+    // Drag opposes v_r: rho sum_i (v_i/s)^2 [1/2 (drag_i + drag_blunt_i Re/(Re + 8710)) s + layer_i sqrt(nu s) + stokes_i nu] v_r, Re = s d/nu.
     std::array<double, 3> drag{};        // m^2, C_D times area
     std::array<double, 3> drag_blunt{};  // m^2
     std::array<double, 3> drag_layer{};  // m^(3/2)
     std::array<double, 3> drag_stokes{}; // m
     // Lift rho Gamma x v_r, Gamma_k = spin_lift_k w_k - lift_k v_i v_j/s.
-    std::array<double, 3> lift{};      // m^2, positive where j is the thinner direction
+    std::array<double, 3> lift{};      // m^2, positive if j is the thinner direction
     std::array<double, 3> spin_lift{}; // m^3
-    // Moment of that lift about the centre: rho lift_moment_k v_i v_j; negative of the share of the Munk moment that
-    // separated flow does not make.
+    // Moment of that lift about the centre: rho lift_moment_k v_i v_j; minus the part of the Munk moment that separated flow does not create.
     std::array<double, 3> lift_moment{}; // m^3
     // Stall: sigma = sum_i broadside_i (v_i/s)^2 takes lift_stall sigma off `lift` and adds lift_moment_stalled_k sigma.
     std::array<double, 3> broadside{};
@@ -60,16 +57,14 @@ struct AerodynamicData {
     std::array<double, 3> spin_drag_stokes{}; // m^3
     // Roll damping -rho g_k (g . w)/s, g_k = sqrt(roll_damping_k) v_k: of the part of the spin about the stream.
     std::array<double, 3> roll_damping{}; // m^4
-    // Velocity of the fluid in the body's own wake: per axis intensity times s Re/(Re + wake_reynolds), correlated over
-    // length/s. Below some hundreds wakes are laminar.
+    // Velocity of the fluid in the wake: per axis intensity times s Re/(Re + wake_reynolds), correlated over length/s. Below some 100s it is laminar.
     double intensity = 0.0;
     double wake_reynolds = 0.0;
     double length = 1.0;            // m
     std::array<double, 3> center{}; // m, from the centre of buoyancy, body frame
 };
 
-// Its coefficients, for all that goes through them one by one. Vectors: X(name, least, most, power), the limits in lengths d to that
-// power. Folded and bristling surfaces have many times the area of their silhouette.
+// Its coefficients for loops: X(name, least, most, power), limits in units of d^power. Folded surfaces have many times the area of their silhouette.
 #define LR_AERODYNAMIC_VECTORS(X)                                                                                      \
     X(drag, 0.0, 1e6, 2.0)                                                                                             \
     X(drag_blunt, 0.0, 1e6, 2.0)                                                                                       \
@@ -89,7 +84,7 @@ struct AerodynamicData {
 #define LR_AERODYNAMIC_NUMBERS(X)                                                                                      \
     X(intensity, 0.0, 10.0) X(length, 1e-9, 1e6) X(wake_reynolds, 0.0, 1e9) X(lift_stall, -10.0, 10.0)
 
-// Null when a body of any size can have them, else what is wrong.
+// Null if a body of any size can have these loads, else the reason.
 const char* wrong_in(const AerodynamicData& loads);
 
 struct HullData {
@@ -116,7 +111,7 @@ struct AssetData {
     std::array<double, 3> center_of_buoyancy{};            // m, from the centre of mass
     std::array<double, 9> inertia{};                       // kg m^2, row-major
     std::array<double, 36> added_mass{};                   // fluid density 1, row-major, order vx vy vz wx wy wz
-    std::array<double, 36> added_mass_error{};             // same units; zero where unknown
+    std::array<double, 36> added_mass_error{};             // same units; zero: unknown
     double fluid_density = 0.0;                            // kg/m^3
     double fluid_viscosity = 0.0;                          // m^2/s
     double length_d = 0.0, length_b = 0.0, length_l = 0.0; // m
@@ -129,5 +124,4 @@ struct AssetData {
 
     double reynolds() const { return u0 * length_d / fluid_viscosity; }
 };
-
 } // namespace lr

@@ -25,15 +25,14 @@ uint64_t checksum_without(const uint8_t* bytes, size_t size, size_t field_offset
     return hash.value();
 }
 
-// Where the checksum lies in the file, or 0 when it is absent.
+// Where the checksum lies in the file, or 0 if it is absent.
 size_t checksum_offset(const format::Asset& asset, const uint8_t* bytes) {
-    // Generated tables are flatbuffers::Table and nothing else, but keep it private.
+    // Generated tables have no fields besides those of flatbuffers::Table, but inherit it privately.
     const uint8_t* at = reinterpret_cast<const flatbuffers::Table&>(asset).GetAddressOf(format::Asset::VT_CHECKSUM);
     return at ? static_cast<size_t>(at - bytes) : 0;
 }
 
-// Reads fields that FlatBuffers' verifier has found in place: it looks after presence and bounds, not after the alignment of
-// eight-byte values.
+// Reads fields that passed FlatBuffers' verifier, which checks presence and bounds, but not the alignment of eight-byte values.
 class Decoder {
 public:
     explicit Decoder(Faults& faults) : faults_(faults) {}
@@ -151,7 +150,6 @@ flatbuffers::Offset<format::Turbulence> encode(const TurbulenceData& t, flatbuff
 #undef LR_NUMBER
     return to.Finish();
 }
-
 } // namespace
 
 std::vector<uint8_t> write_asset(const AssetData& d) {
@@ -194,7 +192,7 @@ bool read_asset(const void* bytes, size_t size, AssetData& out, Faults& faults) 
         fail(faults, FaultId::file_too_large, "file", "An asset is at most 1 GiB.");
         return false;
     }
-    // FlatBuffers wants alignment for 8-byte scalars; callers may have none.
+    // FlatBuffers requires aligned eight-byte values; the caller's bytes can have any alignment.
     std::vector<uint64_t> aligned((size + 7) / 8);
     std::memcpy(aligned.data(), bytes, size);
     const auto* data = reinterpret_cast<const uint8_t*>(aligned.data());
@@ -230,5 +228,4 @@ bool read_asset(const void* bytes, size_t size, AssetData& out, Faults& faults) 
     }
     return decode(asset, out, faults) && check_asset(out, faults) && check_plausible(out, faults);
 }
-
 } // namespace lr

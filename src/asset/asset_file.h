@@ -13,25 +13,22 @@ namespace lr {
 // The same data gives the same bytes.
 std::vector<uint8_t> write_asset(const AssetData& data);
 
-// False when `faults` received an error; `out` is then unspecified. Bytes of any alignment.
+// False if `faults` received an error; `out` is then unspecified. Bytes of any alignment.
 bool read_asset(const void* bytes, size_t size, AssetData& out, Faults& faults);
 
-// Range and plausibility checks of values, apart from their encoding: finite, positive, symmetric, mass matrix
-// positive definite, table and hull sane.
+// Checks values apart from their encoding: finite, positive, symmetric, mass matrix positive definite, table and hull sane.
 bool check_asset(const AssetData& data, Faults& faults);
-// Of a file besides, which says what a mesh has: lengths, volume, hull and inertia fit each other. For data that passed check_asset.
+// More checks for files: lengths, volume, hull and inertia must fit each other. For data that passed check_asset.
 bool check_plausible(const AssetData& data, Faults& faults);
 
-// Of everything that matters for motion and contact, not of names and provenance.
+// Hash of everything that affects motion and contact, without names and provenance.
 uint64_t content_hash(const AssetData& data);
 
-// The largest entry off the diagonals of inertia and added mass, over the geometric mean of what it couples, or the
-// offset of buoyancy or of the quasi-steady loads over the length d.
+// The largest entry off the diagonals of inertia and added mass, relative to those it couples, or offset of buoyancy or of the loads over d.
 double largest_coupling(const AssetData& asset);
 
-// A mesh that is symmetric by design is not so to the last bit: what is below a millionth is taken for zero.
+// A mesh that is symmetric by design is not so to the last bit: couplings up to a millionth count as zero.
 inline bool is_diagonal(const AssetData& asset) {
     return largest_coupling(asset) <= 1e-6;
 }
-
 } // namespace lr

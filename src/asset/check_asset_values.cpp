@@ -65,7 +65,7 @@ void check_matrices(const AssetData& d, Checker& check) {
     check.symmetric(d.added_mass, 6, "added_mass");
     if (!check.ok()) return;
 
-    // In units of the body: 1e-10 is far above rounding and below the thinnest needle that an ellipsoid may be.
+    // In units of the body: 1e-10 is far above rounding, and below the thinnest needle that an ellipsoid can be.
     Matrix6 body = rigid_mass_matrix(d.mass, d.inertia);
     scale_to_unit(body, d.mass, d.length_d);
     for (size_t i = 3; i < 6; ++i)
@@ -86,7 +86,7 @@ void check_matrices(const AssetData& d, Checker& check) {
             check.fail(FaultId::asset_out_of_range, "added_mass", "An entry is far too large for a body of this size.");
             return;
         }
-    // Semi-definite: about an axis of revolution the added inertia is zero, and a solver may leave a little below.
+    // Semi-definite: about an axis of revolution the added inertia is zero, and a solver's error can leave slightly less.
     for (size_t i = 0; i < 6; ++i) added[i * 6 + i] += 1e-5;
     if (!is_positive_definite(added, 0.0))
         check.fail(FaultId::asset_not_positive, "added_mass", "The added mass is not positive semi-definite.");
@@ -112,9 +112,9 @@ void check_table(const TurbulenceData& t, Checker& check) {
             return;
         }
     if (t.stationary >= t.chi.size())
-        check.fail(FaultId::asset_out_of_range, "turbulence.stationary", "It points behind the table.");
+        check.fail(FaultId::asset_out_of_range, "turbulence.stationary", "It points past the end of the table.");
     if (t.loop_begin > t.loop_end || t.loop_end > t.chi.size())
-        check.fail(FaultId::asset_out_of_range, "turbulence.loop", "It ends before it begins, or behind the table.");
+        check.fail(FaultId::asset_out_of_range, "turbulence.loop", "It ends before it begins, or past the table.");
     for (double side : t.domain) check.range(side, "turbulence.domain", 0.0, 1e9);
 #define LR_NUMBER(name, least, most) check.range(static_cast<double>(t.name), "turbulence." #name, least, most);
     LR_TURBULENCE_NUMBERS(LR_NUMBER)
@@ -142,8 +142,7 @@ bool before(const Edge& a, const Edge& b) {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
 }
 
-// Of triangles whose indices are in range and whose vertices are finite. A neighbour may rise over a face by a ten thousandth of `length`.
-// Hulls without a volume, as of flat bodies, have no inside out.
+// For valid indices and finite vertices. A neighbour can rise over a face by 1e-4 of `length`. Flat hulls, without volume, cannot face inward.
 void check_convex(const HullData& hull, double length, Checker& check) {
     const auto flaw = [&](size_t triangle, FaultId id, const char* what) {
         check.fail(id, "hull.triangles[" + std::to_string(3 * triangle) + "]", what);
@@ -176,7 +175,7 @@ void check_convex(const HullData& hull, double length, Checker& check) {
         return flaw(0, FaultId::asset_hull_not_convex, "The triangles face inward.");
     for (const Edge& edge : edges) {
         const auto found = std::lower_bound(edges.begin(), edges.end(), Edge{edge.to, edge.from, 0, 0}, before);
-        // Slivers have no normal to speak of.
+        // Slivers have no meaningful normal.
         const Vec a = vertex(edge.from), normal = cross(minus(vertex(edge.to), a), minus(vertex(edge.opposite), a));
         const double size = std::sqrt(dot(normal, normal));
         if (size > 1e-6 * length * length && dot(normal, minus(vertex(found->opposite), a)) > 1e-4 * length * size)
@@ -203,13 +202,12 @@ void check_hull(const AssetData& d, Checker& check) {
     for (size_t i = 0; i < h.triangles.size(); ++i)
         if (h.triangles[i] >= h.vertices.size() / 3) {
             check.fail(FaultId::asset_bad_hull, "hull.triangles[" + std::to_string(i) + "]",
-                       "The index points behind the vertices.");
+                       "The index is past the last vertex.");
             return;
         }
     check_convex(h, d.length_d, check);
 }
 
-// A number or a vector of the loads.
 struct Coefficient {
     double AerodynamicData::*number;
     std::array<double, 3> AerodynamicData::*vector;
@@ -255,11 +253,10 @@ constexpr Number numbers[] = {{&AssetData::mass, "mass", 1e-18, 1e12},
                               {&AssetData::length_l, "lengths.l", 1e-9, 1e4},
                               {&AssetData::projected_area, "projected_area", 1e-15, 1e9},
                               {&AssetData::u0, "u0", 1e-9, 1e6}};
-
 } // namespace
 
 const char* wrong_in(const AerodynamicData& a) {
-    // Bodies are up to 1000 m: nothing has a larger length to the fifth power. Callers may have single precision.
+    // Bodies are at most 1000 m large, which bounds lengths to the fifth power. 1e-6: callers can have single precision.
     bool usable = is_rotation(a.axes, 1e-6);
     for (const Coefficient& c : coefficients) {
         const double unit = c.power == 0.0 ? 1.0 : 1e10;
@@ -297,7 +294,7 @@ void fail(Faults& faults, const char* where, const char* what) {
     faults.push_back({FaultId::asset_inconsistent, Severity::error, where, what, "Bake the asset again."});
 }
 
-// The second moments of mass, trace/2 - I, are sums of squares. Those across a flat body are zero, and rounding leaves a little below.
+// The second moments of mass, trace/2 - I, are sums of squares. Across a flat body they are zero, and rounding can leave slightly less.
 bool has_moments_of_mass(const AssetData& d) {
     const double half_trace = 0.5 * (d.inertia[0] + d.inertia[4] + d.inertia[8]);
     std::array<double, 9> moments{};
@@ -305,7 +302,7 @@ bool has_moments_of_mass(const AssetData& d) {
     return is_positive_definite(rigid_mass_matrix(1.0, moments), 0.0);
 }
 
-// Not all on a line: a hundredth of the thickness is what the mass is spread about any axis, at least.
+// Mass is not on a line: about any axis it is spread by at least a hundredth of the thickness.
 bool has_spread(const AssetData& d) {
     const double least = 1e-4 * d.mass * d.length_b * d.length_b, size = d.inertia[0] + d.inertia[4] + d.inertia[8];
     std::array<double, 9> beyond{};
@@ -313,7 +310,7 @@ bool has_spread(const AssetData& d) {
     return is_positive_definite(rigid_mass_matrix(1.0, beyond), 0.0);
 }
 
-// Along the axes of the body; d itself may lie across them.
+// Along the axes of the body; d itself can lie across them.
 double extent(const HullData& hull) {
     double largest = 0.0;
     for (size_t axis = 0; axis < 3; ++axis) {
@@ -324,18 +321,17 @@ double extent(const HullData& hull) {
     }
     return largest;
 }
-
 } // namespace
 
 bool check_plausible(const AssetData& d, Faults& faults) {
     const size_t before = faults.size();
     const double d1 = d.length_d, d2 = d1 * d1;
-    // Ten cubes of the side d: the layers of a folded sheet may displace more than its hull holds.
+    // Ten cubes of the side d: the layers of a folded sheet can displace more than its hull contains.
     if (d.volume > 10.0 * d2 * d1) fail(faults, "volume", "The volume is far too large for the length d.");
     if (d.projected_area > 10.0 * d2) fail(faults, "projected_area", "The area is far too large for the length d.");
     if (d.length_b > 10.0 * d1) fail(faults, "lengths.b", "The thickness is far larger than the length d.");
     if (d.length_l > 10.0 * d1) fail(faults, "lengths.l", "The turbulence length is far larger than the length d.");
-    // paper Eq. 1. It scales the turbulence that the body meets.
+    // Paper Eq. 1: the scale of the body's turbulence.
     const double u0 = shape::speed_scale(d.density, d.fluid_density, d.length_b);
     if (d.u0 > 10.0 * u0 || d.u0 < 0.1 * u0)
         fail(faults, "u0", "The speed does not fit the densities and the thickness.");
@@ -383,7 +379,7 @@ double largest_coupling(const AssetData& a) {
     for (const double c : a.center_of_buoyancy) largest = std::max(largest, std::abs(c) / a.length_d);
     for (const double c : a.aerodynamics.center) largest = std::max(largest, std::abs(c) / a.length_d);
     const auto relative = [](double off, double x, double y) { return std::abs(off) / std::sqrt(std::abs(x * y)); };
-    // About an axis of revolution the added inertia vanishes; the body's own then says what is small.
+    // About an axis of revolution the added inertia vanishes: the body's own inertia is then the scale.
     const auto size = [&](std::size_t n) {
         return a.added_mass[n * 7] + (n < 3 ? a.volume : a.inertia[(n - 3) * 4] / a.density);
     };
@@ -396,5 +392,4 @@ double largest_coupling(const AssetData& a) {
         }
     return largest;
 }
-
 } // namespace lr

@@ -1,4 +1,4 @@
-// Numbered faults: what is wrong with a mesh, an asset file or a parameter, where, and what to do about it.
+// Numbered faults of a mesh, an asset file or a parameter: the place, the problem and the remedy.
 #pragma once
 
 #include <charconv>
@@ -83,5 +83,4 @@ inline std::string shortest(double value) {
     char buffer[32];
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
-
 } // namespace lr

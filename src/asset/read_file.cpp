@@ -24,7 +24,7 @@ namespace {
 
 constexpr size_t max_bytes = size_t{1} << 30;
 
-// Of errno.
+// From errno.
 lr_status status_of(int reason) {
     switch (reason) {
     case ENOENT:
@@ -81,7 +81,6 @@ int open_file(const char* path) {
     }
 }
 #endif
-
 } // namespace
 
 #if defined(_WIN32) || defined(__wasm__)
@@ -103,10 +102,9 @@ lr_status read_asset_bytes(const char* path_utf8, std::vector<unsigned char>& ou
     struct stat info {};
     if (::fstat(file.fd, &info) != 0 || !S_ISREG(info.st_mode)) return LR_ERROR_FILE_READ;
     if (info.st_size > static_cast<off_t>(max_bytes)) return LR_ERROR_ASSET_CORRUPT;
-    // A smaller size may be a lie (/proc) or change: it is a hint.
+    // A smaller size is only a hint: it can be wrong (/proc) or change.
     return read_all(out, static_cast<size_t>(std::clamp<off_t>(info.st_size, 0, max_bytes)),
                     [&](unsigned char* to, size_t room) { return ::read(file.fd, to, room); });
 }
 #endif
-
 } // namespace lr

@@ -52,8 +52,7 @@ private:
     uint64_t bytes_ = 0;
 };
 
-// A fixed array from the world's allocator. It grows by swapping in a new one, so that running out of memory leaves the
-// old one intact.
+// A fixed array from the world's allocator. It grows by swapping in a new one, so that running out of memory leaves the old one intact.
 template <class T> class Buffer {
 public:
     Buffer() = default;
@@ -126,8 +125,7 @@ private:
     T* one_ = nullptr;
 };
 
-// Room for at least `count`. A buffer that grows gets an eighth more, and loses its contents. False when out of memory; nothing has
-// then changed.
+// Makes room for at least `count`: an eighth more if the buffer grows, and loses its contents. False when out of memory; nothing has then changed.
 template <class T> bool grow(Allocator& allocator, Buffer<T>& buffer, size_t count) {
     if (buffer.size() >= count) return true;
     Buffer<T> larger;
@@ -159,8 +157,7 @@ template <class T> struct StepList {
     }
 };
 
-// LR_ERROR_OUT_OF_MEMORY if `body` throws bad_alloc. WebAssembly is built without exceptions: there operator new leaves to the host
-// instead (bindings/web/native/memory.cpp).
+// LR_ERROR_OUT_OF_MEMORY if `body` throws bad_alloc. WebAssembly has no exceptions: operator new leaves to the host (bindings/web/native/memory.cpp).
 template <class F> lr_status unless_out_of_memory(F&& body) {
 #if defined(__cpp_exceptions)
     try {
@@ -172,5 +169,4 @@ template <class F> lr_status unless_out_of_memory(F&& body) {
     return std::forward<F>(body)();
 #endif
 }
-
 } // namespace lr

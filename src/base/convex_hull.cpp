@@ -10,7 +10,7 @@ namespace {
 // Quickhull (Barber, Dobkin and Huhdanpaa 1996) on points rounded to an integer grid, where every orientation is
 // exact: no tolerance decides topology, so flat, thin and regular input cannot break it.
 constexpr int grid_bits = 24;
-// A point this many grid steps outside is on the hull already; keeps rounding from turning flat faces into bumps.
+// A point at most this many grid steps outside counts as on the hull: rounding must not turn flat faces into bumps.
 constexpr double skin = 4.0;
 constexpr int max_passes = 8;
 constexpr uint32_t none = UINT32_MAX;
@@ -31,7 +31,7 @@ double norm(const Point& a) {
     return std::sqrt(x * x + y * y + z * z);
 }
 
-// n.d exactly, as high * 2^26 + low with 0 <= low < 2^26: the sum itself may need 79 bits.
+// n.d exactly, as high * 2^26 + low with 0 <= low < 2^26: the sum itself can need 79 bits.
 struct Wide {
     int64_t high, low;
     int sign() const { return high != 0 ? (high > 0 ? 1 : -1) : (low > 0 ? 1 : 0); }
@@ -230,8 +230,7 @@ bool is_redundant(const std::vector<Point>& neighbours, const Point& point) {
     return ring.run() && !ring.is_outside(point);
 }
 
-// Vertices that came in before the corners they lie between, and that rounding keeps barely outside of them. No two
-// neighbours go at once, since each may be what makes the other redundant.
+// Early vertices that rounding keeps barely outside of the corners around them. Two neighbours never go at once: each can make the other redundant.
 std::vector<char> redundant_vertices(const std::vector<Point>& points, const std::vector<HullTriangle>& faces) {
     std::vector<std::vector<uint32_t>> rings(points.size());
     for (const HullTriangle& face : faces)
@@ -286,7 +285,6 @@ std::vector<HullTriangle> flat_hull(const std::vector<Point>& points, const Poin
     }
     return faces;
 }
-
 } // namespace
 
 HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out) {
@@ -355,5 +353,4 @@ HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out) {
     out.slack = (skin * (1.0 + passes) + 2.0) * step; // skin of each pass, and the rounding of point and face
     return HullOutcome::done;
 }
-
 } // namespace lr::shape

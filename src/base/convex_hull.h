@@ -19,5 +19,4 @@ struct ConvexHull {
 enum class HullOutcome { done, not_finite, too_few, one_point, one_line, not_closed };
 
 HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out);
-
 } // namespace lr::shape

@@ -1,6 +1,5 @@
-// Random numbers from a counter: no state, so a rolled-back world draws the same again. Spawns draw from (seed, noise seed,
-// life), gusts from (seed, seed of the source). Philox4x32-7 as in kernel/math/gaussian_noise-inl.h, with counters that the noise does not
-// use; + - x / sqrt only.
+// Random numbers from a counter: no state, so a world repeats its draws after a rollback. Spawns draw from (seed, noise seed, life), gusts from
+// (seed, seed of the source). Philox4x32-7 as in kernel/math/gaussian_noise-inl.h, with counters that the noise does not use; + - x / sqrt only.
 #pragma once
 
 #include <cmath>
@@ -15,7 +14,7 @@ constexpr uint64_t mix64(uint64_t v) {
     return v ^ v >> 31;
 }
 
-// Keeps the numbers of different uses independent; the noise has 0 here.
+// Keeps the numbers of different uses independent; the noise uses 0.
 enum class Draws : uint32_t { births = 0x62697274u, gusts = 0x67757374u };
 
 class CounterRandom {
@@ -62,5 +61,4 @@ private:
     uint32_t word_[4] = {};
     int next_ = 4;
 };
-
 } // namespace lr

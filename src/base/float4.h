@@ -37,7 +37,6 @@ inline float least(Float4 a) {
     return first < second ? first : second;
 }
 
-// Whether any lane of a comparison holds.
 inline bool any(Int4 a) {
     using TwoInts = int64_t __attribute__((vector_size(16)));
     TwoInts halves;
@@ -70,5 +69,4 @@ struct Greatest {
         return second > first ? second : first;
     }
 };
-
 } // namespace lr

@@ -1,5 +1,5 @@
-// The floating-point mode of a step: IEEE default, round to nearest, gradual underflow, no traps. Flushing denormals
-// would be quicker at best, but processors do it differently and WebAssembly not at all (docs/maintainers/determinism.md).
+// The floating-point mode of a step: IEEE default, round to nearest, gradual underflow, no traps. Flushing denormals could be faster, but processors
+// flush differently and WebAssembly not at all (docs/maintainers/determinism.md).
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace lr {
 
-// Sets the mode for its lifetime, on the present thread, and puts the caller's back.
+// Sets the mode on this thread for its lifetime, then restores the caller's.
 class FloatMode {
 public:
-    // Writing is slow, and nearly always needless: flags of what has happened so far are no part of the mode.
+    // Writing is slow, and nearly always needless: the exception flags are no part of the mode.
     FloatMode() : saved_(read()) {
         if ((saved_ & ~flags) != standard) write(standard);
     }
@@ -56,7 +56,7 @@ private:
     Word saved_;
 };
 
-// Puts the caller's mode back for its lifetime, within a FloatMode's, while code of the caller's runs.
+// Restores the caller's mode for its lifetime, within a FloatMode's, while the caller's code runs.
 class CallersMode {
 public:
     explicit CallersMode(const FloatMode& mode) { FloatMode::write(mode.saved_); }
@@ -64,5 +64,4 @@ public:
     CallersMode(const CallersMode&) = delete;
     CallersMode& operator=(const CallersMode&) = delete;
 };
-
 } // namespace lr

@@ -21,5 +21,4 @@ public:
 private:
     uint64_t state_ = 0xcbf29ce484222325ull;
 };
-
 } // namespace lr

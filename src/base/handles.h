@@ -1,4 +1,4 @@
-// Handles: what the bits of lr_body and lr_batch mean. Generations start at 1, so that 0 is never a handle.
+// The bits of handles. Generations start at 1, so 0 is never a handle.
 #pragma once
 
 #include "langevin_rigid.h"
@@ -27,8 +27,7 @@ inline BodyHandle unpack(lr_body body) {
             static_cast<uint32_t>(body.id >> (slot_bits + generation_bits))};
 }
 
-// Generations of a slot wrap around: a handle kept over 16 million lives of one slot may be mistaken for
-// a later one.
+// Generations of a slot wrap around: a handle kept over 16 million lives of its slot can match a later body.
 inline uint32_t next_generation(uint32_t generation) {
     return generation == max_generation ? 1 : generation + 1;
 }
@@ -54,5 +53,4 @@ inline lr_collider pack(ColliderHandle h) {
 inline ColliderHandle unpack(lr_collider collider) {
     return {static_cast<uint32_t>(collider.id), static_cast<uint32_t>(collider.id >> 32)};
 }
-
 } // namespace lr

@@ -1,4 +1,4 @@
-// One batch's state as structure of arrays: what the kernel reads and writes.
+// A batch's state as a structure of arrays, which the kernel reads and writes.
 #pragma once
 
 #include <cstddef>
@@ -28,15 +28,14 @@ enum Field : size_t {
     field_age_rest, // s, what rounding has added to the age so far
     field_gust_x,
     field_gust_y,
-    field_gust_z, // m/s, world: the fluid's own velocity as the body sees it, AERODYNAMIC loads only
+    field_gust_z, // m/s, world: the body's own gust, AERODYNAMIC loads only
     field_count
 };
 
-// External forces in SI units, on the body at its true size: a vector of each kind in each frame. Accelerations are
-// those of the body whatever its mass and the fluid's.
+// External forces in SI units, on the body at its true size: a vector of each kind in each frame. Accelerations ignore all masses.
 enum ForceKind : size_t { force_newton, force_torque, force_acceleration, force_spin, force_kinds };
 inline constexpr size_t force_components = size_t{6} * force_kinds;
-// Of component x; world frame: 0, body frame: 1.
+// The x component. frame: 0 for the world's, 1 for the body's.
 constexpr size_t force_component(size_t frame, size_t kind) {
     return 3 * (force_kinds * frame + kind);
 }
@@ -46,8 +45,7 @@ struct FluidSample;
 struct BatchArrays {
     float* field[field_count];
     uint32_t* noise_seed;
-    // Null: the uniform wind of the step. Else one substep is taken, and this is the fluid at the bodies that it steps.
+    // Null: the uniform wind of the step. Else the fluid at the bodies of a single substep.
     const FluidSample* fluid;
 };
-
 } // namespace lr

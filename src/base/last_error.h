@@ -13,5 +13,4 @@ inline char* last_error() {
 inline void note_error(const char* function, const char* why) {
     std::snprintf(last_error(), last_error_bytes, "%s: %s", function, why);
 }
-
 } // namespace lr

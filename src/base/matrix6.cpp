@@ -33,8 +33,7 @@ bool cholesky(const Matrix6& m, double floor, Matrix6& l) {
     return true;
 }
 
-// Cyclic Jacobi (Golub and Van Loan, Matrix Computations, section 8.5): `a` becomes diagonal, columns of the result its eigenvectors.
-// Some six sweeps; the bound is for what is not finite.
+// Cyclic Jacobi (Golub and Van Loan, section 8.5): `a` becomes diagonal, columns of the result its eigenvectors. Some six sweeps, bounded for NaN.
 Matrix6 diagonalise(Matrix6& a) {
     Matrix6 v = unit_matrix();
     for (int sweep = 0; sweep < 30; ++sweep) {
@@ -88,7 +87,6 @@ Matrix6 transposed(const Matrix6& m) {
         for (size_t j = 0; j < 6; ++j) t[i * 6 + j] = m[j * 6 + i];
     return t;
 }
-
 } // namespace
 
 Matrix6 rigid_mass_matrix(double mass, const std::array<double, 9>& inertia) {
@@ -164,7 +162,7 @@ bool invert_spd(const Matrix6& m, Matrix6& inverse) {
 }
 
 void eigen3(double (&m)[3][3], double (&vectors)[3][3]) {
-    Matrix6 padded{}; // what is padded stays apart
+    Matrix6 padded{}; // the padding stays separate
     for (size_t i = 0; i < 9; ++i) padded[i / 3 * 6 + i % 3] = m[i / 3][i % 3];
     make_symmetric(padded);
     const Matrix6 v = diagonalise(padded);
@@ -183,5 +181,4 @@ bool is_rotation(const std::array<double, 9>& rows, double tolerance) {
                q[2] * (q[3] * q[7] - q[4] * q[6]) >
            0.0;
 }
-
 } // namespace lr

@@ -1,5 +1,4 @@
-// Small matrices, 6x6 in the order vx vy vz wx wy wz, without a matrix library: format and asset code stay free of
-// Eigen so that the runtime does.
+// Small matrices, 6x6 in the order vx vy vz wx wy wz: format and asset code, and with them the runtime, do without Eigen.
 #pragma once
 
 #include <array>
@@ -21,28 +20,25 @@ bool is_positive_definite(const Matrix6& m, double floor);
 // The nearest positive semi-definite matrix to a symmetric one: negative eigenvalues become zero.
 void make_semi_definite(Matrix6& m);
 
-// Inverse of a symmetric positive definite matrix; false when it is not one.
+// Inverse of a symmetric positive definite matrix; false if it is not.
 bool invert_spd(const Matrix6& m, Matrix6& inverse);
 
-// A symmetric positive semi-definite matrix' diagonal becomes its eigenvalues; and, as columns, its orthonormal eigenvectors.
+// Replaces the diagonal of a symmetric positive semi-definite matrix by its eigenvalues. vectors: orthonormal eigenvectors as columns.
 void eigen3(double (&m)[3][3], double (&vectors)[3][3]);
 
-// Simultaneous diagonalisation of mass and damping: M z' = -alpha W z falls apart into six decays.
+// Simultaneous diagonalisation of mass and damping: M z' = -alpha W z becomes six independent decays.
 struct Modes {
     std::array<double, 6> rate; // lambda >= 0 of W x = lambda M x
     Matrix6 from;               // columns: modes, with from^T M from = 1
     Matrix6 to;                 // from^-1 = from^T M
 };
 
-// mass: symmetric positive definite; damping: positive semi-definite. False
-// when mass is not positive definite.
+// mass: symmetric positive definite; damping: positive semi-definite. False if mass is not positive definite.
 bool find_modes(const Matrix6& mass, const Matrix6& damping, Modes& out);
 
-// Added mass about another point: `to` is the new point seen from the old one. The fluid's energy stays the same when
-// the body's velocity is given at the new point.
+// Added mass about another point: `to`, seen from the old one. The fluid's energy is the same for the body's velocity at the new point.
 void shift_added_mass(Matrix6& m, const std::array<double, 3>& to);
 
-// Rows of unit length, right-handed, each dot product within `tolerance`. False for what is not finite.
+// Rows of unit length, right-handed, each dot product within `tolerance`. False if an entry is not finite.
 bool is_rotation(const std::array<double, 9>& rows, double tolerance);
-
 } // namespace lr

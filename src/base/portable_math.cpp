@@ -9,7 +9,6 @@ namespace lr::shape {
 namespace {
 
 constexpr double ln2_high = 0.693147180369123816490, ln2_low = 1.90821492927058770002e-10;
-
 } // namespace
 
 double portable_log(double x) {
@@ -58,5 +57,4 @@ double portable_pow(double x, double y) {
     for (int k = 18; k >= 1; --k) power = 1.0 + power * r / k;
     return std::ldexp(power, static_cast<int>(n));
 }
-
 } // namespace lr::shape

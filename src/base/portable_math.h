@@ -1,5 +1,4 @@
-// Transcendental functions in double that give the same bits with every C library: made of + - x / and exact scaling
-// only. Results go into assets and constants, so that two machines must agree on them to the last bit.
+// Transcendental functions in double from + - x / and exact scaling, with the same bits for every C library: assets and constants depend on them.
 #pragma once
 
 namespace lr::shape {
@@ -12,5 +11,4 @@ double portable_log(double x);
 
 // e^x for |x| < 700; relative error below 1e-15 (1 + |x|).
 double portable_exp(double x);
-
 } // namespace lr::shape

@@ -16,7 +16,6 @@ template <class T> struct Vector3 {
     T x, y, z;
     constexpr T operator[](uint32_t k) const { return k == 0 ? x : k == 1 ? y : z; }
 };
-// Along one of the axes.
 template <class T> constexpr Vector3<T> along_axis(uint32_t k, T size) {
     return {k == 0 ? size : T(0), k == 1 ? size : T(0), k == 2 ? size : T(0)};
 }
@@ -44,7 +43,7 @@ template <class T> constexpr Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
 template <class T> inline T length(Vector3<T> a) {
     return std::sqrt(dot(a, a));
 }
-// Of each coordinate.
+// The lesser and the greater of each coordinate.
 template <class T> constexpr Vector3<T> low_of(Vector3<T> a, Vector3<T> b) {
     return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
 }
@@ -52,7 +51,7 @@ template <class T> constexpr Vector3<T> high_of(Vector3<T> a, Vector3<T> b) {
     return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 using Vector = Vector3<float>;
-// For cases in which differences of large coordinates would lose small things in single precision.
+// For differences of large coordinates, in which single precision would lose small things.
 using Double3 = Vector3<double>;
 
 constexpr Double3 to_double(Vector a) {
@@ -76,7 +75,7 @@ struct RightAngles {
     Double3 first, second;
 };
 inline RightAngles right_angles_to(Double3 n) {
-    // Starts from the axis farthest from it.
+    // From the coordinate axis farthest from n.
     const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
     const uint32_t least = x <= y ? (x <= z ? 0 : 2) : (y <= z ? 1 : 2);
     const Double3 side = along_axis(least, 1.0) - n[least] * n, first = side / length(side);
@@ -107,7 +106,7 @@ constexpr bool overlap(const Box& a, const Box& b) {
            a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-// Of unit length: R(q) rotates vectors from the own frame to the outer one.
+// Of unit length: R(q) rotates vectors from the own frame to the outer frame.
 template <class T> struct Quaternion {
     T x, y, z, w;
     constexpr bool operator==(const Quaternion&) const = default;
@@ -148,11 +147,10 @@ constexpr Quaternion<double> to_double(Rotation q) {
 constexpr Rotation to_float(Quaternion<double> q) {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
 }
-// Normalises a quaternion.
 inline Rotation normalised(Rotation q) {
     return 1.0f / std::sqrt(dot(q, q)) * q;
 }
-// The same, with one rounding.
+// Normalised with one rounding.
 inline Rotation unit_of(Quaternion<double> q) {
     const double n = std::sqrt(dot(q, q));
     return {static_cast<float>(q.x / n), static_cast<float>(q.y / n), static_cast<float>(q.z / n),
@@ -162,7 +160,7 @@ inline Rotation unit_of(Quaternion<double> q) {
 constexpr Vector chord(Rotation q) {
     return (q.w < 0.0f ? -2.0f : 2.0f) * Vector{q.x, q.y, q.z};
 }
-// Its own axes in the outer frame: the columns of R(q).
+// A rotation's own axes in the outer frame: the columns of R(q).
 struct Axes {
     Vector x, y, z;
 };
@@ -210,5 +208,4 @@ template <class Rows> Pose pose_in(const Rows& rows, size_t i) {
 inline Pose pose_of(const BatchArrays& arrays, size_t i) {
     return pose_in(arrays.field, i);
 }
-
 } // namespace lr

@@ -28,7 +28,6 @@ template <class Ready> bool spin_until(const Ready& ready) {
     }
     return ready();
 }
-
 } // namespace
 
 void ChunkQueue::open(uint32_t chunks, Task task, void* context) {
@@ -45,7 +44,7 @@ void ChunkQueue::take() {
     const FloatMode mode;
     uint32_t done = 0;
     while (left != 0) {
-        // Only a thread that holds a chunk may look at the round: it then lasts until that chunk is done.
+        // Only a thread that holds a chunk may read the round, which lasts until that chunk is done.
         if (!left_.compare_exchange_weak(left, left - 1, std::memory_order_acquire)) continue;
         task_(context_, chunks_ - left);
         ++done;
@@ -100,7 +99,7 @@ void WorkerPool::wake(uint32_t helpers) {
 void WorkerPool::work() {
     uint32_t seen = 0;
     for (;;) {
-        // Rounds of one step follow each other within microseconds; those of different frames do not.
+        // Rounds of one step follow each other within microseconds; rounds of different frames do not.
         const auto called = [&] { return round_.load(std::memory_order_acquire) != seen; };
         if (!spin_until(called)) round_.wait(seen);
         seen = round_.load(std::memory_order_acquire);
@@ -127,7 +126,7 @@ void StepWorkers::job(void* step_workers, uint32_t begin, uint32_t end) {
     self.present_.fetch_sub(end - begin, std::memory_order_release);
 }
 
-// A job system may run its tasks inside enqueue, on the caller's thread or while it waits: then no more work can come.
+// A job system can run its tasks inside enqueue, on the caller's thread or while it waits: then no more work can come.
 void StepWorkers::stay() {
     queue_.take();
     if (this_thread() == caller_) return;
@@ -181,5 +180,4 @@ void StepWorkers::run(uint32_t chunks, uint32_t helpers, ChunkQueue::Task task, 
     if (!gathered) finish(mode);
     queue_.wait();
 }
-
 } // namespace lr

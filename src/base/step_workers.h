@@ -1,5 +1,4 @@
-// The threads of a step: the caller alone, the world's own threads, or an engine's job system. The thread that runs a chunk never
-// affects its result.
+// The threads of a step: the caller alone, the world's own threads, or an engine's job system. The thread that runs a chunk never affects its result.
 #pragma once
 
 #include "base/float_mode.h"
@@ -128,5 +127,4 @@ private:
     StepWorkers* step_workers_;
     const FloatMode* mode_;
 };
-
 } // namespace lr

@@ -1,4 +1,4 @@
-// What this library is compiled for, also by those who do without CMake, which says the same (CMakeLists.txt).
+// The supported targets, for builds without CMake too; CMakeLists.txt checks the same.
 #pragma once
 
 #include <cstdint>

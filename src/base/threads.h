@@ -12,8 +12,7 @@
 #include <thread>
 #endif
 
-// Without a futex, libstdc++ before 13 compares the value before it locks and notifies without the lock: a wake-up in between is
-// lost, and both sides wait forever.
+// Without a futex, libstdc++ before 13 compares before it locks and notifies without the lock: wake-ups get lost, and both sides wait forever.
 #if defined(_WIN32) && defined(__GLIBCXX__)
 #define LR_WAITS_ON_ATOMICS 0
 #include <condition_variable>
@@ -48,7 +47,7 @@ inline unsigned hardware_threads() {
 }
 #endif
 
-// A count that threads can wait for; replaces std::atomic's waits where these are unreliable.
+// A count that threads can wait for; replaces std::atomic's waits if these are unreliable.
 #if LR_WAITS_ON_ATOMICS
 using WaitedCount = std::atomic<uint32_t>;
 #else
@@ -56,7 +55,7 @@ class WaitedCount : public std::atomic<uint32_t> {
 public:
     using std::atomic<uint32_t>::atomic;
 
-    // Waits until the count differs from `seen`; may also return earlier.
+    // Waits until the count differs from `seen`; can also return earlier.
     void wait(uint32_t seen) const {
         std::unique_lock lock(mutex_);
         if (load(std::memory_order_acquire) == seen) changed_.wait(lock);
@@ -76,5 +75,4 @@ private:
     mutable std::condition_variable changed_;
 };
 #endif
-
 } // namespace lr

@@ -67,5 +67,4 @@ void BatchPairs::swap(BatchPairs& other) {
     links_.swap(other.links_);
     std::swap(used_, other.used_);
 }
-
 } // namespace lr

@@ -1,4 +1,4 @@
-// Pairs of batches with body contact, by batch slots; a batch may be paired with itself. docs/maintainers/contact.md
+// Pairs of batches with body contact, by batch slots; a batch can be paired with itself. docs/maintainers/contact.md
 #pragma once
 
 #include "base/allocator.h"
@@ -55,5 +55,4 @@ private:
     Buffer<uint32_t> links_;
     uint32_t used_ = 0;
 };
-
 } // namespace lr

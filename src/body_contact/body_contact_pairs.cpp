@@ -1,4 +1,4 @@
-// Finds the bodies of a crowd that touch each other in a substep.
+// Finds the bodies that touch each other in a substep.
 #include "body_contact/body_contact_step.h"
 
 #include "collision/pair_contacts.h"
@@ -17,7 +17,6 @@ constexpr uint32_t grain = 128; // bodies: some ten microseconds
 template <class... T> bool grow_all(Allocator& allocator, size_t count, Buffer<T>&... buffers) {
     return (grow(allocator, buffers, count) && ...);
 }
-
 } // namespace
 
 float BodyContactStep::margin_of(const BodyContactBatch& member, uint32_t index) const {
@@ -161,8 +160,7 @@ bool BodyContactStep::find_pairs() {
     return true;
 }
 
-// Bodies that touch others get places: batch by batch, each in the order of noise seeds and starting at a whole group of
-// lanes.
+// Bodies that touch others get places: batch by batch, each in the order of noise seeds and starting at a whole group of lanes.
 bool BodyContactStep::number_touching() {
     constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
     BodyContactBuffers& c = *buffers_;
@@ -207,5 +205,4 @@ bool BodyContactStep::number_touching() {
     held_used_ = 0;
     return true;
 }
-
 } // namespace lr

@@ -1,4 +1,4 @@
-// Solves the contacts of a crowd: bodies that touch no other awake one separately, the rest together.
+// Solves contacts: bodies that touch no other awake body separately, the rest together.
 #include "body_contact/body_contact_step.h"
 
 #include "kernel/divergence.h"
@@ -29,7 +29,6 @@ Pose began(const SolverBody& b) {
 Pose now(const SolverBody& b) {
     return {vector_of(b.x), {b.q[0], b.q[1], b.q[2], b.q[3]}};
 }
-
 } // namespace
 
 void BodyContactStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const {
@@ -126,8 +125,7 @@ void BodyContactStep::fill_body(uint32_t place) {
     to.scale = a.field[field_scale][index];
 }
 
-// In the order of places: each body's contacts with fixed things, then the pairs that it has found, in the order of the
-// others' places.
+// In the order of places: each body's contacts with fixed things, then the pairs that it has found, in the order of the others' places.
 uint32_t BodyContactStep::list_units() {
     BodyContactBuffers& c = *buffers_;
     uint32_t used = 0;
@@ -231,5 +229,4 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     enter_body(member.run.book, body, may_rest(*member.run.step.settings), static_cast<float>(time_.h), last(substep),
                [&](uint32_t collider) { return meeting(place, collider); });
 }
-
 } // namespace lr

@@ -14,10 +14,9 @@ constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 constexpr uint32_t usual_colours = 64; // as bits; units without a free colour get blocks of their own
 constexpr uint32_t body_contact_sweeps = 20, roll_every = 4;
 constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
-constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: no heap may press a body into a collider
+constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: a heap must not press a body into a collider
 // Blocks and groups of bodies that justify another thread: some microseconds of work.
 constexpr uint32_t block_grain = 4, group_grain = 16;
-
 } // namespace
 
 bool BodyContactSolver::reserve_bodies(uint32_t count) {
@@ -41,8 +40,7 @@ void BodyContactSolver::order_pairs(const BodyContactScene& scene) {
     }
 }
 
-// Each pair takes the lowest colour that neither of its bodies has yet. Fixed things come last in each sweep: they must hold better
-// than bodies hold each other.
+// Each pair takes the lowest colour that its bodies do not have yet. Fixed things come last in a sweep: they must hold better than bodies do.
 void BodyContactSolver::colour(const BodyContactScene& scene) {
     const std::span units(scene.units, scene.unit_count);
     std::fill_n(used_colours_.data(), body_count_, uint64_t{0});
@@ -249,5 +247,4 @@ bool BodyContactSolver::solve(const BodyContactTarget& target, float h, float gr
     each_group(workers, [&](uint32_t kind, uint32_t begin) { target.finish(in, kind, begin); });
     return true;
 }
-
 } // namespace lr

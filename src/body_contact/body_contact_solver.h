@@ -39,7 +39,7 @@ struct BodyContactScene {
     const SolverBodyKind* kinds;
     const BodyContactRange* ranges;
     uint32_t range_count;
-    // In the same order on every machine; a body's units with fixed things are consecutive. The bodies of a unit may be swapped.
+    // In the same order on every machine; a body's units with fixed things are consecutive. The bodies of a unit can be swapped.
     BodyContactPair* units;
     uint32_t unit_count;
 };
@@ -87,5 +87,4 @@ private:
     Buffer<uint32_t> first_block_; // by colour, and the end
     Buffer<uint32_t> first_unit_;  // by block, and the end
 };
-
 } // namespace lr

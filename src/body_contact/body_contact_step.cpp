@@ -125,5 +125,4 @@ void BodyContactStep::run() {
         if (batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
     });
 }
-
 } // namespace lr

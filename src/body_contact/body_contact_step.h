@@ -1,5 +1,4 @@
-// A step of the batches with body contact: all bodies take one substep, then touching ones are solved together, then the next
-// substep. docs/maintainers/contact.md
+// A step of batches with body contact: all bodies take a substep, then touching ones are solved together, and so on (docs/maintainers/contact.md).
 #pragma once
 
 #include "base/float_mode.h"
@@ -34,7 +33,6 @@ private:
     bool any_ = false;
 };
 
-// A batch in such a step.
 struct BodyContactBatch {
     StepItem item;
     uint32_t slot;
@@ -55,7 +53,6 @@ struct BodyContactBuffers {
         uint32_t collider; // slot, or ContactGroup::a_body
         ContactGroup::AtRest at_rest;
     };
-    // A body in a substep.
     struct Moved {
         PairBody body;
         float margin; // m
@@ -146,5 +143,4 @@ private:
     bool wet_, starved_ = false;
     std::atomic<uint32_t> held_used_{0};
 };
-
 } // namespace lr

@@ -49,5 +49,4 @@ void BodyBroadPhase::build(uint32_t count) {
         for (size_t k = 0; k < 6; ++k) rows_[k * room_ + at] = numbers[k];
     }
 }
-
 } // namespace lr

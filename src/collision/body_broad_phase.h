@@ -1,5 +1,4 @@
-// Boxes of awake bodies in hashed cells of several sizes, to find pairs that may touch in a substep. Rebuilt for each
-// substep, in time linear in the number of bodies.
+// Boxes of awake bodies in hashed cells of several sizes, to find pairs that can touch in a substep. Rebuilt for each substep in linear time.
 #pragma once
 
 #include "base/allocator.h"
@@ -61,14 +60,14 @@ private:
         const Float4 low[3] = {all(around.low.x), all(around.low.y), all(around.low.z)};
         const Float4 high[3] = {all(around.high.x), all(around.high.y), all(around.high.z)};
         for (uint32_t i = first_[bucket]; i < end; i += lanes) {
-            // Four boxes at once; after a bucket's last box come those of others, with room for a whole vector.
+            // Four boxes at once. Boxes of other buckets, or room, follow a bucket's last: whole vectors can be read.
             Int4 in = (load(row(0) + i) <= high[0]) & (load(row(3) + i) >= low[0]);
             for (size_t k = 1; k < 3; ++k) in &= (load(row(k) + i) <= high[k]) & (load(row(k + 3) + i) >= low[k]);
             if (!any(in)) continue;
             for (uint32_t lane = 0; lane < lanes && i + lane < end; ++lane) {
                 if (in[lane] == 0) continue;
                 const BodyBox& box = boxes_[index_[i + lane]];
-                // Nearby cells may share a hash: a box is reported only in its own cell, so once.
+                // Nearby cells can share a hash: a box is reported only in its own cell, so once.
                 if (box.cell == id && cell_of(box, level) == at) function(box);
             }
         }
@@ -98,5 +97,4 @@ private:
     Buffer<uint32_t> index_; // of boxes, in the order of rows
     Buffer<uint32_t> first_; // by bucket, and the end
 };
-
 } // namespace lr

@@ -13,7 +13,7 @@ namespace {
 
 // Tolerance of the distance between cores: share of the sum of margin and roundings, and of the smaller core.
 constexpr float part_of_gap = 0.01f, part_of_size = 1e-3f;
-// Share of the smaller core: how far overlapping cores are drawn apart to find the points with which they touch.
+// Overlapping cores are drawn apart by this share of the smaller core to find the points with which they touch.
 constexpr float drawn_apart = 0.02f;
 constexpr uint32_t most_refinements = 3;
 // Share of the smaller core: contacts closer than this are duplicates.
@@ -32,8 +32,8 @@ Float4 after_next(Float4 a) {
     return __builtin_shufflevector(a, a, 2, 0, 1, 3);
 }
 
-// Whether the boxes about the cores are farther apart than `enough`, along any of the fifteen axes (Gottschalk et al. 1996).
-// True if anything is not finite. direction: from b to a, along the box axis of the largest separation or least overlap.
+// Whether the boxes about the cores are farther apart than `enough` along any of the fifteen axes (Gottschalk et al. 1996). True for NaN.
+// direction: from b to a, along the box axis of the largest separation or least overlap.
 bool boxes_apart(const RelativePair& pair, float enough, Vector& direction) {
     const Vector half_a = pair.a->core_half, half_b = pair.ratio * pair.b->core_half, t = pair.offset;
     constexpr float never = 1e30f; // the last lane is not an axis
@@ -110,7 +110,7 @@ void draw_out(const PlacedPair& pair, Vector n, float separation, float apart, D
         const Vector shift = (apart - separation) * n;
         Closest closest = closest_points(pair, shift, 1e-3f * apart, n);
         if (closest.state == Closest::State::overlap) {
-            // They are still apart along n. The farthest point of the larger core may be far from the other core.
+            // They are still apart along n. The farthest point of the larger core can be far from the other core.
             const bool by_a = pair.a->core_reach < pair.ratio * pair.b->core_reach;
             closest.state = Closest::State::apart;
             closest.normal = n;
@@ -127,7 +127,7 @@ void draw_out(const PlacedPair& pair, Vector n, float separation, float apart, D
     }
 }
 
-// For points in a core's own frame: the face with the largest distance or least depth.
+// The face of a core with the largest distance or least depth of points in the core's own frame.
 struct BestFace {
     Vector outward;
     float separation;
@@ -276,7 +276,6 @@ bool relate_ordered(const PairBody& one, const PairBody& other, float margin, Ne
     near.tolerance = by_gap < by_size ? by_gap : by_size;
     return !boxes_apart(pair, near.enough + 1e-6f * pair.size, near.start);
 }
-
 } // namespace
 
 bool relate(const PairBody& a, const PairBody& b, float margin, NearPair& out) {
@@ -330,5 +329,4 @@ uint32_t contacts_of(const NearPair& near, Closest closest, PairContact (&out)[m
     }
     return count;
 }
-
 } // namespace lr

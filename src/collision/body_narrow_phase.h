@@ -7,8 +7,7 @@
 
 namespace lr {
 
-// The shape with which bodies of a batch touch other bodies: always a hull of points with a rounding. Ellipsoids become hulls
-// too, flat ones plates.
+// The shape with which bodies of a batch touch other bodies: always a hull of points with a rounding. Ellipsoids become hulls too, flat ones plates.
 struct PairHull {
     static constexpr uint32_t lanes = 4; // points are padded to whole vectors by repeating the first
 
@@ -55,5 +54,4 @@ PairBody pair_body(const PairHull& shape, float scale, const Pose& from, const P
 
 // Box about a placed body.
 Box bounds(const PairHull& shape, float scale, const Pose& at);
-
 } // namespace lr

@@ -16,11 +16,9 @@ namespace {
 
 using Points = std::vector<shape::HullPoint>;
 
-// How far a dropped vertex may lie outside the reduced hull: share of the largest extent, and of the width of long and narrow bodies,
-// which would sink in or lean by it.
+// How far a dropped vertex can lie outside the reduced hull: share of the largest extent, and of the width of long bodies, which would lean.
 constexpr double fine = 0.01, fine_width = 0.05;
-// Share of the largest extent: thinner bodies lose one of their two sides if they are plates, that is, if they fill this share of the
-// plate around them, or are so thin that it does not show.
+// Share of the largest extent: thinner bodies lose one of their two sides if they fill this share of the plate around them, or are very thin.
 constexpr double thin = 0.05, very_thin = 0.01, plate = 0.75;
 constexpr double wide = 4.0;          // times as wide as thick: for narrower bodies the rounding would be too large
 constexpr uint32_t most_outline = 24; // points of a plate: each costs time in each contact
@@ -71,7 +69,6 @@ void add_face(BodyShape& shape, Double3 normal, double offset, const std::vector
     face.count = static_cast<uint8_t>(corners.size());
     for (size_t i = 0; i < corners.size(); ++i) shape.corners[used + i] = static_cast<uint8_t>(corners[i]);
 }
-
 } // namespace
 
 void drop_corners(const Points& points, std::vector<uint32_t>& corners, double enough, size_t most) {
@@ -122,8 +119,7 @@ void set_outline(BodyShape& shape, const Points& corners, Double3 normal, double
 
 namespace {
 
-// Selects at most `most` points so that no other lies farther outside their hull than allowed: repeatedly adds the one farthest
-// outside. width: the least width.
+// Selects at most `most` points, repeatedly the one farthest outside, until no other is farther outside than allowed. width: the least width.
 Points reduced(const Points& from, double extent, double width, uint32_t most) {
     const double enough = std::min(fine * extent, fine_width * width);
     Points kept;
@@ -363,7 +359,6 @@ BodyShape shape_of(const AssetData& asset, const std::array<double, 3>& extents)
     set_ellipsoid(shape, middle, semi);
     return shape;
 }
-
 } // namespace
 
 BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& extents) {
@@ -371,5 +366,4 @@ BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& e
     add_samples(shape);
     return shape;
 }
-
 } // namespace lr

@@ -1,5 +1,4 @@
-// The contact shape of a batch's bodies: the convex hull of a few points with a rounding, or an ellipsoid. At scale 1, in
-// the body frame, from the centre of mass.
+// The contact shape of a batch's bodies: a rounded convex hull of a few points, or an ellipsoid; at scale 1, body frame, from the centre of mass.
 #pragma once
 
 #include "asset/asset_data.h"
@@ -24,8 +23,7 @@ struct ShapeFace {
 
 struct BodyShape {
     uint32_t count; // of points; 0: an ellipsoid
-    // Points tested against a heightfield: its own, followed by some on its faces, which a ridge between two slopes would otherwise
-    // pass through.
+    // Points tested against a heightfield: its own, followed by some on its faces, which a ridge between two slopes would otherwise pass through.
     uint32_t sample_count;
     float x[most_shape_samples], y[most_shape_samples], z[most_shape_samples]; // m
     float radius;                                                              // m, around the hull of the points
@@ -71,9 +69,7 @@ void drop_corners(const std::vector<shape::HullPoint>& points, std::vector<uint3
 // A plate with these corners in turn in its middle plane, counter-clockwise about the normal, and this rounding.
 void set_outline(BodyShape& shape, const std::vector<shape::HullPoint>& corners, Double3 normal, double radius);
 
-// For an asset: its hull, reduced to few points; without one an ellipsoid, or a box if the volume fills it. extents: m, of a body
-// without a hull, along its axes about its centre of buoyancy; zero if unknown: then those of the ellipsoid with its inertia.
-// May throw std::bad_alloc.
+// For an asset: its hull, reduced to few points; without one an ellipsoid, or a box if the volume fills it. extents: m, of a body without a hull,
+// along its axes about its centre of buoyancy; zero if unknown: then those of the ellipsoid with its inertia. May throw std::bad_alloc.
 BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& extents = {});
-
 } // namespace lr

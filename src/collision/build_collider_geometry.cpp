@@ -12,7 +12,7 @@ using shape::HullPoint;
 
 // Share of a hull's largest extent: thinner hulls are flat.
 constexpr double flat = 1e-4;
-// Sine of the angle by which a surface may bend at an edge and still be flat.
+// Sine of the angle by which a surface can bend at an edge and still be flat.
 constexpr double bend = 1e-3;
 
 Double3 over(Double3 a, double b) {
@@ -41,7 +41,6 @@ struct Edge {
     uint32_t low, high; // welded vertices
     uint32_t triangle, number;
 };
-
 } // namespace
 
 double extent_of(const std::vector<HullPoint>& points) {
@@ -242,8 +241,7 @@ Box around(const Triangle* from, const Triangle* to) {
     return box;
 }
 
-// Halves by the middles along the longest side until few are left. Only the sets of the selection are used, so the order
-// does not depend on the library's algorithm.
+// Halves by the middles along the longest side until few are left. The order does not depend on how the library selects: only its sets are used.
 void split(Triangle* from, Triangle* to, uint32_t first, std::vector<MeshPart>& parts) {
     const auto count = static_cast<uint32_t>(to - from);
     if (count <= most_part_triangles) {
@@ -268,7 +266,6 @@ void split(Triangle* from, Triangle* to, uint32_t first, std::vector<MeshPart>& 
     split(from, from + half, first, parts);
     split(from + half, to, first + half, parts);
 }
-
 } // namespace
 
 void make_mesh_parts(const float* vertices, uint32_t* indices, uint32_t triangle_count, std::vector<MeshPart>& parts) {
@@ -294,5 +291,4 @@ void make_mesh_parts(const float* vertices, uint32_t* indices, uint32_t triangle
         std::copy_n(indices + size_t{3} * triangles[i].index, 3, sorted.data() + size_t{3} * i);
     std::copy(sorted.begin(), sorted.end(), indices);
 }
-
 } // namespace lr

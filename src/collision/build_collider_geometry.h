@@ -39,21 +39,17 @@ struct HullFace {
 };
 std::vector<HullFace> hull_faces(const std::vector<shape::HullPoint>& points, const shape::ConvexHull& hull);
 
-// Makes the rest of a MeshGeometry: a unit normal for each triangle, zero for those without area, and the edges that nothing
-// can touch alone. False if no triangle has an area.
+// The rest of a MeshGeometry: a unit normal for each triangle, zero without area, and the hidden edges. False if no triangle has an area.
 bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* indices, uint32_t triangle_count,
                 std::vector<float>& normals, std::vector<uint8_t>& hidden_edges);
 
 inline constexpr uint32_t most_part_triangles = 8;
-// Reorders a mesh's triangles (3 indices each, in range) so that neighbours are adjacent, and divides them into parts for the broad
-// phase; large ones are alone. The same for the same mesh everywhere.
+// Reorders triangles (3 indices each, in range) so that neighbours are adjacent, and divides them into parts; large ones are alone. Deterministic.
 void make_mesh_parts(const float* vertices, uint32_t* indices, uint32_t triangle_count, std::vector<MeshPart>& parts);
 
 // The coarse heights of a HeightfieldGeometry.
 void build_coarse(const uint32_t (&counts)[2], const float* heights, std::vector<float>& coarse,
                   uint32_t (&coarse_counts)[2], float& lowest, float& highest);
-// The secant of the angle of the steepest triangle, or slightly more: the slope of the surface is at most the root of its square
-// less 1.
+// The secant of the angle of the steepest triangle, or slightly more: the surface's slope is at most sqrt(secant^2 - 1).
 float steepest_secant(const uint32_t (&counts)[2], const float (&spacing)[2], const float* heights);
-
 } // namespace lr

@@ -9,11 +9,9 @@ namespace {
 constexpr uint64_t spare_words = uint64_t{8} * most_occupancy_levels;
 
 constexpr uint64_t few = 1u << 12; // proxies
-
 } // namespace
 
-// Words of bits for `count` proxies, monotonic in count: a few per cent of the bits are set, or one in ten or twenty where the bits
-// would not fit into a cache.
+// Words of bits for `count` proxies, monotonic in count: a few per cent of the bits are set, or 5 to 10 % if the bits would not fit into a cache.
 uint64_t ColliderBroadPhase::words_for(uint64_t count) const {
     const uint64_t each = fine_ ? 512 : 128, most_each = 16;
     return spare_words + std::max(each * std::min(count, 128 * few / each), most_each * count);
@@ -141,5 +139,4 @@ uint32_t ColliderBroadPhase::levels_about(const Box& box) const {
     }
     return levels;
 }
-
 } // namespace lr

@@ -28,8 +28,7 @@ public:
     size_t capacity() const { return proxies_.size(); }
     uint32_t size() const { return count_; }
 
-    // To build: clear, add up to capacity(), build. At most `levels` cell sizes, up to most_occupancy_levels; the bits find bodies
-    // that reach at most `dilation` (m).
+    // To build: clear, add up to capacity(), build. levels: cell sizes, up to most_occupancy_levels. dilation: m, the largest reach that bits find.
     void clear();
     void add(const Proxy& proxy) { proxies_[count_++] = proxy; }
     void build(float dilation, uint32_t levels);
@@ -49,7 +48,7 @@ private:
         Vector spread;        // m: the largest half extents of its boxes
     };
 
-    uint32_t levels_about(const Box& box) const; // a bit for each level that may have a box there
+    uint32_t levels_about(const Box& box) const; // a bit for each level that can have a box there
     // The place of a cell's bit within a level.
     struct Bit {
         uint32_t word, mask;
@@ -96,11 +95,10 @@ template <class Found> void ColliderBroadPhase::query(const Box& box, Found&& fo
             for (uint32_t e = buckets_[b]; e < buckets_[b + 1]; ++e) {
                 const Proxy& proxy = proxies_[entries_[e]];
                 if (!overlap(proxy.box, box) || level_of_[entries_[e]] != l) continue;
-                // Of the cells that share a bucket only one holds the box's middle.
+                // Only one of the cells that share a bucket holds the box's middle.
                 if (cell_at(middle_of(proxy.box), levels_[l].inverse_bucket) == at) found(proxy);
             }
         });
     }
 }
-
 } // namespace lr

@@ -11,7 +11,7 @@
 namespace lr {
 namespace {
 
-// The box that a body may reach within dt; as in the kernel.
+// The box that a body can reach within dt; as in the kernel.
 Box vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i, float dt) {
     const float size = 1.5f * step.shape->reach * arrays.field[field_scale][i];
     const float speed =
@@ -43,7 +43,6 @@ float height_over(const Geometry& g, Vector at) {
     if (!f) return at.y;
     return f->covers(at.x, at.z) ? at.y - height_at(*f, at.x, at.z).height : -1.0f;
 }
-
 } // namespace
 
 const char* wrong_in(const lr_batch_contact& s) {
@@ -197,7 +196,7 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         const SurfaceMotion motion = motion_of(step_->colliders->at(slot), substep);
         for (uint32_t n = 0; n < count; ++n) add(i, slot, contacts[n], pose, motion);
     };
-    // Contacts of all parts of a mesh together, reduced to the best: hundreds of parts may be under a body.
+    // Contacts of all parts of a mesh together, reduced to the best: hundreds of parts can be under a body.
     std::optional<ContactPoints> mesh;
     uint32_t mesh_slot = 0;
     Pose mesh_pose{};
@@ -278,7 +277,7 @@ ContactBodies ContactGroup::bodies(const ContactSubstep& substep) const {
 }
 
 void TouchList::take(uint32_t one, float impulse) {
-    // A place for it: its own, or that of the weakest one that is weaker.
+    // Its own place, or that of the weakest touch if that is weaker.
     size_t at = 0;
     while (at < 4 && id[at] != one && id[at] != 0) ++at;
     if (at == 4) at = static_cast<size_t>(std::min_element(strength, strength + 4) - strength);
@@ -332,8 +331,7 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
         const uint32_t from = end_, to = std::min(from + at_a_time, last);
         step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, from, to,
                           near_ + (from - begin));
-        // The grids depend on when they were built, which must not affect results: a body that nothing reaches takes the same
-        // path as far ones, to the bit.
+        // Results must not depend on when the grids were built: a body that nothing reaches takes the same path as far ones, to the bit.
         for (uint32_t i = from; i < std::min(to, live); ++i) {
             if (is_held(arrays.field[field_age_rest][i])) {
                 near_[i - begin] = 0; // it touches nothing
@@ -409,5 +407,4 @@ void ContactGroup::ground_effect(const ContactSubstep& substep) {
         }
     }
 }
-
 } // namespace lr

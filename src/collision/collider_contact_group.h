@@ -1,4 +1,4 @@
-// Bodies near colliders: which they are, what they touch after a substep, and what comes of it.
+// Bodies near colliders: finds them and their contacts after a substep, and resolves these.
 #pragma once
 
 #include "base/pose.h"
@@ -13,38 +13,37 @@
 
 namespace lr {
 
-// How the bodies of a batch meet colliders, until its user says.
+// A batch's contact settings until its user sets others.
 inline constexpr lr_batch_contact initial_contact = LR_BATCH_CONTACT_INIT;
 inline bool may_rest(const lr_batch_contact& settings) {
     return (settings.flags & LR_CONTACT_NEVER_SLEEP) == 0;
 }
-// Geometric mean and the larger: a pair slips as its materials do together, and bounces as the springier one. Of a batch and a
-// collider, or of two batches.
+// Geometric mean of frictions, larger of restitutions, between a batch and a collider or two batches: a pair bounces as its springier material.
 template <class Other> float pair_friction(const lr_batch_contact& a, const Other& b) {
     return std::sqrt(a.friction * b.friction);
 }
 template <class Other> float pair_restitution(const lr_batch_contact& a, const Other& b) {
     return std::max(a.restitution, b.restitution);
 }
-// Null when fine, else what is wrong; NaN is.
+// Null if valid, else the reason; NaN is invalid.
 const char* wrong_in(const lr_batch_contact& settings);
 
-// The same as a part of the reach: ContactBodies::rolling.
+// The settings' rolling resistance as a part of the reach: ContactBodies::rolling.
 float rolling_of(const lr_batch_contact& settings, const BodyShape& shape);
 
-// Bodies at rest as those that move see them: they stand still, and hold what touches them.
+// Sleeping bodies as awake ones see them: still and immovable.
 inline constexpr uint32_t most_resting = 32; // near one body, by batch and noise seed
 
 struct RestingTouch {
-    uint32_t batch, index; // of the body at rest: batch slot and dense index
+    uint32_t batch, index; // of the sleeping body: batch slot and dense index
     float friction, restitution;
     uint32_t count;
-    PairContact contact[most_pair_contacts]; // a: the body that moves; gaps at the end of its way
+    PairContact contact[most_pair_contacts]; // a: the awake body; gaps at the end of its way
 };
 
 class RestingBodies {
 public:
-    // Bodies at rest that the body of this noise seed touches at `to`, or will be nearer to than `margin` (m). Returns how many. Any thread.
+    // Sleeping bodies that the body with this noise seed touches at `to`, or is nearer to than `margin` (m). Returns how many. Any thread.
     virtual uint32_t touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to, float margin,
                                 RestingTouch (&out)[most_resting]) const = 0;
 
@@ -55,7 +54,6 @@ protected:
     ~RestingBodies() = default;
 };
 
-// A batch in a step.
 struct ContactStep {
     const ContactTarget* target;
     const Colliders* colliders;
@@ -64,8 +62,8 @@ struct ContactStep {
     float gravity;                          // m/s^2, magnitude
     float fluid_density;                    // kg/m^3
     float dt;                               // s, of the step
-    float gain;                             // m/s that bodies may gain in it
-    const RestingBodies* resting = nullptr; // that they can touch; null: none
+    float gain;                             // m/s that bodies can gain in it
+    const RestingBodies* resting = nullptr; // sleeping ones that they can touch; null: none
 };
 
 static_assert(most_shape_samples == most_ground_points);
@@ -140,7 +138,7 @@ struct TouchList {
     void take(uint32_t one, float impulse);
 };
 
-// Takes up to contact_lanes bodies that may touch something through a step.
+// Takes up to contact_lanes bodies that can touch something through a step.
 class ContactGroup {
 public:
     // bodies: in arrays of contact_lanes; the first `count` are bodies, the rest copies of the last.
@@ -198,7 +196,7 @@ private:
     BatchArrays arrays_;
     uint32_t count_;
     uint32_t ground_count_ = 0;
-    uint32_t grounds_[contact_lanes * most_candidates]; // room for all: none may be lost because of other bodies
+    uint32_t grounds_[contact_lanes * most_candidates]; // room for all: other bodies must not displace any
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
     Near near_[contact_lanes];
@@ -206,8 +204,7 @@ private:
     ContactSlots slots_;
 };
 
-// Candidates whose boxes, over the whole step, overlap the box, in order of slots and parts; for a body with a complete list all
-// of that list.
+// Candidates whose boxes, over the whole step, overlap the box, in order of slots and parts; for a body with a complete list all of that list.
 template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& around, Found&& found) const {
     const Near& near = near_[i];
     if (!near.crowded) {
@@ -231,8 +228,7 @@ template <class Found> void ContactGroup::any_order(uint32_t i, const Box& aroun
         each_candidate(i, around, found);
 }
 
-// The bodies of [begin, end) that may touch something within `dt`: at most near_range are examined, until field_block are found. A
-// longer range fills more of a group's lanes when few are near.
+// Bodies of [begin, end) that can touch something within `dt`: examines at most near_range, which fills a group's lanes, until field_block are found.
 class NearContacts {
 public:
     static constexpr uint32_t near_range = 16 * field_block;
@@ -258,5 +254,4 @@ private:
     alignas(64) uint32_t near_[near_range];
     uint32_t index_[field_block];
 };
-
 } // namespace lr

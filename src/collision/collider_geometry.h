@@ -82,5 +82,4 @@ struct Geometry {
     const HeightfieldGeometry* heightfield;
     const MeshGeometry* mesh;
 };
-
 } // namespace lr

@@ -8,7 +8,6 @@
 namespace lr {
 namespace {
 
-// |a - b|^2
 double squared_difference(const Rotation& a, const Rotation& b) {
     const Quaternion<double> d = to_double(a) - to_double(b);
     return dot(d, d);
@@ -71,7 +70,6 @@ void sine_cosine(double angle, double& sine, double& cosine) {
     sine = s;
     cosine = c;
 }
-
 } // namespace
 
 LocalBounds bounds_of(const Geometry& geometry, const SharedGeometry* shared) {
@@ -88,10 +86,9 @@ LocalBounds bounds_of(const Geometry& geometry, const SharedGeometry* shared) {
     }
 }
 
-// With the quaternion interpolated linearly, at u in [-1, 1] and k = tan of a quarter of the angle between the ends, a
-// point at distance r from the axis is off the chord's own linear way by 2 r k^2 (1 - u^2) sqrt(1 + u^2 k^2) /
-// ((1 + u^2 k^2)(1 + k^2)): never more than its greatest height above the chord, r (1 - cos(angle / 2)), which is
-// r (1 - q_begin . q_end). The chord's ends are in the boxes at both ends.
+// With the quaternion interpolated linearly, at u in [-1, 1] and k = tan of a quarter of the angle between the ends, a point at distance r from the
+// axis is off the chord's own linear way by 2 r k^2 (1 - u^2) sqrt(1 + u^2 k^2) / ((1 + u^2 k^2)(1 + k^2)): never more than its greatest height above
+// the chord, r (1 - cos(angle / 2)), which is r (1 - q_begin . q_end). The chord's ends are in the boxes at both ends.
 Box swept_box(const LocalBounds& local, const Pose& begin, const Pose& end, bool moves) {
     WideBox box = box_at(local, begin);
     if (moves) {
@@ -131,5 +128,4 @@ Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector
     to.rotation = nearer_to(from.rotation, unit_of(turn * to_double(from.rotation)));
     return to;
 }
-
 } // namespace lr

@@ -71,7 +71,6 @@ float center_distance(const Geometry& g, Vector p) {
         return 0.0f;
     }
 }
-
 } // namespace
 
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
@@ -224,7 +223,7 @@ bool near_box(const Way& way, const float* half) {
     return true;
 }
 
-// Whether the centre's way may come near a line along y (a point if its half length is 0).
+// Whether the centre's way can come near a line along y (a point if its half length is 0).
 bool near_axis(const Way& way, float radius, float half_length) {
     const float far = radius + way.reach, half[3] = {radius, half_length + radius, radius};
     if (!near_box(way, half)) return false;
@@ -296,7 +295,6 @@ float sweep_heightfield(const Way& way, const HeightfieldGeometry& field) {
     }
     return least;
 }
-
 } // namespace
 
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
@@ -322,5 +320,4 @@ float free_fraction(const BodyShape& shape, float scale, const Pose& from, const
     if (!near) return 1.0f;
     return sweep(way, [&](Vector position) { return PlacedCollider(collider, position); });
 }
-
 } // namespace lr

@@ -13,7 +13,7 @@ inline constexpr uint32_t most_contacts = 8; // of one pair
 struct Contact {
     Vector arm;    // m, body frame: the touching point of the body, from its centre of mass, at its true size
     Vector normal; // collider frame, unit: from the collider to the body
-    float gap;     // m, along the normal; negative where they overlap
+    float gap;     // m, along the normal; negative if they overlap
 };
 
 // Contacts where the body, `scale` times its shape, touches the collider or is closer than `margin`; for flat ellipsoids on round
@@ -22,12 +22,10 @@ struct Contact {
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
                        float margin, Contact* out);
 
-// The free fraction of the way from one pose to the other, 0 to 1: up to there (position linear, rotation by the normalised linear
-// quaternion) the pair is not closer than touching, to a tenth of the body's thickness or a hundredth of its reach. 1 if they do
-// not meet, for planes, and for ways shorter than a quarter of the thickness, in which contacts miss nothing. If `from` already
-// overlaps, it limits how far the middle of the body goes: until it has used up part of the remaining distance of the core.
-// Conservative advancement: the result may be too small.
+// The free fraction of the way from one pose to the other, 0 to 1 (position linear, rotation by the normalised linear quaternion): up to there the
+// pair is not closer than touching, to a tenth of the body's thickness or a hundredth of its reach. 1 if they do not touch, for planes, and for ways
+// shorter than a quarter of the thickness, in which contacts miss nothing. If `from` already overlaps, the middle of the body stops when it has used
+// up part of the core's remaining distance. Conservative advancement: the result can be too small.
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part);
-
 } // namespace lr

@@ -9,8 +9,7 @@ namespace {
 // Levels of the grid rebuilt in each step; the static grid has the rest.
 constexpr uint32_t active_levels = 3, still_levels = most_occupancy_levels - active_levels;
 
-// Rounds up to four steps per octave: the static grid is not rebuilt for every change of the reach, and does not depend on
-// earlier reaches.
+// Rounds up to four steps per octave: the static grid is not rebuilt for every change of the reach, and does not depend on earlier reaches.
 float coarsened(float reach) {
     int power = 0;
     const float m = std::frexp(reach, &power); // 0.5 to 1
@@ -41,7 +40,6 @@ Span span(const Box& box, Vector axis, Vector origin) {
     const double far = std::abs(from.x) + std::abs(from.y) + std::abs(from.z);
     return {0.5 * (low + high), half, 1e-6 * (far + half)};
 }
-
 } // namespace
 
 Box Colliders::box_of(uint32_t slot) const {
@@ -222,7 +220,6 @@ struct CandidateList {
         if (count < most_candidates) ++count;
     }
 };
-
 } // namespace
 
 uint32_t Colliders::candidates(const Box& box, uint32_t layers, const Candidate* after,
@@ -241,5 +238,4 @@ uint32_t Colliders::grounds(const Box& box, uint32_t layers, Candidate (&out)[mo
         if ((colliders_[slot].layers & layers) != 0 && in_reach(colliders_[slot], box)) list.take({slot, {0, 0}});
     return list.count;
 }
-
 } // namespace lr

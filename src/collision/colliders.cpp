@@ -23,7 +23,6 @@ Rotation unit(const float (&q)[4]) {
 uint64_t grown(uint64_t from, uint64_t to) {
     return to <= from ? from : std::max(to, from + from / 2);
 }
-
 } // namespace
 
 void Colliders::set_shared(uint32_t slot, SharedGeometry* shared) {
@@ -291,5 +290,4 @@ uint64_t Colliders::hash() const {
     }
     return count_ == 0 ? 0 : mix64(sum ^ count_) | 1;
 }
-
 } // namespace lr

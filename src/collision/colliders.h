@@ -74,8 +74,6 @@ struct ColliderRecord {
     uint32_t pending, fresh;
 };
 
-// The motion of a collider in a step.
-
 // A box in a collider's own frame, with a rounding around it.
 struct LocalBounds {
     Box box;
@@ -103,11 +101,10 @@ public:
     Colliders(const Colliders&) = delete;
     Colliders& operator=(const Colliders&) = delete;
 
-    // To create all or none: begin_create, then create for each, then finish_create; cancel_create after any failure. Descs
-    // have been checked.
+    // To create all or none: begin_create, then create for each, then finish_create; cancel_create after any failure. Descs have been checked.
     lr_status begin_create(uint32_t count);
     lr_status create(const lr_collider_desc& desc);
-    lr_status finish_create(lr_collider* ids); // ids: may be null
+    lr_status finish_create(lr_collider* ids); // ids: can be null
     void cancel_create();
 
     bool find(lr_collider collider, uint32_t& slot) const;
@@ -122,8 +119,7 @@ public:
     void move(uint32_t slot, const lr_collider_motion& motion);
     void set_surface(uint32_t slot, float friction, float restitution, uint32_t layers);
 
-    // Begins a step: computes poses at its ends and the broad phase. Allocates nothing. reach: m, of ordinary bodies and their
-    // way in the step.
+    // Begins a step: computes poses at its ends and the broad phase. Allocates nothing. reach: m, of ordinary bodies and their way in the step.
     void begin_step(double dt, float reach);
     // Moves colliders to the ends of their ways.
     void end_step();
@@ -146,8 +142,7 @@ public:
             if (in_use(i) && slots_[i].shared) visit(slots_[i].shared->hash, desc_of(*slots_[i].shared));
     }
 
-    // Calls found(candidate) once for each whose box, over the whole step, overlaps `box` (m, world) and that is in one of `layers`, in no
-    // particular order. Any thread.
+    // Calls found(candidate) once for each in one of `layers` whose box, over the whole step, overlaps `box` (m, world), in no order. Any thread.
     template <class Found> void visit(const Box& box, uint32_t layers, Found&& found) const {
         const auto take = [&](uint32_t slot, ColliderPart part) {
             if ((colliders_[slot].layers & layers) != 0) found(Candidate{slot, part});
@@ -156,8 +151,7 @@ public:
         for (const uint32_t slot : unbounded_)
             if (in_reach(colliders_[slot], box)) take(slot, {0, 0});
     }
-    // The same in order of slots and parts: at most most_candidates, the first ones after `after`, which may be null. more: others
-    // follow.
+    // The same in order of slots and parts: at most most_candidates, the first ones after `after`, which can be null. more: others follow.
     uint32_t candidates(const Box& box, uint32_t layers, const Candidate* after, Candidate (&out)[most_candidates],
                         bool& more) const;
     // The same for planes and heightfields alone; if there are too many, the first ones.
@@ -251,8 +245,7 @@ private:
     Buffer<Collider> colliders_;
     Buffer<ColliderMotion> motions_;
     Buffer<Slot> slots_;
-    // Finite colliders are in the static grid, which is rebuilt now and then, or in `active_`, whose grid is rebuilt in each step:
-    // moving ones, and still ones that are not in the static grid yet.
+    // Finite colliders are in the static grid, rebuilt now and then, or in `active_`, rebuilt in each step: moving ones, and still ones added since.
     List active_, unbounded_;
     ColliderBroadPhase still_grid_{true}, active_grid_{false};
     NearColliders near_{};
@@ -272,5 +265,4 @@ private:
     lr_collider_desc last_desc_{}; // during creation: the last one with shared geometry
     SharedGeometry* last_shared_ = nullptr;
 };
-
 } // namespace lr

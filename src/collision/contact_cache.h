@@ -33,7 +33,7 @@ struct TouchNotes {
     const lr_body* ids = nullptr; // by dense index
     uint8_t* noted = nullptr;     // noted_* bits
     Meetings* met = nullptr;      // of the step
-    bool all = false;             // slots of colliders may have been reused: report all touches anew
+    bool all = false;             // slots of colliders can have been reused: report all touches anew
 
     uint32_t slot(uint32_t index) const { return unpack(ids[index]).slot; }
 };
@@ -51,7 +51,7 @@ struct ContactCache {
     TouchNotes notes;
 };
 
-// A body falls asleep after touching something and hardly moving for this long,
+// A body falls asleep after touching something and hardly moving for this long.
 inline constexpr float time_to_rest = 0.5f; // s
 // m/s over the square root of the reach in m, the limit for still bodies: the speed of a fall by 1e-5 of the reach.
 inline float still_speed(float gravity) {
@@ -59,10 +59,9 @@ inline float still_speed(float gravity) {
 }
 // A body moves if it is faster than the limit of a still one by this factor.
 inline constexpr float trembling = 10.0f;
-// or after staying in place for this long, within this share of its reach, even if it trembles.
+// A trembling body falls asleep after staying in place for this long, within this share of its reach.
 inline constexpr float time_to_stay = 1.0f, stay_way = 0.02f; // s
 
-// After a substep.
 struct BodyAfter {
     uint32_t index;
     float speed;         // m/s, of its fastest point
@@ -153,9 +152,8 @@ void enter_body(const ContactCache& book, const BodyAfter& body, bool may_rest, 
     book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
     const bool stayed = stays(book, body, seconds) && body.touches;
     if (last && may_rest && (stayed || book.rest_time[at] >= time_to_rest)) book.comes_to_rest(book.batch, at);
-    if (!last && body.now[0] == 0) return; // the contact may return within the step
+    if (!last && body.now[0] == 0) return; // the contact can return within the step
     if (book.notes.noted) note_touches(book, body, meeting);
     for (size_t k = 0; k < most_touches; ++k) book.touching[k][at] = body.now[k];
 }
-
 } // namespace lr

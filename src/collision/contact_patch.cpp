@@ -29,7 +29,6 @@ void cut(Patch& patch, float from_u, float from_v, float out_u, float out_v, flo
     }
     patch.pad();
 }
-
 } // namespace
 
 void Side::set_edge(const Across& across, Vector from, Vector to) {
@@ -61,5 +60,4 @@ void lay_over(const Side& upper, const Side& lower, float slack, Patch& out) {
     for (uint32_t i = 0; i < out.count; ++i)
         out.gap[i] = upper.height_at(out.u[i], out.v[i]) - lower.height_at(out.u[i], out.v[i]);
 }
-
 } // namespace lr

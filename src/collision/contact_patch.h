@@ -99,7 +99,6 @@ struct Patch {
         v[count++] = along_v;
     }
 };
-// slack: m, by which one side may extend beyond the other.
+// slack: m, by which one side can extend beyond the other.
 void lay_over(const Side& upper, const Side& lower, float slack, Patch& out);
-
 } // namespace lr

@@ -14,7 +14,6 @@ constexpr float same = 1e-3f;
 // Parallel lanes of the search: one long chain of maxima is slow.
 constexpr uint32_t lanes = 4;
 static_assert(most_found % lanes == 0);
-
 } // namespace
 
 void ContactPoints::add(Vector point, Vector normal, float gap) {
@@ -36,8 +35,7 @@ float ContactPoints::least_gap(uint32_t from) const {
 uint32_t ContactPoints::choose(Contact* out) const {
     if (count_ == 0) return 0;
     const float reach = body.reach + body.radius, square = reach * reach;
-    // Place and direction of each as one point in six dimensions, directions times the reach; in columns, so that compilers
-    // vectorise.
+    // Place and direction of each as one point in six dimensions, directions times the reach; in columns, so that compilers vectorise.
     float columns[6][most_found], apart[most_found];
     uint32_t next = 0;
     for (uint32_t i = 0; i < count_; ++i) {
@@ -168,7 +166,7 @@ void add_rims(ContactPoints& set, const PlacedCollider& round, Double3 normal, f
     const double flat = 1.0 - size[shortest] / size[longest];
     if (flat < 0.8 || round.count == 0 || round.count > 2) return;
     const uint32_t first = (shortest + 1) % 3, second = (shortest + 2) % 3;
-    // Closer rims may be pressed in when the nearest point is pushed out.
+    // Closer rims can be pressed in when the nearest point is pushed out.
     const float wide = set.margin + 0.1f * body.reach + 2.0f * std::max(-gap, 0.0f);
     const auto add = [&](double a, double b) {
         const Double3 p = body.support(-(along[shortest] * axes[shortest] + a * axes[first] + b * axes[second]));
@@ -180,7 +178,6 @@ void add_rims(ContactPoints& set, const PlacedCollider& round, Double3 normal, f
     add(a + tilt, b), add(a - tilt, b), add(a, b + tilt), add(a, b - tilt);
     add(-a, b), add(a, -b), add(-a, -b);
 }
-
 } // namespace
 
 void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Separation& along) {
@@ -206,5 +203,4 @@ void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Sepa
     set.add_core(point, n, gap);
     if (body.count == 0) add_rims(set, collider, along.normal, gap);
 }
-
 } // namespace lr

@@ -41,5 +41,4 @@ private:
 
 // Adds contacts along a given normal: corners of one over a side of the other, and crossings of their edges.
 void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Separation& along);
-
 } // namespace lr

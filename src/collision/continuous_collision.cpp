@@ -31,15 +31,15 @@ struct Side {
     float offset;
 };
 
-// A thing that a body meets on its way, and the contacts there.
+// A thing that a body runs into, and the contacts there.
 struct Stop {
     Candidate candidate;
     uint32_t count;
     Contact contacts[most_contacts];
 };
 
-// A plane separates two convex things that meet: while the whole body stays on its side of it, it passes through nothing,
-// however far it slides. `met` is in the collider's frame; false if there is no such plane.
+// A plane separates two convex things that touch: while the whole body stays on its side, it passes through nothing, however far it slides.
+// `met` is in the collider's frame; false if there is no such plane.
 bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
                Stop& stop, Side& side) {
     const float near = 0.2f * s.reach * scale;
@@ -77,7 +77,6 @@ bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t cou
         if (room[k] - dot(sides[k].normal, pose.position) > little) return false;
     return true;
 }
-
 } // namespace
 
 void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
@@ -94,7 +93,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             return free_fraction(*step_->shape, scale, relative(pose_at(c, begin), a), relative(pose_at(c, end), b),
                                  c.geometry, candidate.part);
         };
-        // A body that meets a thing slides along it up to the next, and along both up to a third.
+        // A stopped body slides along the thing up to the next, and along both up to a third.
         const float margin = margin_of(i, substep.h);
         uint32_t count = 0, met_count = 0;
         Pose target = to;
@@ -145,7 +144,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         put_in(arrays_.field, field_x, i, target.position);
         put_in(arrays_.field, field_qx, i, {q.x, q.y, q.z});
         arrays_.field[field_qw][i] = q.w;
-        // It may have left a met thing again; that still takes its speed.
+        // The body can have left such a thing again, which still takes its speed.
         for (uint32_t n = 0; n < count; ++n) {
             const uint32_t slot = stops[n].candidate.slot;
             const Collider& c = step_->colliders->at(slot);
@@ -155,5 +154,4 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         }
     }
 }
-
 } // namespace lr

@@ -9,7 +9,7 @@ namespace lr {
 namespace {
 
 using Lane = HWY_NAMESPACE::OnePair<double, Double3, true, 40>;
-// Relative to the square of the distance. Relative to the pair's size: smaller distances have no meaningful direction.
+// converged: relative to the square of the distance. touching: relative to the pair's size; closer points give no meaningful direction.
 constexpr double converged = 1e-7, touching = 1e-7;
 
 // A guess of the normal: unit, from the collider to the body.
@@ -26,8 +26,7 @@ Double3 between(const PlacedBody& body, const PlacedCollider& collider) {
 
 static_assert(sizeof(ccd_real_t) == sizeof(double), "libccd has to be built for double precision");
 
-// Refinement stops at libccd's own limit, but its loops that search for a portal have none. Past this many supports all points are
-// equal, which ends them.
+// Refinement stops at libccd's own limit, but its search for a portal has none: past this many supports all points are equal, which ends it.
 constexpr uint32_t most_supports = 400;
 
 struct Side {
@@ -56,7 +55,6 @@ void middle(const void* object, ccd_vec3_t* out) {
     const Side& side = *static_cast<const Side*>(object);
     set(out, side, side.middle);
 }
-
 } // namespace
 
 HWY_ATTR Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough) {
@@ -178,7 +176,6 @@ void refine(Search& search, Separation from) {
         if (distance > search.best.distance + 1e-4 * (out < 0.0 ? 0.0 : out)) search.offer(from.normal, distance);
     }
 }
-
 } // namespace
 
 Separation separate_from_plane(const PlacedBody& body, const PlacedCollider& collider, Double3 normal, bool one_sided) {
@@ -240,5 +237,4 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
     }
     return search.best;
 }
-
 } // namespace lr

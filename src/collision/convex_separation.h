@@ -13,8 +13,7 @@ struct Nearest {
     Double3 on_body, on_collider; // of the cores
 };
 
-// By Gilbert, Johnson and Keerthi (1988), with bounded work. enough: m; stops once the cores are known to be farther apart; then only
-// `lower` and `normal` are valid.
+// By Gilbert, Johnson and Keerthi (1988), bounded. enough: m; stops once the cores are farther apart; then only `lower` and `normal` are valid.
 Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough);
 
 // Separation of the cores along a unit normal; negative if they overlap.
@@ -44,5 +43,4 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
 
 // Only along the normals of a triangle's two sides, or of one.
 Separation separate_from_plane(const PlacedBody& body, const PlacedCollider& collider, Double3 normal, bool one_sided);
-
 } // namespace lr

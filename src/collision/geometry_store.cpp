@@ -118,7 +118,6 @@ lr_status make_mesh(Allocator& allocator, const lr_collider_desc& desc, SharedGe
     to.box = around(to.points.data(), desc.vertex_count);
     return LR_OK;
 }
-
 } // namespace
 
 lr_collider_desc desc_of(const SharedGeometry& geometry) {
@@ -246,5 +245,4 @@ void GeometryStore::release(SharedGeometry* geometry) {
     --count_;
     free(geometry);
 }
-
 } // namespace lr

@@ -27,15 +27,13 @@ struct SharedGeometry {
     Buffer<float> given;    // the source points of a hull, if there are more than its corners
 };
 
-// Whether two descs share the same arrays.
 inline bool same_arrays(const lr_collider_desc& a, const lr_collider_desc& b) {
     return a.kind == b.kind && a.vertices == b.vertices && a.indices == b.indices && a.heights == b.heights &&
            a.vertex_count == b.vertex_count && a.triangle_count == b.triangle_count &&
            std::equal(a.counts, a.counts + 2, b.counts) && std::equal(a.spacing, a.spacing + 2, b.spacing);
 }
 
-// A desc that recreates it: a collider at the origin. A mesh's triangles are in the order of its parts, which recreation keeps;
-// but its hash differs.
+// A desc that recreates it: a collider at the origin. A mesh's triangles are in the order of its parts, which recreation keeps; but its hash differs.
 lr_collider_desc desc_of(const SharedGeometry& geometry);
 
 class GeometryStore {
@@ -65,5 +63,4 @@ private:
     Buffer<SharedGeometry*> lists_; // by the hash: a power of two, at least one per geometry
     size_t count_ = 0;
 };
-
 } // namespace lr

@@ -9,8 +9,7 @@
 
 namespace lr {
 
-// floor(x inverse_cell), clamped. Monotonic in x, so a box's cells lie between those of its corners. std::floor is a function call
-// if SSE4 is not guaranteed.
+// floor(x inverse_cell), clamped; monotonic, so a box's cells lie between those of its corners. std::floor is a function call without SSE4.
 inline int32_t cell_number(float x, float inverse_cell) {
     const float at = x * inverse_cell;
     if (!(at > -most_cells)) return static_cast<int32_t>(-most_cells); // also NaN
@@ -48,8 +47,7 @@ struct CellRange {
     }
 };
 
-// The cells of a level, this wide, that may hold a thing which overlaps a box. Differences are rounded to nearest, which keeps
-// their order with any number in single precision.
+// Cells of a level, this wide, that can hold a thing overlapping a box. Differences round to nearest, which keeps their order with any float.
 inline CellRange cells_about(const Box& box, float width) {
     return {grown(box, 0.500001f * width), 1.0f / width};
 }
@@ -64,5 +62,4 @@ void sort_into_buckets(uint32_t count, uint32_t buckets, const BucketOf& bucket_
     // Fills each bucket backwards: its end moves down to its start.
     for (uint32_t i = count; i-- > 0;) index[--first[bucket_of(i)]] = i;
 }
-
 } // namespace lr

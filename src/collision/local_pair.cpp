@@ -89,5 +89,4 @@ Double3 PlacedCollider::middle() const {
     for (uint32_t i = 0; i < n; ++i) sum = sum + (hull ? origin + to_double(hull->corner(i)) : points[i]);
     return 1.0 / static_cast<double>(n) * sum;
 }
-
 } // namespace lr

@@ -1,5 +1,4 @@
-// A body and a convex collider placed relative to each other: cores of points or an ellipsoid, each with a rounding. The origin
-// is the body's centre of mass, the axes are the collider's.
+// A body and a convex collider, cores of points or an ellipsoid, each with a rounding. Origin: the body's centre of mass; axes: the collider's.
 #pragma once
 
 #include "collision/body_shape.h"
@@ -47,5 +46,4 @@ struct PlacedCollider {
     Double3 support(Double3 direction) const;
     Double3 middle() const; // a point inside
 };
-
 } // namespace lr

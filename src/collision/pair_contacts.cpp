@@ -20,7 +20,6 @@ Vector farthest(const PairBody& body, Vector direction) {
     const Vector d = rotate(inverse(body.to.rotation), direction);
     return body.scale * (s.point(farthest_point(s.x, s.y, s.z, s.count, d)) + s.radius * d);
 }
-
 } // namespace
 
 float near_enough(const PairBody& a, const PairBody& b, float margin) {
@@ -42,8 +41,7 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
         if (end < margin) out[kept++] = {c, end};
     }
     if (a.turns + b.turns == 0.0f) return kept;
-    // The plane between them at the beginning of the substep must also separate them at its end: otherwise fast rotation would bring
-    // other points through than the near ones.
+    // The plane between them at the substep's beginning must also separate them at its end: fast rotation could bring other points through.
     const Vector n = found[0].normal;
     const float slop = 1e-3f * std::min(a.reach(), b.reach());
     if (!(gap > -slop)) return kept;
@@ -54,7 +52,7 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
     const bool first = a.way() >= b.way();
     const Vector arm_a = to_inner(a.to, first ? on_a : on_b + apart * n);
     const Vector arm_b = to_inner(b.to, first ? on_a - apart * n : on_b);
-    // On a far larger body this point may be far from the other body.
+    // On a far larger body this point can be far from the other body.
     if (length(arm_a) > off_body * a.reach() || length(arm_b) > off_body * b.reach()) return kept;
     uint32_t at = kept;
     if (kept == most_pair_contacts) {
@@ -104,5 +102,4 @@ uint32_t PairBatch::contacts_at(uint32_t at, uint32_t lane, WayContact (&out)[mo
     const uint32_t count = contacts_of(waiting.near, closest, touching);
     return keep_way_contacts(*waiting.a, *waiting.b, waiting.margin, touching, count, out);
 }
-
 } // namespace lr

@@ -52,7 +52,6 @@ bool relate(const PairBody& a, const PairBody& b, float margin, NearPair& out);
 // Closer than the larger core times this, rounding determines the direction.
 inline constexpr float touching_cores = 3e-5f;
 
-// The nearest points of the cores.
 struct Closest {
     enum class State : uint8_t { apart, beyond, overlap };
     State state;
@@ -69,8 +68,7 @@ struct WayContact {
     float end; // m, the gap at the end of the way
 };
 
-// For contacts that end closer than `margin` (m): how close they must be at the beginning of the substep (m), and which of them
-// count. Returns how many.
+// For contacts that end closer than `margin` (m): how close they must begin (m), and which of them count. Returns how many.
 float near_enough(const PairBody& a, const PairBody& b, float margin);
 uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
                            const PairContact (&found)[most_pair_contacts], uint32_t count,
@@ -125,5 +123,4 @@ private:
     Waiting waiting_[most];
     SearchBlock block_;
 };
-
 } // namespace lr

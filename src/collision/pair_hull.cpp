@@ -146,7 +146,6 @@ void set_own_points(PairHull& out) {
             out.face_offset[f] = std::max(out.face_offset[f], dot(n, {out.x[i], out.y[i], out.z[i]}));
     }
 }
-
 } // namespace
 
 // For a rotation by an angle, 2 |sin of half the angle| is the chord at distance 1.
@@ -194,5 +193,4 @@ Box bounds(const PairHull& shape, float scale, const Pose& at) {
     extent(x.z, y.z, z.z, middle.z, box.low.z, box.high.z);
     return box;
 }
-
 } // namespace lr

@@ -74,8 +74,7 @@ bool meets_ellipsoid(Double3 middle, Double3 semi_axes, const Ray& ray, double m
     return true;
 }
 
-// Steps along the ray from plane to plane, each with the body behind it, through the body's point nearest to the ray's (van den
-// Bergen 2004). Converges in a few rounds and never passes the surface.
+// Steps along the ray from plane to plane through the body's point nearest to the ray's (van den Bergen 2004): few rounds, never past the surface.
 bool meets_rounded(const BodyShape& shape, float scale, const Ray& ray, double most, RayHit& hit) {
     const PlacedBody body(shape, scale, {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}});
     const double radius = wide(body.radius), near = met * wide(scale * shape.reach);
@@ -118,7 +117,6 @@ bool reaches_sphere(Double3 from, Double3 direction, double radius, double most,
     first = std::max(middle - half, 0.0);
     return middle + half >= 0.0 && middle - half <= most;
 }
-
 } // namespace
 
 Ray ray_in(const Pose& frame, const Ray& ray) {
@@ -291,7 +289,6 @@ bool meets_heightfield(const HeightfieldGeometry& field, const Ray& ray, double 
         next[k] += every[k];
     }
 }
-
 } // namespace
 
 bool ray_meets_collider(const Geometry& g, const SharedGeometry* shared, const Ray& ray, double most, RayHit& hit) {
@@ -313,5 +310,4 @@ bool ray_meets_collider(const Geometry& g, const SharedGeometry* shared, const R
     }
     return false;
 }
-
 } // namespace lr

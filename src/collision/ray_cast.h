@@ -1,4 +1,4 @@
-// Ray tests against bodies and colliders. Everything is in double: origins may be far away.
+// Ray tests against bodies and colliders. Everything is in double: origins can be far away.
 #pragma once
 
 #include "collision/geometry_store.h"
@@ -24,5 +24,4 @@ bool ray_meets_collider(const Geometry& geometry, const SharedGeometry* shared, 
                         RayHit& hit);
 
 Ray ray_in(const Pose& frame, const Ray& ray);
-
 } // namespace lr

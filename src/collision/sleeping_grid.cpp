@@ -49,5 +49,4 @@ void SleepingGrid::clear() {
     std::fill_n(heads_.data(), heads_.size(), none);
     std::fill_n(population_, level_count, 0u);
 }
-
 } // namespace lr

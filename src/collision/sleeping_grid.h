@@ -56,5 +56,4 @@ private:
     Buffer<uint32_t> next_, previous_; // by slot; previous: head_bit and the bucket for the first of it
     Buffer<uint8_t> level_;            // by slot
 };
-
 } // namespace lr

@@ -10,8 +10,7 @@ constexpr uint8_t all_front = 7;
 // An edge is a ridge if the next triangle falls below this one's plane by more than this share of a cell's width.
 constexpr float ridge = 1e-3f;
 
-// Whether the corner or edge that stands out most along the normal is hidden. Corners that differ by less than 1e-4 of the
-// triangle's size count as equal.
+// Whether the corner or edge farthest along the normal is hidden. Corners that differ by less than 1e-4 of the triangle's size count as equal.
 bool is_hidden(const Triangle& t, Vector n) {
     const float side = dot(n, t.normal);
     if (std::abs(side) > 0.9999f) return false;
@@ -131,7 +130,6 @@ void add_points(ContactPoints& set, const HeightfieldGeometry& field) {
     }
     add(to_float(body.support(-to_double(normal))));
 }
-
 } // namespace
 
 Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index) {
@@ -231,5 +229,4 @@ void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field) {
             }
         }
 }
-
 } // namespace lr

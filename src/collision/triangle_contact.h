@@ -13,7 +13,6 @@ struct Triangle {
 };
 
 Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index);
-// Whether a box overlaps the box around a triangle.
 bool reaches(const Box& box, const Triangle& t);
 
 struct HeightPoint {
@@ -34,5 +33,4 @@ Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k
 // alone: without the surrounding parts, so that no edge is left to them.
 void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, bool alone = false);
 void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field);
-
 } // namespace lr

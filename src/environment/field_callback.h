@@ -37,5 +37,4 @@ private:
     std::atomic<bool> blamed_{false};
     bool told_ = false;
 };
-
 } // namespace lr

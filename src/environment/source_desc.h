@@ -1,4 +1,4 @@
-// A wind source of any kind in one struct, as snapshots, recordings and hashes hold it, and how each desc of the API is laid into it.
+// A wind source of any kind in one struct, for snapshots, recordings and hashes, and its conversion from and to each desc of the API.
 #pragma once
 
 #include "langevin_rigid.h"
@@ -14,7 +14,7 @@ namespace lr {
 // Fields that a kind does not use keep their initial values.
 struct SourceDesc {
     enum Kind : int32_t { gusts = 1, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid, ground };
-    uint32_t struct_size = 144; // also where pointers have 32 bits
+    uint32_t struct_size = 144; // also with pointers of 32 bits
     int32_t kind = 0;
     float position[3] = {}, direction[3] = {1.0f, 0.0f, 0.0f}, side[3] = {0.0f, 0.0f, 1.0f}, velocity[3] = {};
     float speed = 1.0f, circulation = 1.0f, size = 1.0f, radius = 0.0f, half_length = 0.0f, range = 10.0f;
@@ -24,7 +24,7 @@ struct SourceDesc {
     uint32_t counts[3] = {}, frames = 1;
     float spacing[3] = {1.0f, 1.0f, 1.0f};
     uint32_t reserved = 0;
-    const float* samples = nullptr; // of a grid that is given: not held
+    const float* samples = nullptr; // of a caller's grid, not owned
 };
 // Bytes that say what a source is: everything but the pointer to samples that were copied.
 inline constexpr size_t source_bytes = offsetof(SourceDesc, samples);
@@ -144,7 +144,7 @@ inline const SourceType* type_of(const SourceDesc& source) {
     return nullptr;
 }
 
-// Of a desc that is as large as its type says. Its kind is 0 where the core is unknown.
+// From a desc as large as its type says. The kind is 0 if the core is unknown.
 inline SourceDesc source_of(const SourceType& type, const void* desc) {
     SourceDesc source;
     for (const SourceField& f : type.fields) f.copy(&source, f.in_source, desc, f.in_desc);
@@ -166,5 +166,4 @@ inline void desc_of(const SourceType& type, const SourceDesc& source, void* desc
     if (source.kind == SourceDesc::rankine) static_cast<lr_vortex_desc*>(desc)->core = LR_VORTEX_RANKINE;
     if (source.kind == SourceDesc::grid) static_cast<lr_wind_grid_desc*>(desc)->samples = source.samples;
 }
-
 } // namespace lr

@@ -33,7 +33,6 @@ bool in_plane(const lr_wave& wave, Double3 up, Double3& out) {
 double frequency_of(const lr_wave& wave, Double3 gravity) {
     return std::sqrt(turn * length(gravity) / wide(wave.length));
 }
-
 } // namespace
 
 Outcome check_water(const lr_water_desc& d) {
@@ -162,5 +161,4 @@ void Water::ask(double time, lr_batch batch, uint32_t count, const SurfaceInstan
         }
     }
 }
-
 } // namespace lr

@@ -35,13 +35,11 @@ public:
     float highest() const; // m above the plane
     uint64_t hash() const; // 0 without water
 
-    // Calls the callback for the first `count` bodies of a block, which is preset to the values of plane and waves.
-    // Any worker.
+    // Calls the callback for the first `count` bodies of a block, which is preset to the values of plane and waves. Any worker.
     void ask(double time, lr_batch batch, uint32_t count, const SurfaceInstant& plane, SurfaceBlock& block);
 
 private:
     Record record_{};
 };
 static_assert(sizeof(Water::Record) % 8 == 0);
-
 } // namespace lr

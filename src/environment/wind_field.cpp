@@ -225,5 +225,4 @@ uint64_t WindField::hash(double time) const {
     }
     return hash;
 }
-
 } // namespace lr

@@ -53,11 +53,9 @@ public:
 
     // Prepares substeps first to first + count of a step, count up to `slice`. over: the uniform wind in it.
     void prepare(const StepTime& time, const UniformWind& over, uint32_t first, uint32_t count, uint64_t seed);
-    // Prepares the present moment.
     void prepare_now(double time, uint64_t seed);
     const FieldInstant& instant(uint32_t i) const { return instants_[i]; }
 
-    // Advances the uniform wind by a step.
     void end_step(float dt);
 
     // Hash of everything that affects motion except the uniform wind; 0 without sources.
@@ -101,5 +99,4 @@ private:
     Buffer<SourceInstant> prepared_;
     FieldInstant instants_[slice] = {};
 };
-
 } // namespace lr

@@ -13,12 +13,10 @@ static_assert(int{outside_zero} == LR_WIND_OUTSIDE_ZERO && int{outside_clamp} ==
               int{outside_repeat} == LR_WIND_OUTSIDE_REPEAT);
 namespace {
 
-// A sum of octaves with energies 1, e, e^2, e^3 of the first: Kolmogorov's spectrum, e = 2^(-2/3). Eddies of half the
-// size live 2^(-2/3) as long.
+// A sum of octaves with energies 1, e, e^2, e^3 of the first: Kolmogorov's spectrum, e = 2^(-2/3). Eddies of half the size live 2^(-2/3) as long.
 constexpr double octave_amplitude = 0.79370052598409973738; // 2^(-1/3)
 constexpr double octave_energy = 0.62996052494743658238;    // 2^(-2/3)
-// Of the lattice of eddies with random vectors of components in [-1, 1], by quadrature of its correlation: root mean
-// square of each component, and longitudinal integral length over the cell, mean of all directions.
+// The lattice of eddies with components in [-1, 1], from its correlation: rms of a component, mean longitudinal integral length in cells.
 constexpr double eddy_rms = 0.3491933, eddy_length = 0.4976;
 // The velocity of turbulence hardly ever exceeds this many root mean squares.
 constexpr double turbulence_peak = 4.0;
@@ -27,8 +25,7 @@ constexpr double lamb_oseen_peak = 0.6382;
 // s. An integral length of 5.67 z (IEC 61400-1: 8.1 times 0.7 z, below 60 m) at z = 2 m, in a wind of 3 m/s: 3.8 s.
 constexpr double gust_period = 4.0;
 constexpr double slow_beats = 64.0; // kernel/wind/sample_wind.cpp
-// Each octave's lattice is turned against the one before, and the first against the world, by 1.1 rad about (2, 3, 6)/7:
-// neither a level plane nor another octave meets it in a pattern.
+// Each octave's lattice is turned against the one before, the first against the world, by 1.1 rad about (2, 3, 6)/7: no plane shows a common pattern.
 constexpr double lattice_turn[9] = {0.49820051967655058,  -0.69698542553354191, 0.51575920620782070,
                                     0.83079862028626160,  0.55395601749026718,  -0.053910882173887482,
                                     -0.24813281670198104, 0.45535046643264703,  0.85503570568433681};
@@ -64,7 +61,7 @@ double duration(const SourceDesc& d) {
     return 1.0;
 }
 
-// Null when fine, else what is wrong with fields that are each in their limits.
+// Null if valid, else the reason; each field alone is within its limits.
 const char* wrong_in(const SourceDesc& d) {
     Double3 slot{};
     switch (d.kind) {
@@ -88,8 +85,7 @@ const char* wrong_in(const SourceDesc& d) {
     }
 }
 
-// Frequencies times the integral time. 2 % of the spectrum's energy lie below the first, 3 % above the last: the sum is
-// scaled to the requested variance.
+// Frequencies times the integral time. 2 % of the spectrum's energy lie below, 3 % above: the sum is scaled to the requested variance.
 constexpr double lowest = 0.005, highest = 20.0;
 // Integral times after which all harmonics have full amplitude. Slow ones would otherwise take up to 1 / lowest.
 constexpr double youth = 4.0;
@@ -124,7 +120,6 @@ void sin_cos_turns(double turns, double& sine, double& cosine) {
 double spectrum(double f) {
     return shape::portable_pow(1.0 + 70.8 * f * f, -5.0 / 6.0);
 }
-
 } // namespace
 
 Outcome check_wind_source(const SourceDesc& source) {
@@ -148,7 +143,7 @@ Outcome check_wind_source(const SourceDesc& source) {
     }
     if (!numbers) return LR_ERROR_NOT_FINITE;
     if (!wrong) wrong = wrong_in(source);
-    // Only bytes of a snapshot that somebody changed can fail this.
+    // Only a modified snapshot can fail this.
     if (!wrong && (std::memcmp(&same, &source, source_bytes) != 0 || type->adjusted(source) != source.kind))
         wrong = "the source has fields of another kind";
     return invalid(wrong);
@@ -239,7 +234,6 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
         out[o] = s;
     }
 }
-
 } // namespace
 
 void WindSource::at(double time, uint64_t world_seed, const double drift[3], const double drift_velocity[3],
@@ -357,5 +351,4 @@ void Gusts::add(double age, double (&velocity)[3]) const {
         for (uint32_t k = 0; k < 3; ++k) velocity[k] += grown * cosine * m.amplitude[k];
     }
 }
-
 } // namespace lr

@@ -69,5 +69,4 @@ struct WindSource {
 };
 
 Gusts gusts_of(const SourceDesc& desc, uint64_t world_seed);
-
 } // namespace lr

@@ -13,16 +13,14 @@ namespace {
 
 namespace derived = HWY_NAMESPACE;
 
-// Added inertia vanishes about an axis of revolution, and with it the turbulent damping of that spin. Real fluid slows
-// it through the boundary layer; 0.02 of the dragged fluid at the body's own gyration radius is of the size of the
-// turbulent skin friction on a spinning disc (docs/maintainers/physics.md, "Viscous floor").
+// Added inertia vanishes about an axis of revolution, and with it the turbulent damping of that spin. Real fluid damps it through the boundary layer:
+// a floor of 0.02 is about the turbulent skin friction on a spinning disc (docs/maintainers/physics.md, "Viscous floor").
 constexpr double viscous_floor = 0.02;
 
-// A wake's velocity counts in the speed that it goes with. On a body that is not carried along, E s^2 = v^2 + 3 I^2 E s^2:
-// from I^2 = 1/3 on it would feed itself.
+// Gusts scale with a speed that includes them: E s^2 = v^2 + 3 I^2 E s^2 for a body not carried along. From I^2 = 1/3 on they would feed themselves.
 constexpr double most_variance = 0.16;
 
-// Constants are made in double: both kinds of them are nothing but numbers.
+// Computed in double, stored in single precision: both types contain numbers alone.
 template <template <class> class Constants> void narrow(const Constants<double>& from, Constants<float>& to) {
     constexpr size_t count = sizeof from / sizeof(double);
     static_assert(sizeof to == count * sizeof(float));
@@ -36,7 +34,7 @@ template <size_t N> void narrow(const std::array<double, N>& from, float (&to)[N
     for (size_t i = 0; i < N; ++i) to[i] = static_cast<float>(from[i]);
 }
 
-// Of a block on the diagonal, from row and column `at` on.
+// The diagonal block that begins at row and column `at`.
 void upper_triangle(const Matrix6& m, size_t at, size_t size, double* out) {
     for (size_t i = at; i < at + size; ++i)
         for (size_t j = i; j < at + size; ++j) *out++ = m[i * 6 + j];
@@ -46,7 +44,7 @@ void drop_couplings(Matrix6& m) {
         if (i % 7 != 0) m[i] = 0.0;
 }
 
-// Total mass in kernel units, body and fluid; off-diagonal blocks and entries dropped on the diagonal path.
+// Mass matrix of body and fluid in kernel units. The diagonal path drops all entries off the diagonal.
 Matrix6 kernel_mass(const AssetData& a, bool diagonal, double rho) {
     Matrix6 mass = rigid_mass_matrix(a.mass, a.inertia);
     for (size_t i = 0; i < 36; ++i) mass[i] += rho * a.added_mass[i];
@@ -63,7 +61,7 @@ void set_weight(const AssetData& a, double rho, BodyConstantsOf<double>& c) {
         c.buoyancy[i] = -rho * a.volume * a.center_of_buoyancy[i] / (c.unit_mass * a.length_d);
 }
 
-// What the weight and the torque of buoyancy do that gravity along an axis of the body gives, seen along a force and couple.
+// Weight and buoyancy torque for unit gravity along a body axis, projected on a twist.
 double seen_along(const double (&twist)[6], const BodyConstantsOf<double>& c, size_t axis) {
     // (b x g)_l has b_k g_j with a minus sign, (b x g)_k has b_l g_j.
     const size_t k = (axis + 1) % 3, l = (axis + 2) % 3;
@@ -86,14 +84,13 @@ Matrix6 turbulent_load(const AssetData& a, bool diagonal, double rho) {
     return load;
 }
 
-// chi = chi* s/l and epsilon = epsilon* s^3/l with the speed s; the length unit d is put back by the kernel.
+// chi = chi* s/l and epsilon = epsilon* s^3/l at the speed s. The kernel applies the length unit d.
 double chi_star(const TurbulenceSample& s) {
     return s.chi * s.l / s.u0;
 }
 double epsilon_star(const TurbulenceSample& s) {
     return s.epsilon * s.l / (s.u0 * s.u0 * s.u0);
 }
-
 } // namespace
 
 bool make_body_constants(const AssetData& a, bool diagonal, double rho, BodyConstants& out) {
@@ -152,7 +149,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
                        double viscosity, BodyConstants& body) {
     const double d = a.length_d;
     for (double v : loads.center)
-        if (!(std::abs(v) <= 2.0 * d)) return false; // as check_asset
+        if (!(std::abs(v) <= 2.0 * d)) return false; // the limit of check_asset
     BodyConstantsOf<double> c{};
     set_weight(a, rho, c);
     AerodynamicConstantsOf<double>& out = c.aerodynamics;
@@ -195,7 +192,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     if (!invert_spd(kernel_mass(a, diagonal, rho), inverse)) return false;
     upper_triangle(inverse, 0, 6, c.full_inverse);
     derived::set_frame(0.0, 1.0, eigen3, c);
-    // Along each direction of P: M^-1 P^T, of force or couple.
+    // M^-1 P^T for each direction of P: the response to a force or couple.
     for (size_t i = 0; i < 6; ++i) {
         const double* const q = out.axes + i % 3 * 3;
         double along[6] = {}, response[6];
@@ -220,14 +217,14 @@ void set_gust_turbulence(const TurbulenceSample& s, const Gains& gains, BodyCons
 
 namespace {
 
-// The ellipsoid with the body's moments of inertia, as if it were solid: a^2 = 5/(2 m) (J_j + J_k - J_i).
+// The solid ellipsoid with the body's moments of inertia: a^2 = 5/(2 m) (J_j + J_k - J_i).
 void equivalent_ellipsoid(const AssetData& a, WaterBody& out) {
     double inertia[3][3], axes[3][3];
     for (size_t i = 0; i < 3; ++i)
         for (size_t j = 0; j < 3; ++j) inertia[i][j] = a.inertia[i * 3 + j] / (a.mass * a.length_d * a.length_d);
     eigen3(inertia, axes);
     const double moment[3] = {inertia[0][0], inertia[1][1], inertia[2][2]};
-    // A sheet's thickness is lost in the difference of its moments.
+    // A sheet's thickness cancels in the difference of its moments.
     const double least = 0.5 * a.length_b;
     double longest = 0.0, offset = 0.0;
     for (size_t i = 0; i < 3; ++i) {
@@ -239,7 +236,6 @@ void equivalent_ellipsoid(const AssetData& a, WaterBody& out) {
     }
     out.radius = static_cast<float>(std::sqrt(longest) + std::sqrt(offset));
 }
-
 } // namespace
 
 bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gains& gains,
@@ -275,5 +271,4 @@ bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gai
     narrow(modes.from, out.from);
     return true;
 }
-
 } // namespace lr

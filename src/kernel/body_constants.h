@@ -1,4 +1,4 @@
-// Everything of a shape that the kernel needs, dimensionless and in single precision; docs/maintainers/physics.md, "Kernel units".
+// All properties of a shape that the kernel needs, dimensionless, in single precision (docs/maintainers/physics.md, "Kernel units").
 #pragma once
 
 #include "asset/asset_data.h"
@@ -9,12 +9,11 @@
 namespace lr {
 
 enum class Loads : int32_t { none, langevin, aerodynamic };
-// Turbulence follows the body's present speed, or the table at its age (docs/maintainers/physics.md).
+// Turbulence follows the body's present speed, or a table by its age (docs/maintainers/physics.md).
 enum class Clock : int32_t { speed, age };
 enum class Integrator : int32_t { splitting, rk4 };
 
-// Quasi-steady loads (AerodynamicData) in kernel units. A diagonal body's axes are those of the loads. T: float for a
-// batch, a vector for bodies that differ (kernel/water/water_loads.cpp).
+// Quasi-steady loads (AerodynamicData) in kernel units. Load axes of the diagonal path are body axes. T: float, or a vector for bodies in two fluids.
 template <class T> struct AerodynamicConstantsOf {
     T viscosity; // nu, m^2/s
     T drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
@@ -23,27 +22,27 @@ template <class T> struct AerodynamicConstantsOf {
     T spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
     T spin_weight[3]; // spin_drag over its largest
     T roll[3];        // square root of roll_damping
-    // Full path. Q: body axes to those of the loads; P = Q (1, -[r]x): velocity of the centre of the loads.
-    T axes[9], arm[3]; // Q; r: from the centre of mass to that of the loads, over d
+    // Full path. Q: from body axes to load axes. P = Q (1, -[r]x): velocity of the load centre.
+    T axes[9], arm[3]; // Q; r: from the centre of mass to the load centre, over d
     T mobility[6];     // P M^-1 P^T, upper triangle
     T mobility_adjugate[6];
     T modes[9];                  // columns: its eigenvectors
     T rate[3];                   // and eigenvalues
-    T spin_response_to_force[9]; // Q (M^-1)_u P^T: spin for an impulse at the centre
-    T spin_of_force[9];          // the same for a change of velocity by such an impulse
+    T spin_response_to_force[9]; // Q (M^-1)_u P^T: spin by an impulse at the load centre
+    T spin_of_force[9];          // spin per change of velocity by that impulse
     T spin_mobility[6];          // Q (M^-1)_22 Q^T
-    T spin_answer[6];        // its column over its diagonal entry, without that: for x in y, z; y in x, z; z in x, y
-    T fall[18];              // what gravity along the body's axes gives in a uniform wind, P over Q (M^-1)_u, 6x3
-    T velocity_of_couple[9]; // velocity of the centre for a change of spin by a couple
-    T spin_response[18];     // twist for a change of spin by a couple, body axes, 6x3
-    // The fluid's own velocity with the SPEED clock: correlation rate and variance, per speed and per square of it.
+    T spin_answer[6];            // its columns over their diagonal entry, without it: x's y, z; y's x, z; z's x, y
+    T fall[18];                  // response to gravity along body axes in a uniform wind: P over Q (M^-1)_u, 6x3
+    T velocity_of_couple[9];     // velocity of the load centre per change of spin by a couple
+    T spin_response[18];         // twist per change of spin by a couple, body axes, 6x3
+    // Gusts with the SPEED clock: correlation rate per speed, variance per square of the speed.
     T rate_of_gusts, variance_of_gusts;
     T wake_reynolds;
     T gust_gain; // multiplies the variance with the AGE clock
 };
 
-// Mass unit U = m + rho V, length unit d times the body's scale s. Spin is carried as u = d s w, a velocity, so that
-// every entry below is of order one for confetti and banners alike, and scale enters only through 1/(d s).
+// Mass unit U = m + rho V, length unit d times the body's scale s. Spin is stored as u = d s w, a velocity: every entry below is of order one for
+// confetti and banners alike, and scale enters only through 1/(d s).
 template <class T> struct BodyConstantsOf {
     T length;      // d, m
     T unit_mass;   // U, kg
@@ -53,21 +52,19 @@ template <class T> struct BodyConstantsOf {
     // Diagonal path: the diagonals. Full path: upper triangles, row by row.
     T mass[3], spin_mass[3];
     T inverse_mass[3], inverse_spin_mass[3];
-    // Diagonal path: spin's rate of change along x is gyroscopic[0] u_y u_z + munk[0] v_y v_z, and so on; munk over the masses
-    // of what turns P: along x over that of y, then over that of z.
+    // Diagonal path, along x: u' = gyroscopic[0] u_y u_z + munk[0] v_y v_z. munk_turn: munk over the mass along y, z, x, then along z, x, y.
     T gyroscopic[3], munk[3], munk_turn[6];
     T damping[3], spin_damping[3]; // rho(V + A)/U, rho D/(U d^2)
 
     T full_mass[21], full_inverse[21];
     T full_damping[6], full_spin_damping[6];
 
-    // Splitting scheme. Rates of decay for alpha = 1: along the axes, or along modes that make mass 1 and damping
-    // diagonal.
+    // Splitting scheme. Decay rates for alpha = 1, along the axes or along modes in which mass is 1 and damping diagonal.
     T rate[6];
     T to_modes[36], from_modes[36]; // full path
-    T modes_of_gravity[18];   // full path: of weight and buoyancy in a uniform wind, for gravity along the body's axes
-    T modes_of_noise[36];     // full path: of the turbulent force and torque, for its six Gaussians
-    T inverse_translation[6]; // full path: inverse of the mass matrix' block of v
+    T modes_of_gravity[18];         // full path: weight and buoyancy in a uniform wind, per gravity along body axes
+    T modes_of_noise[36];           // full path: turbulent force and torque of six Gaussians
+    T inverse_translation[6];       // full path: inverse of the mass matrix's v block
     T slip[9], reduced_rotation[6]; // full path: C = M12^T M11^-1, S = M22 - C M12
 
     AerodynamicConstantsOf<T> aerodynamics;
@@ -81,7 +78,7 @@ struct BodyConstants : BodyConstantsOf<float> {
     bool diagonal;
 };
 
-// Where a symmetric 6x6 matrix' entries are in its upper triangle.
+// Index of entry (i, j) of a symmetric 6x6 matrix in its upper triangle.
 inline constexpr size_t upper6[6][6] = {{0, 1, 2, 3, 4, 5},     {1, 6, 7, 8, 9, 10},    {2, 7, 11, 12, 13, 14},
                                         {3, 8, 12, 15, 16, 17}, {4, 9, 13, 16, 18, 19}, {5, 10, 14, 17, 19, 20}};
 
@@ -104,22 +101,19 @@ struct Gains {
     double drag = 1.0, lift = 1.0, spin_drag = 1.0, turbulence = 1.0; // AERODYNAMIC
 };
 
-// diagonal: drop what lies off the diagonals, and the offset of buoyancy. False when the mass matrix cannot be
-// inverted.
+// diagonal: drop all entries off the diagonals, and the offset of buoyancy. False if the mass matrix has no inverse.
 bool make_body_constants(const AssetData& asset, bool diagonal, double fluid_density, BodyConstants& out);
 
 // `stationary`: the sample that the SPEED clock scales by the body's speed.
 void set_speed_turbulence(const TurbulenceSample& stationary, const Gains& gains, BodyConstants& out);
 
-// Fills out.aerodynamics; `out` comes from make_body_constants with the same arguments. False when the mass matrix
-// cannot be inverted, or the loads act more than 2 d away.
+// Fills out.aerodynamics of make_body_constants with the same arguments. False if the mass matrix has no inverse or the load centre is over 2 d away.
 bool make_aerodynamics(const AssetData& asset, const AerodynamicData& loads, const Gains& gains, bool diagonal,
                        double fluid_density, double viscosity, BodyConstants& out);
-// The fluid's own velocity from a k-epsilon sample instead: Pope's alpha, and the stationary variance beta^2/(2 alpha).
+// Sets gusts from a k-epsilon sample instead: Pope's alpha, and the stationary variance beta^2/(2 alpha).
 void set_gust_turbulence(const TurbulenceSample& stationary, const Gains& gains, BodyConstants& out);
 
 // Pope's coefficients (paper Eq. 9) with the gains folded in.
 double langevin_alpha(double chi, double c0, const Gains& gains);
 double langevin_beta_squared(double epsilon, double c0, const Gains& gains);
-
 } // namespace lr

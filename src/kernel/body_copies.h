@@ -1,4 +1,4 @@
-// Copies of some bodies of a batch in arrays of their own, to be stepped or tried separately and put back.
+// Copies of some bodies of a batch: stepped on their own, then put back.
 #pragma once
 
 #include "base/pose.h"
@@ -21,7 +21,7 @@ template <size_t kMost> struct BodyCopies {
     alignas(64) uint32_t noise_seed[kMost];
     alignas(64) float force[force_components][kMost];
 
-    // index(i): index in `from` of the i-th body.
+    // index(i): where the i-th body is in `from`.
     template <class Index> void take(const BatchArrays& from, uint32_t some, const Index& index) {
         count = some;
         padded = whole_blocks(some);
@@ -29,7 +29,7 @@ template <size_t kMost> struct BodyCopies {
             if (from.field[f]) gather(from.field[f], index, field[f]);
         gather(from.noise_seed, index, noise_seed);
     }
-    // forget: the forces apply to the following substeps only.
+    // forget: clears the originals, so the forces apply to the following substeps only.
     template <class Index> void take_forces(const ExternalInput& in, const Index& index, bool forget) {
         for (size_t c = 0; c < force_components && in.used != 0; ++c) {
             float* const source = in.bodies + c * in.stride;
@@ -50,7 +50,7 @@ template <size_t kMost> struct BodyCopies {
         a.noise_seed = noise_seed + first;
         return a;
     }
-    // Passes forces on, for substeps of the copies from `first` on.
+    // Points `to` at the forces of the copies from `first` on.
     void lend_forces(ExternalInput& to, uint32_t first = 0) {
         to.bodies = force[0] + first;
         to.stride = kMost;
@@ -58,7 +58,7 @@ template <size_t kMost> struct BodyCopies {
     }
 };
 
-// Calls step(begin, end) for the lane blocks of [at, last) that contain a body that was not copied, by others(begin).
+// Calls step(begin, end) for the lane blocks of [at, last) that contain a body without a copy, as others(begin) tells.
 template <class Others, class Step>
 void step_others(uint32_t at, uint32_t last, const Others& others, const Step& step) {
     constexpr auto lanes = static_cast<uint32_t>(lane_block);
@@ -70,7 +70,6 @@ void step_others(uint32_t at, uint32_t last, const Others& others, const Step& s
     }
 }
 
-// A single substep of a step.
 inline StepInput substep_of(const StepInput& in, uint32_t substep) {
     StepInput one = in;
     one.substeps = 1;
@@ -86,5 +85,4 @@ inline StepInput substep_of(const StepInput& in, uint32_t substep) {
     }
     return one;
 }
-
 } // namespace lr

@@ -1,5 +1,4 @@
-// Constants of a body that follow from others: once for a batch, in double (kernel/body_constants.cpp), and in vectors for bodies that lie
-// in two fluids, each as deep as it does (kernel/water/water_loads.cpp). N: the number. zero, one: as such numbers.
+// Constants of a body that follow from others: in double for a batch, in vectors for bodies in two fluids. N: number type; zero, one: its constants.
 #if defined(LR_KERNEL_DERIVED_CONSTANTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_DERIVED_CONSTANTS_INL_H_
 #undef LR_KERNEL_DERIVED_CONSTANTS_INL_H_
@@ -82,8 +81,7 @@ template <class N> HWY_INLINE void set_noise_of_modes(BodyConstantsOf<N>& c) {
     }
 }
 
-// Everything about the centre of the loads, from the inverse mass matrix and axes and arm of the loads. eigen(matrix, vectors):
-// the matrix becomes diagonal.
+// All constants of the load centre, from the inverse mass matrix and the axes and arm of the loads. eigen(matrix, vectors) makes the matrix diagonal.
 template <class N, class Eigen> HWY_INLINE void set_frame(N zero, N one, const Eigen& eigen, BodyConstantsOf<N>& c) {
     AerodynamicConstantsOf<N>& a = c.aerodynamics;
     N to[3][6], response[3][6], spin_response[3][6];
@@ -103,7 +101,7 @@ template <class N, class Eigen> HWY_INLINE void set_frame(N zero, N one, const E
             a.spin_mobility[k] = dot3(a.axes + 3 * i, spin_response[j] + 3);
         }
     for (size_t i = 0, k = 0; i < 3; ++i)
-        for (size_t j = i; j < 3; ++j, ++k) { // of a symmetric matrix: its cofactors
+        for (size_t j = i; j < 3; ++j, ++k) { // cofactors of a symmetric matrix
             const size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
             a.mobility_adjugate[k] = n[i1][j1] * n[i2][j2] - n[i1][j2] * n[i2][j1];
         }
@@ -132,7 +130,6 @@ template <class N, class Eigen> HWY_INLINE void set_frame(N zero, N one, const E
         for (size_t i = 0; i < 3; ++i) a.modes[i * 3 + j] = vectors[i][j];
     }
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -1,5 +1,4 @@
-// Divergence: the limits of a body's state, and how a body beyond them is held: at its last valid pose, without motion, marked.
-// docs/reference/bodies.md
+// Divergence: the limits of a body's state, and how a diverged body is held: at its last valid pose, still, marked (docs/reference/bodies.md).
 #pragma once
 
 #include "base/lane_arrays.h"
@@ -10,20 +9,20 @@
 
 namespace lr {
 
-// Beyond anything that calls accept: a body that gets farther or faster was carried there by numerical errors or absurd forces.
+// Beyond anything that calls accept: only numerical errors or absurd forces carry a body that far or make it that fast.
 inline constexpr float farthest_place = 1e10f;  // m, each coordinate
 inline constexpr float fastest_squared = 4e12f; // (2e6 m/s)^2
-// (1e9 rad/s)^2: what is a hundredth of a millimetre thin turns by some 1e7 where it only flutters.
+// (1e9 rad/s)^2: a body a hundredth of a millimetre thin flutters at some 1e7 rad/s.
 inline constexpr float fastest_spin_squared = 1e18f;
 inline constexpr float shortest_turn = 0.98f, longest_turn = 1.02f; // squares of a unit quaternion's length
 
-// Marks stored in place of the age's rounding: of a held body, and of one that will be held at the end of the step.
+// Marks in place of the age's rounding: of a held body, and of a body that the end of the step will hold.
 inline constexpr float held_mark = -1e30f, fault_mark = -2e30f, least_age_rest = -1e29f;
 inline bool is_held(float age_rest) {
     return age_rest <= least_age_rest;
 }
 
-// As in kernel/integrator/equations_of_motion-inl.h, to the bit. gusts: the body has a wake velocity.
+// The same bits as in kernel/integrator/equations_of_motion-inl.h. gusts: the body has a wake velocity.
 inline bool is_sane(const BatchArrays& a, size_t i, bool gusts) {
     const auto at = [&](size_t field) { return a.field[field][i]; };
     const auto size = [](float x) { return x < 0.0f ? -x : x; };
@@ -36,7 +35,7 @@ inline bool is_sane(const BatchArrays& a, size_t i, bool gusts) {
     return sane && (!gusts || squared(field_gust_x) <= fastest_squared);
 }
 
-// Sets the flag; once per step is enough. Any thread. to: may be null.
+// Sets the flag; once per step is enough. Any thread. to: can be null.
 inline void note_fault(uint32_t* to) {
     if (to) __atomic_store_n(to, 1u, __ATOMIC_RELAXED);
 }
@@ -49,7 +48,7 @@ template <class Before> void hold_body(const BatchArrays& a, size_t i, float mar
     a.field[field_age_rest][i] = mark;
 }
 
-// After anything that may make it diverge. Returns whether it is held.
+// Call after each change that can make a body diverge. Returns whether it is held.
 template <class Before>
 bool hold_if_insane(const BatchArrays& a, size_t i, uint32_t* faults, const Before& before, bool gusts = false) {
     const float age_rest = a.field[field_age_rest][i];
@@ -60,7 +59,7 @@ bool hold_if_insane(const BatchArrays& a, size_t i, uint32_t* faults, const Befo
     return true;
 }
 
-// The former state of a vector's bodies, for when one of them diverges.
+// The former state of a vector's bodies, for those that diverge.
 class BodiesBefore {
 public:
     __attribute__((noinline)) void take(const BatchArrays& a, size_t begin, size_t count) {
@@ -84,5 +83,4 @@ public:
 private:
     float value_[field_count][lane_block];
 };
-
 } // namespace lr

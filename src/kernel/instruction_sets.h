@@ -1,5 +1,4 @@
-// The instruction sets that are built, best first: LR_FOR_BUILT_TARGETS(X) is X(LR_SIMD_*, Highway's name) for each. To be included
-// after hwy/highway.h.
+// The instruction sets in this build, best first: LR_FOR_BUILT_TARGETS(X) is X(LR_SIMD_*, Highway's name) for each. Include hwy/highway.h first.
 #pragma once
 
 #include "hwy/detect_targets.h"
@@ -35,7 +34,7 @@
 #else
 #define LR_IF_WASM(X)
 #endif
-// Plain C++, for tests alone (langevin_rigid_plain): Highway has one or the other by compiler.
+// Plain C++, for tests alone (langevin_rigid_plain): the compiler decides which of the two Highway offers.
 #if HWY_TARGETS & HWY_EMU128
 #define LR_IF_PLAIN(X) X(LR_SIMD_PLAIN, EMU128)
 #elif HWY_TARGETS & HWY_SCALAR
@@ -50,9 +49,8 @@
 
 namespace lr {
 
-// That of an instruction set among the functions of all; the last runs anywhere.
+// The entry of an instruction set; the last entry runs anywhere.
 template <class T, size_t N> const T& of_target(const T (&targets)[N], int32_t simd) {
     return *std::find_if(std::begin(targets), std::end(targets) - 1, [simd](const T& t) { return t.simd == simd; });
 }
-
 } // namespace lr

@@ -1,9 +1,9 @@
-// From arrays to elements: vectors of bodies are turned into rows of four numbers of one body each.
+// From arrays to elements: transposes vectors of bodies into rows of four numbers of one body each.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/write_transforms.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
 
-// Vectors one by one.
+// One vector at a time.
 #ifndef LR_NO_PAIRS
 #define LR_NO_PAIRS
 #endif
@@ -23,8 +23,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// An element is rows of four numbers, one behind the other; of seven numbers, the second row begins with the last of the
-// first.
+// An element is successive rows of four numbers; of seven numbers, the second row begins with the last of the first.
 template <bool kSeven> constexpr size_t row_at(size_t row) {
     return kSeven ? 12 * row : 16 * row;
 }
@@ -55,7 +54,7 @@ template <class V> HWY_INLINE void turn(V a, V b, V c, V e, V (&row)[4]) {
     row[3] = hn::BitCast(d, hn::InterleaveUpper(wide, ab_above, ce_above));
 }
 
-// Body after body, each whole: an instance buffer may be memory that combines writes of few lines at a time.
+// Body after body, each whole: an instance buffer can be memory that combines writes of few lines at a time.
 template <size_t kRows, bool kSeven, class D>
 HWY_INLINE void put(D d, const hn::Vec<D> (&row)[kRows][4], unsigned char* to, size_t stride) {
     const auto at = [&](size_t body, size_t r)
@@ -90,7 +89,7 @@ HWY_INLINE void put(D d, const hn::Vec<D> (&row)[kRows][4], unsigned char* to, s
 
 #endif
 
-// Bodies from `at` on, a vector of them.
+// One vector of bodies, from `at` on.
 template <int32_t kFormat>
 HWY_INLINE void write_vector(const BatchArrays& a, size_t at, unsigned char* to, size_t stride) {
     const DF d;
@@ -146,21 +145,20 @@ HWY_NOINLINE void write_format(const BatchArrays& a, size_t begin, size_t end, u
     size_t at = begin;
     for (; end - at >= lanes; at += lanes, to += lanes * stride) write_vector<kFormat>(a, at, to, stride);
     if (at == end) return;
-    // The last bodies by way of a vector's worth of elements: nothing is written behind them.
+    // The last bodies through a buffer of one vector: nothing is written past them.
     alignas(64) unsigned char rest[lane_block * 64];
     const uint32_t bytes = transform_bytes(kFormat);
     write_vector<kFormat>(a, at, rest, bytes);
     for (uint32_t i = 0; at < end; ++i, ++at, to += stride) std::memcpy(to, rest + i * bytes, bytes);
 }
 
-// Elements without gaps, past the caches: whole cache lines, one after the other, by way of a piece that stays in the
-// first-level cache.
+// Elements without gaps, past the caches: whole cache lines, one after the other, through a buffer that stays in the first-level cache.
 template <int32_t kFormat> HWY_NOINLINE void stream_format(const BatchArrays& a, size_t count, unsigned char* to) {
     constexpr size_t piece = 128, line = 64;
     const DF d;
     const size_t bytes = transform_bytes(kFormat), step = hn::Lanes(d) * sizeof(float);
     alignas(line) unsigned char stage[line + piece * 64];
-    // What is staged begins at a line of the output; of the first of all, `hole` bytes are not ours.
+    // The buffer begins at a line of the output; the first `hole` bytes belong to the caller.
     size_t hole = reinterpret_cast<uintptr_t>(to) % line, staged = hole;
     to -= hole;
     for (size_t at = 0; at < count; at += std::min(piece, count - at)) {
@@ -198,7 +196,7 @@ HWY_INLINE void move_on(const BatchArrays& a, size_t at, float seconds, Vec3& x,
     q = {turned.x, turned.y, turned.z, from.w * w - (axis.x * r.x + axis.y * r.y + axis.z * r.z)};
 }
 
-// By way of a piece with bodies that have been moved on.
+// Through a buffer of bodies that have been moved on.
 template <int32_t kFormat>
 HWY_NOINLINE void write_ahead(const BatchArrays& a, uint32_t count, float seconds, unsigned char* to, uint64_t stride) {
     constexpr uint32_t piece = 128;
@@ -236,7 +234,6 @@ void write_range(const BatchArrays& a, uint32_t count, float ahead, int32_t form
     }
     (std::make_integer_sequence<int32_t, LR_TRANSFORM_4X4_COLUMN_MAJOR + 1>{});
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -246,8 +243,7 @@ HWY_AFTER_NAMESPACE();
 namespace lr {
 namespace {
 
-// Elements of more than this are written past the caches: they would not stay there until they are drawn, and to fetch
-// the lines that are about to be overwritten would take as long as writing them.
+// Larger outputs bypass the caches: they would be evicted before drawing, and fetching lines to overwrite them takes as long as writing.
 constexpr uint64_t stream_bytes = 8u << 20;
 
 using WriteFunction = void (*)(const BatchArrays&, uint32_t, float, int32_t, unsigned char*, uint64_t, bool);
@@ -258,7 +254,6 @@ struct Target {
 #define LR_TARGET(simd, target) {simd, &N_##target::write_range},
 constexpr Target targets[] = {LR_FOR_BUILT_TARGETS(LR_TARGET)};
 #undef LR_TARGET
-
 } // namespace
 
 uint32_t transform_bytes(int32_t format) {
@@ -272,6 +267,5 @@ void write_transforms(int32_t simd, const BatchArrays& a, uint32_t count, float 
     const bool stream = stride == transform_bytes(format) && uint64_t{count} * stride >= stream_bytes;
     of_target(targets, simd).write(a, count, ahead, format, static_cast<unsigned char*>(to), stride, stream);
 }
-
 } // namespace lr
 #endif

@@ -10,10 +10,8 @@ namespace lr {
 // Bytes of one element of an LR_TRANSFORM_* format; 0 for an unknown one.
 uint32_t transform_bytes(int32_t format);
 
-// `count` elements, `stride` bytes apart. The format is a known one. Arrays are aligned to, and readable in, whole lane
-// blocks. simd: LR_SIMD_*, of a target that this processor has; all write the same bits. ahead: s, that bodies are moved on
-// with their velocities.
+// Writes `count` elements, `stride` bytes apart, in a known format. Arrays are aligned and readable in whole lane blocks. simd: LR_SIMD_* that this
+// processor has; all write the same bits. ahead: s by which bodies move on with their velocities.
 void write_transforms(int32_t simd, const BatchArrays& arrays, uint32_t count, float ahead, int32_t format, void* to,
                       uint64_t stride);
-
 } // namespace lr

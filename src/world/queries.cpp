@@ -25,8 +25,7 @@ struct RayFilter {
     float most;               // m, along the ray
 };
 
-// For bodies [begin, end), at most filter_block: a loop over arrays that compilers vectorise. It may pass bodies that are not hit, but
-// never drops one that is. Returns whether any is marked.
+// For bodies [begin, end), at most filter_block, in a loop that compilers vectorise. Returns whether any is marked: perhaps too many, never too few.
 bool filter_bodies(const RayFilter& f, const BatchArrays& arrays, uint32_t begin, uint32_t end,
                    uint32_t (&marks)[filter_block]) {
     const float *const x = arrays.field[field_x] + begin, *const y = arrays.field[field_y] + begin,
@@ -103,7 +102,7 @@ void cast_at_colliders(const Colliders& colliders, uint32_t layers, const Ray& r
     }
 }
 
-// A sphere or box, and a body that may overlap it.
+// A sphere or box, and a body that can overlap it.
 class OverlapTest {
 public:
     explicit OverlapTest(const lr_overlap_desc& desc) {
@@ -145,7 +144,6 @@ private:
     Geometry geometry_{};
     float reach_; // m, of a sphere around it
 };
-
 } // namespace
 
 lr_ray_hit cast_ray(const lr_world& world, const lr_ray& given, const Batch* only) {
@@ -195,5 +193,4 @@ uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const
     });
     return count;
 }
-
 } // namespace lr

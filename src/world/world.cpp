@@ -28,7 +28,6 @@ lr_status enter(const lr_world& world, const char* function) {
     world.call_guard.end_telling();
     return status;
 }
-
 } // namespace lr
 
 using namespace lr;
@@ -45,7 +44,6 @@ template <class Run> void by_time(StepItem* some, uint32_t count, const Run& run
         some = to;
     }
 }
-
 } // namespace
 
 lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
@@ -193,7 +191,7 @@ lr_status lr_world::set_rest(const lr_body* bodies, uint32_t count, bool rest) {
         }
         index = batch.rest(index);
         if (batch.events()) batch.events()->take_back(unpack(batch.ids()[index]).slot, noted_waking);
-        batch.resting()->ask_again(); // it may never have been in a step
+        batch.resting()->ask_again(); // rules have perhaps never checked it
     }
     return LR_OK;
 }
@@ -278,8 +276,7 @@ void lr_world::fill_step(Batch& batch, float dt, bool& unfit) {
     if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.awake());
     StepInput& in = batch.step;
     fill_input(batch, pace.time(), pace.record().first_substep, pace.record().wind, unfit);
-    // In a fluid that accelerates as a whole, bodies move as if gravity were less by it. Above the limit, which only
-    // steps of microseconds reach, the product with the step could overflow.
+    // In an accelerating fluid, gravity acts as if reduced by the acceleration; clamped, or steps of microseconds could overflow the product.
     for (size_t k = 0; k < 3 && in.wind_changes; ++k)
         in.gravity[k] -= std::clamp((in.wind[k] - in.wind_begin[k]) / seconds, -1e9f, 1e9f);
 }
@@ -430,8 +427,7 @@ bool lr_world::reserve_contact() {
     return enough;
 }
 
-// Twice gravity, for other loads; part of the wind, which light bodies take on within a step; and a large value for external
-// forces, which may be anything.
+// Twice gravity for other loads; part of the wind, which light bodies take on within a step; and a large value for external forces.
 float lr_world::contact_gain(const Batch& batch, float dt) const {
     const float forced = batch.step.external.any ? 50.0f : 0.0f;
     return 2.0f * dt * length(vector_of(gravity)) + 0.5f * length(vector_of(wind.uniform.wind)) + forced;
@@ -440,7 +436,7 @@ float lr_world::contact_gain(const Batch& batch, float dt) const {
 void lr_world::finish_batches(double dt) {
     FaultReport faults;
     each_batch([&](Batch& batch, uint32_t slot) {
-        // State since the step began; bodies may wake at its end.
+        // State at the step's beginning: bodies can wake at its end.
         const bool still = !batch.pace.waits(), waits = !still && batch.pace.granted() == 0;
         Lifecycle* const lifecycle = batch.lifecycle();
         if (waits) {
@@ -496,7 +492,7 @@ uint64_t lr_world::hash() const {
             mix(std::bit_cast<uint64_t>(batch.lifecycle()->state().burst_clock));
         }
     });
-    // Decides whose turn the wind trial is.
+    // The step's number decides which bodies try the wind.
     if (paced || pacing.limited() || ((colliders.any() || pairs.any()) && any_resting())) mix(step_count);
     pacing.hash(mix);
     for (uint64_t word : {wind.hash(time), surface.hash(), colliders.hash()})
@@ -511,5 +507,5 @@ void lr_world::log(int32_t level, const char* function, const char* message) con
         std::snprintf(text, sizeof text, "%s: %s", function, message);
         log_callback(log_user, level, text);
     }
-    if (level == LR_LOG_ERROR) note_error(function, message); // last: the callback may have failed elsewhere
+    if (level == LR_LOG_ERROR) note_error(function, message); // last: the callback can have failed elsewhere
 }

@@ -45,7 +45,7 @@ public:
     }
     const char* function() const { return function_.load(std::memory_order_relaxed); } // null: between two calls
 
-    // Logging a refusal may call back into the library, which is refused again: log only once.
+    // Logging a refusal can call back into the library, which is refused again: log only once.
     bool begin_telling() { return !telling_.exchange(true, std::memory_order_relaxed); }
     void end_telling() { telling_.store(false, std::memory_order_relaxed); }
 
@@ -58,7 +58,6 @@ private:
 
 // For checked worlds: CallGuard::enter, and logs a refusal.
 lr_status enter(const lr_world& world, const char* function);
-
 } // namespace lr
 
 struct lr_world {
@@ -85,7 +84,7 @@ struct lr_world {
     // All or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
     lr_status set_rest(const lr_body* bodies, uint32_t count, bool rest);
     uint32_t wake_box(const lr::Box& box); // how many
-    // A body is removed or moved away: bodies that may lie on it are woken by wake_left().
+    // A body is removed or moved away: wake_left() wakes the bodies that can lie on it.
     void leave(const lr::Batch& batch, uint32_t index);
     void wake_left();
     // meets(slot): whether that batch will have body contact. False when out of memory.
@@ -98,8 +97,7 @@ struct lr_world {
 
     uint32_t take_key(); // the noise seed of the next body
 
-    // mode: stores the caller's floating-point mode. False if, for lack of memory, bodies passed through each other; the step was
-    // still taken.
+    // mode: stores the caller's floating-point mode. False if, for lack of memory, bodies passed through each other; the step was still taken.
     bool step(float dt, uint32_t substeps, const lr::FloatMode& mode);
     void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
@@ -113,14 +111,14 @@ struct lr_world {
     void resume_events();                // after a restore: contacts exist, without events
     bool reserve_contact();              // of all batches; false when out of memory
     float contact_reach(float dt) const; // m, for the broad phase
-    // m/s that bodies of a batch may gain in `dt`: limits how far they search for contacts.
+    // m/s that bodies of a batch can gain in `dt`: limits how far they search for contacts.
     float contact_gain(const lr::Batch& batch, float dt) const;
 
     // For substeps in a uniform wind that was `begin` before them. unfit: set if a batch cannot be in the water.
     void fill_input(lr::Batch& batch, const lr::StepTime& time, uint64_t first_substep, const float (&begin)[3],
                     bool& unfit);
 
-    void lap(double& phase); // of `timings`: what has passed since the last lap was that phase
+    void lap(double& phase); // adds the time since the last lap to that phase of `timings`
 
     // An error is also the calling thread's last one.
     void log(int32_t level, const char* function, const char* message) const;
@@ -150,7 +148,7 @@ struct lr_world {
     lr::Buffer<BatchSlot> batches;
     lr::Buffer<lr::StepItem> items; // scratch of a step, with room for all batches
 
-    // Former places of bodies that others may have lain on. Room for every body with body contact: each leaves once per call.
+    // Former places of bodies on which others can have lain. Room for every body with body contact: each leaves once per call.
     struct Left {
         uint32_t slot; // of the batch
         lr::Box box;
@@ -205,5 +203,4 @@ lr_ray_hit cast_ray(const lr_world& world, const lr_ray& ray, const Batch* only)
 // Returns how many bodies overlap; writes up to `capacity` ids, sorted if there is room for all.
 uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const Batch* only, lr_body* bodies,
                        uint32_t capacity);
-
 } // namespace lr

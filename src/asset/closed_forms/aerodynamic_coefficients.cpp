@@ -9,13 +9,13 @@
 namespace lr::shape {
 namespace {
 
-// The coefficients of the rule; docs/maintainers/physics.md, "AERODYNAMIC", says what each stands for and where it was measured.
-constexpr double streamlined_drag = 0.05;                         // the least C_D
-constexpr double blunt_slope = 2.0, blunt_offset = -0.8985;       // C_D over bluntness: sphere 0.43, flat face 1.10
-constexpr double aspect_gain = 0.7, aspect_half = 20.0;           // a long silhouette lets less flow around its ends
-constexpr double drag_blunt_share = 0.445;                        // of a sphere's C_D, that comes with Re of some 8710
-constexpr double layer_friction = 0.558;                          // Blasius, 0.664 a side, over chord/sqrt(2)
-constexpr double layer_pressure = 0.42, layer_separation = 0.414; // of faces across the stream, of rounded ones
+// The coefficients of the rule. docs/maintainers/physics.md, "AERODYNAMIC", gives the meaning and the measurement of each.
+constexpr double streamlined_drag = 0.05;                   // the least C_D
+constexpr double blunt_slope = 2.0, blunt_offset = -0.8985; // C_D over bluntness: sphere 0.43, flat face 1.10
+constexpr double aspect_gain = 0.7, aspect_half = 20.0;     // a long silhouette lets less flow around its ends
+constexpr double drag_blunt_share = 0.445;                  // part of a sphere's C_D that comes with Re of some 8710
+constexpr double layer_friction = 0.558;                    // Blasius, 0.664 a side, over chord/sqrt(2)
+constexpr double layer_pressure = 0.42, layer_separation = 0.414; // faces across the stream; rounded faces
 constexpr double turbulent_friction = 0.004;                      // of the surface along the stream
 constexpr double translation_lift = 1.2;                          // C_T of a plate in two dimensions
 constexpr double magnus = 0.5;                                    // of the volume, about an axis of revolution
@@ -23,17 +23,17 @@ constexpr double strip_half = 4.0;                                // span over c
 constexpr double roll_half = 4.0;                                 // span over chord
 constexpr double spin_friction = 0.008;
 
-// 0 for a flat face, 1 where it is as round as a sphere or rounder.
+// 0 for a flat face, 1 for a face as round as a sphere or rounder.
 double roundness(double bluntness) {
     return std::clamp(3.0 * (1.0 - bluntness), 0.0, 1.0);
 }
 
-// x/(x + y), 0 where both vanish.
+// x/(x + y), 0 if both vanish.
 double share(double x, double y) {
     return x > 0.0 ? x / (x + y) : 0.0;
 }
 
-// How much more one silhouette is than the next: 1 for a sheet, 0 for rods and round bodies. At the other axes 0.
+// How much the silhouette along k exceeds the next: 1 for a sheet, 0 for rods, round bodies and the other axes of a sheet.
 double sheetness(const AerodynamicGeometry& g, size_t k) {
     const double other = std::max(g.area[(k + 1) % 3], g.area[(k + 2) % 3]);
     return g.area[k] > other ? 1.0 - other / g.area[k] : 0.0;
@@ -64,7 +64,7 @@ void set_drag(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& p
     const double blunt = drag_blunt_share * round;
     out.drag[k] += (1.0 - blunt) * coefficient * area + turbulent_friction * along;
     out.drag_blunt[k] = blunt * coefficient * area;
-    // Edge on, a sheet's own layers of vorticity hold it back more than friction does.
+    // Edge on, a sheet's own layers of vorticity slow it more than friction does.
     const double edge_drag = by_slenderness(plate.edge_drag, plate.edge_strip, slenderness(wide, narrow));
     for (const size_t edge : {i, j}) out.drag[edge] += edge_drag * sheet * (area - g.area[edge]);
     // The layer grows along the body, and from the middle of its front to the rim.
@@ -96,7 +96,6 @@ void set_lift(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& p
     const double wing = g.extent[g.area[i] > g.area[j] ? j : i];
     out.roll_damping[k] = plate.roll * sheet * g.stroke2[k] * (1.0 + roll_half) * share(wing, roll_half * g.extent[k]);
 }
-
 } // namespace
 
 AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCoefficients& plate) {
@@ -121,5 +120,4 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     out.wake_reynolds = plate.wake_reynolds;
     return out;
 }
-
 } // namespace lr::shape

@@ -52,18 +52,15 @@ HullData ellipsoid_hull(const std::array<double, 3>& axes, const std::array<doub
     }
     return hull;
 }
-
 } // namespace
 
 BodyScales body_scales(double largest_extent, double smallest_extent, double volume, double projected_area,
                        double broadside_added_mass, double density, double fluid_density) {
     BodyScales s{};
     s.d = largest_extent;
-    // Volume over area is the mean thickness of a sheet, however curled; 3/2 of it is the full thickness of an
-    // ellipsoid, which has its extent there anyway. A flat box keeps its true thickness by its extent.
+    // Volume over area is a sheet's mean thickness, however curled; 3/2 of it is an ellipsoid's. A flat box has its true thickness as its extent.
     s.b = std::min(smallest_extent, 1.5 * volume / projected_area);
-    // Half the depth of the layer of fluid that moves along broadside. With the paper's 100 % intensity this lets 70
-    // g/m^2 paper discs fall as measured ones do (docs/maintainers/physics.md, "Scales").
+    // Half the depth of the fluid that moves along broadside: with the paper's 100 % intensity, paper discs of 70 g/m^2 fall as measured.
     s.l = 0.5 * broadside_added_mass / projected_area;
     s.u0 = speed_scale(density, fluid_density, s.b);
     return s;
@@ -159,5 +156,4 @@ TurbulenceData decay_table(const AssetData& asset, double intensity) {
     if (start.k > 0.0) table.c0 = kolmogorov_c0(taylor_reynolds(start, asset.fluid_viscosity));
     return table;
 }
-
 } // namespace lr::shape

@@ -33,16 +33,12 @@ struct EllipsoidSpec {
     std::array<double, 3> center_of_mass{}; // m, from the centre of the ellipsoid
 };
 
-// Mass, inertia, added mass, lengths, scales and hull; the turbulence table is left empty.
-// False when a value is out of range, with a numbered fault for each.
+// Mass, inertia, added mass, lengths, scales and hull; no turbulence table. False if a value is out of range, with a numbered fault for each.
 bool ellipsoid_body(const EllipsoidSpec& spec, AssetData& out, Faults& faults);
 
-// Lengths, silhouette and speed scale of a body as large as this ellipsoid. added_mass: m^3, along its axes, fluid density
-// 1. Needs volume, density and fluid.
+// Lengths, silhouette and speed scale of a body as large as this ellipsoid. Needs volume, density, fluid. added_mass: m^3, fluid density 1.
 void set_scales(const std::array<double, 3>& semi_axes, const std::array<double, 3>& added_mass, AssetData& asset);
 
-// The decay of k and epsilon in a uniform stream, closed form (docs/maintainers/physics.md, "Turbulence tables"): what the MAC grid
-// computes for an empty stream. Needs lengths, u0 and fluid.
+// The decay of k and epsilon in a uniform stream (docs/maintainers/physics.md, "Turbulence tables"). Needs lengths, u0 and fluid.
 TurbulenceData decay_table(const AssetData& asset, double intensity);
-
 } // namespace lr::shape

@@ -41,8 +41,7 @@ EllipsoidAddedMass lamb_added_mass(const std::array<double, 3>& axes) {
     const double abc = a[0] * a[1] * a[2];
     const double volume = 4.0 / 3.0 * std::numbers::pi * abc;
 
-    // alpha_i = abc int_0^inf dl / ((a_i^2 + l) sqrt((a^2+l)(b^2+l)(c^2+l))) = 2/3 abc R_D(others, a_i^2); they add
-    // to 2.
+    // alpha_i = abc int_0^inf dl / ((a_i^2 + l) sqrt((a^2+l)(b^2+l)(c^2+l))) = 2/3 abc R_D(others, a_i^2); they add to 2.
     std::array<double, 3> alpha;
     for (size_t i = 0; i < 3; ++i) {
         const double p = a[(i + 1) % 3], q = a[(i + 2) % 3];
@@ -59,8 +58,7 @@ EllipsoidAddedMass lamb_added_mass(const std::array<double, 3>& axes) {
         const double difference = aj2 - ak2;
         const double wanted = alpha[k] - alpha[j];
         const double denominator = 2.0 * difference - (aj2 + ak2) * wanted;
-        // Both vanish together about an axis of revolution; the quotient goes to zero with the fourth power of the
-        // difference over the second.
+        // Both vanish together about an axis of revolution; the quotient goes to zero with the fourth power of the difference over the second.
         double d = 0.0;
         if (std::abs(difference) > 1e-7 * (aj2 + ak2))
             d = volume / 5.0 * difference * difference * wanted / denominator;
@@ -119,9 +117,8 @@ struct Node {
     double x, rest, weight; // rest: 1 - x, to its own last digit
 };
 
-// Tanh-sinh rule on [0, 1] (Takahasi & Mori 1974): nodes crowd at both ends, where the integrands of a flat or a slender
-// ellipsoid turn sharply. A step of 0.09 leaves 1e-12 for moderate shapes and 1e-7 for one ten thousand times as long
-// as thick.
+// Tanh-sinh rule on [0, 1] (Takahasi & Mori 1974): nodes are dense at both ends, where the integrands of flat or slender ellipsoids are steep. A step
+// of 0.09 leaves 1e-12 for moderate shapes, and 1e-7 for a body ten thousand times as long as thick.
 std::vector<Node> unit_interval_rule() {
     constexpr double step = 0.09;
     std::vector<Node> nodes;
@@ -136,7 +133,6 @@ std::vector<Node> unit_interval_rule() {
     }
     return nodes;
 }
-
 } // namespace
 
 // With the point (a u_x, b u_y, c u_z), u on the unit sphere, n dA = N dOmega, N_i = a_j a_k u_i, and
@@ -196,5 +192,4 @@ AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes) {
     }
     return out;
 }
-
 } // namespace lr::shape

@@ -25,10 +25,9 @@ struct StokesResistance {
     std::array<double, 3> translation; // m: force over dynamic viscosity and speed, 6 pi a for a sphere
     std::array<double, 3> rotation;    // m^3: moment over dynamic viscosity and angular velocity, 8 pi a^3
 };
-// Of semi-axes one may be zero, an elliptic disc; two are taken for a needle a millionth as thick as long, since a line has no resistance.
+// One semi-axis can be zero: an elliptic disc. With two zeros, a needle a millionth as thick as long, because a line has no resistance.
 StokesResistance stokes_resistance(const std::array<double, 3>& semi_axes);
 
 // Axes of the body, centre of buoyancy at the centre.
 AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes);
-
 } // namespace lr::shape

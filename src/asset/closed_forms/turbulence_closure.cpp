@@ -38,5 +38,4 @@ double kolmogorov_c0(double r_lambda) {
     const double q = std::sqrt(std::sqrt(r_4_3 / (r_4_3 + 140.0)));
     return 6.5 * q * q * q;
 }
-
 } // namespace lr::shape

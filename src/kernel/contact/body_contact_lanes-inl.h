@@ -1,4 +1,4 @@
-// Bodies that touch each other, and their pairs, in vectors: how they are gathered, and what a contact's impulses do to both bodies.
+// Body contact in vectors: gathers bodies and pairs, and applies a contact's impulses to both bodies.
 #if defined(LR_KERNEL_CONTACT_BODY_CONTACT_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_BODY_CONTACT_LANES_INL_H_
 #undef LR_KERNEL_CONTACT_BODY_CONTACT_LANES_INL_H_
@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// Floats of SolverBody, side by side for the bodies of a vector.
+// Fields of SolverBody by their index in floats.
 constexpr size_t at_x = 0, at_q = 3, at_x0 = 7, at_q0 = 10, at_v = 14, at_w = 17, at_v0 = 20, at_w0 = 23, at_scale = 26,
                  at_way = 27, at_correction = 33, at_depth = 39, at_shallow = 40, at_carried = 41, at_touches = 42,
                  at_rolled = 43, at_dust = 46, fields_of_body = 47;
@@ -55,7 +55,7 @@ struct Side {
     VF weight; // its share of an impulse over a's mass unit
 };
 
-// The velocity of its point at the arm, world axes.
+// Velocity at the arm, world axes.
 HWY_INLINE Vec3 velocity_of(const Matrix& turn, const Twist& t, Vec3 arm) {
     return turn * velocity_at(t, arm);
 }
@@ -66,24 +66,22 @@ HWY_INLINE Twist impulse_at(const Matrix& turn, Vec3 impulse, Vec3 arm) {
 HWY_INLINE Twist answer(const Side& s, const Twist& impulse) {
     return s.weight * symmetric6(s.inverse_mass, impulse);
 }
-// Applies a contact's impulse to both bodies.
 HWY_INLINE void push(const Side& a, const Side& b, const PairContacts& c, size_t at, Vec3 impulse, Twist& ta,
                      Twist& tb) {
     ta += answer(a, impulse_at(a.turn, impulse, load3(c.arm_a, at)));
     tb = tb - answer(b, impulse_at(b.turn, impulse, load3(c.arm_b, at)));
 }
-// How fast a contact's point of a goes as seen from b's, world axes.
+// Velocity of a's contact point relative to b's, world axes.
 HWY_INLINE Vec3 relative_velocity(const Matrix& turn_a, const Matrix& turn_b, const PairContacts& c, size_t at,
                                   const Twist& ta, const Twist& tb) {
     return velocity_of(turn_a, ta, load3(c.arm_a, at)) - velocity_of(turn_b, tb, load3(c.arm_b, at));
 }
 
-// A contact's normal and tangents.
 HWY_INLINE Matrix frame_of(const PairContacts& c, size_t at) {
     const Vec3 normal = load3(c.normal, at), first = load3(c.tangent, at);
     return {{normal, first, cross(normal, first)}};
 }
-// What the pair's contact gains along its three directions by unit impulses along them.
+// Gains of relative velocity along the contact's three directions by unit impulses along them.
 HWY_INLINE void set_gains(const Side& a, const Side& b, PairContacts& c, size_t at) {
     const Vec3 arm[2] = {load3(c.arm_a, at), load3(c.arm_b, at)};
     Vec3 direction[3] = {load3(c.normal, at), {}, {}};
@@ -116,7 +114,7 @@ HWY_INLINE VF slop_of(VF reach, Vec3 x) {
     return constant(1e-3f) * reach + constant(1e-6f) * greatest(x);
 }
 
-// Scales, lengths and tolerances of a vector of bodies in the rows of a gather.
+// Scales, lengths and tolerances of a vector of gathered bodies.
 struct Size {
     VF length, inverse, reach, slop;
 };
@@ -130,7 +128,6 @@ HWY_INLINE Size size_of(const SolverBodyKind& kind, const LaneRow* row, size_t a
     return s;
 }
 
-// Both bodies of pairs.
 struct Gathered {
     alignas(64) LaneRow a[fields_of_body], b[fields_of_body];
     Gathered(const BodyContactInput& in, const PairBlock& block) {
@@ -144,7 +141,7 @@ struct GatheredTwists {
         for (size_t lane = 0; lane < contact_lanes; ++lane) take(in.twists[block.a[lane]], lane, a);
         for (size_t lane = 0; lane < contact_lanes; ++lane) take(in.twists[block.b[lane]], lane, b);
     }
-    // Nobody's values are read by many and must not change.
+    // The immovable body is shared by many lanes and must not change.
     void put_back(const BodyContactInput& in, const PairBlock& block) const {
         for (size_t lane = 0; lane < block.lanes; ++lane) {
             put(a, lane, in.twists[block.a[lane]]);
@@ -152,7 +149,7 @@ struct GatheredTwists {
         }
     }
 };
-// Bodies [begin, begin + contact_lanes) and what sweeps change of them.
+// Bodies [begin, begin + contact_lanes), and their twists.
 struct GatheredBodies {
     alignas(64) LaneRow row[fields_of_body], twist[twist_floats];
     GatheredBodies(const BodyContactInput& in, uint32_t begin) {
@@ -164,7 +161,6 @@ struct GatheredBodies {
         for (size_t lane = 0; lane < contact_lanes; ++lane) put(twist, lane, in.twists[begin + lane]);
     }
 };
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

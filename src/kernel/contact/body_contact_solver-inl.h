@@ -1,5 +1,4 @@
-// What bodies that touch each other do to each other: Gauss-Seidel over pairs, with the mass of both and that of the fluid that they
-// move along. As kernel/contact/collider_solver-inl.h, which has the formulas, but for two bodies; docs/maintainers/contact.md.
+// Body contact: Gauss-Seidel over pairs with mass and added mass of both; formulas as in collider_solver-inl.h (docs/maintainers/contact.md).
 #if defined(LR_KERNEL_CONTACT_BODY_CONTACT_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_BODY_CONTACT_SOLVER_INL_H_
 #undef LR_KERNEL_CONTACT_BODY_CONTACT_SOLVER_INL_H_
@@ -31,7 +30,7 @@ void body_contact_begin(const BodyContactInput& in, uint32_t kind, uint32_t begi
     bodies.put_back(in, begin);
 }
 
-// A pair's sides as its first projection sees them, and how its contacts have come about.
+// The two bodies of a pair in the first projection, and their motion in the substep so far.
 struct PairState {
     Side a, b;
     Size size_a, size_b;
@@ -39,7 +38,7 @@ struct PairState {
     Vec3 moved_a, moved_b;
     Twist way[2], met[2], before[2];
     decltype(VF() > VF()) pair; // both are bodies
-    VF slop, reach;             // of the smaller
+    VF slop, reach;             // of the smaller body
 };
 HWY_INLINE Twist twist_of(const LaneRow* row, size_t field, size_t at, VF length) {
     return {load3(row + field, at), length * load3(row + field + 3, at)};
@@ -63,7 +62,7 @@ HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block
     return s;
 }
 
-// The gap at the end of the substep and as it began, and how fast it came when it closed.
+// The gap at the end of the substep and at its beginning, and the approach velocity when it closed.
 HWY_INLINE void set_gaps(const PairState& s, VF h, PairContacts& c, size_t at, Vec3 arm_a, Vec3 arm_b) {
     const VF zero = hn::Zero(DF());
     const Vec3 normal = load3(c.normal, at), surface = load3(c.surface, at);
@@ -88,11 +87,9 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, PairContacts& c, size_t at, V
     store1(c.bounce, at, part * (to - from) + from);
 }
 
-// Of overlap that a substep began with no more than this part of the reach is undone in it: bodies that have come to lie in each other
-// must not be thrown apart.
+// A substep undoes at most this part of the reach of an overlap that it began with: bodies that lie in each other must not be thrown apart.
 constexpr float pair_push = 0.02f, collider_push = 0.5f;
-// Of overlap between bodies beyond the slop so much is undone in a substep: pairs of a heap that contradict each other would
-// throw each other to and fro.
+// A substep undoes this part of an overlap between bodies beyond the slop: with more, pairs of a heap that contradict each other would oscillate.
 constexpr float undone = 0.3f;
 
 HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
@@ -108,7 +105,7 @@ HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     const VF before = load1(c.before, at), overlap = hn::Min(before + s.slop, zero);
     const VF most = constant(pair_push) * s.reach;
     const VF stays = hn::Min(constant(1.0f - undone) * overlap, overlap + most);
-    // Against what is solid as for a body alone.
+    // Colliders: as in the solver of single bodies.
     const VF gained = gap - hn::Min(before, zero);
     const VF out = hn::Max(gap, hn::Min(constant(-collider_push) * s.reach + gained, zero));
     const VF push = hn::IfThenElse(solid, out, gap - stays);
@@ -144,8 +141,7 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
         }
 }
 
-// Squares of impulses over a mass, m^2/s^2 and m^2: beyond it, or without being a number, nothing is handed on. A pair that came to that
-// does not meet again in the substep.
+// Squares of impulses over a mass, m^2/s^2 and m^2. A pair with larger changes, or NaN, passes nothing on and is dropped for the substep.
 constexpr float most_change = 1e30f;
 
 HWY_INLINE void let_go(PairBlock& block, size_t at, hn::Mask<DF> fine) {
@@ -212,7 +208,7 @@ bool body_contact_sweep(const BodyContactInput& in, PairBlock& block) {
     return changed;
 }
 
-// part 0: it only remembers the direction.
+// part 0: only remembers the direction.
 void body_contact_follow(const BodyContactInput& in, PairBlock& block, float part) {
     if (part == 0.0f) {
         for (uint32_t k = 0; k < block.used; ++k)
@@ -244,7 +240,7 @@ void body_contact_follow(const BodyContactInput& in, PairBlock& block, float par
     twists.put_back(in, block);
 }
 
-// The couple against rolling and spinning, from the loads on colliders.
+// The couple against rolling and spinning, bounded by the normal impulses.
 bool body_contact_roll(const BodyContactInput& in, uint32_t kind, uint32_t begin) {
     const SolverBodyKind& k = in.kinds[kind];
     if (k.rolling == 0.0f) return false;
@@ -289,7 +285,7 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
         const Twist seen{to_world(q, met.v), to_world(q, met.u)};
         q = normalised(turn(q, q, half * size.inverse, correction.u));
         store4(row + at_q, at, q);
-        // What the correction turns keeps its velocity in the world, and with it its momentum.
+        // The correction turns the body, not its velocity in the world: momentum is kept.
         const Twist goes{to_body(q, seen.v), to_body(q, seen.u)};
         store6(twist, at, goes);
         store6(row + at_way, at, goes);
@@ -341,8 +337,8 @@ void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
     }
 }
 
-// Both points of a contact in the middle between them: impulses that act at two turn the pair. Not farther than where they still
-// say how the surfaces go: a way that turns by much may end with them far from each other.
+// Moves both points of a contact to the middle between them: impulses at two points would turn the pair. At most this far: after a
+// large rotation they no longer say how the surfaces move.
 constexpr float most_joined = 0.2f; // of the smaller reach
 
 HWY_INLINE void join_arms(const Side& a, const Side& b, const Size& size_a, const Size& size_b, Vec3 apart,
@@ -362,7 +358,7 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
     const Gathered g(in, block);
     GatheredTwists twists(in, block);
     const SolverBodyKind &kind_a = in.kinds[block.kind_a], &kind_b = in.kinds[block.kind_b];
-    // Of the shortest steps it would not be finite.
+    // The inverse of the shortest steps would overflow.
     const float frequency = 1.0f / HWY_MAX(in.h, 1e-30f);
     const VF zero = hn::Zero(DF()), slow = constant(2.0f * in.gravity * in.h), inverse_h = constant(frequency);
     const VF fall = constant(in.gravity * (in.h * in.h));
@@ -395,7 +391,7 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
             const VF bounce = load1(c.bounce, at);
             const VF back = -(load1(c.restitution, at) * bounce);
             const VF away = hn::IfThenElseZero(bounce < -slow, back);
-            // Of bodies that touch somewhere, what does not yet may come as fast as it takes to touch in a substep.
+            // If a body touches somewhere, its open contacts can close within a substep, but not faster.
             const VF closing = -(hn::Max(load1(c.gap, at), zero) * inverse_h);
             store1(c.target, at, drift.x + hn::IfThenElse(touches, away, closing));
             store1(c.drift[0], at, drift.y);
@@ -454,7 +450,7 @@ bool body_contact_restrain(const BodyContactInput& in, PairBlock& block) {
     return restrained;
 }
 
-// Velocities, and the static lock: as for a body alone.
+// Velocities and the static lock, as in the solver of single bodies.
 void body_contact_finish(const BodyContactInput& in, uint32_t kind, uint32_t begin) {
     GatheredBodies bodies(in, begin);
     auto& row = bodies.row;
@@ -477,7 +473,6 @@ void body_contact_finish(const BodyContactInput& in, uint32_t kind, uint32_t beg
     }
     bodies.put_back(in, begin);
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -1,9 +1,9 @@
-// Bodies that touch colliders, compiled once for each instruction set. Method and formulas: docs/maintainers/contact.md.
+// Contact with colliders, compiled once for each instruction set. Method and formulas: docs/maintainers/contact.md.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/contact/collider_contact.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
 
-// Vectors one by one: two side by side spill so much here that they gain nothing, in twice the code.
+// One vector at a time: two side by side spill so much here that they gain nothing, with twice the code.
 #ifndef LR_NO_PAIRS
 #define LR_NO_PAIRS
 #endif
@@ -57,16 +57,16 @@ HWY_INLINE hn::Mask<DF> over(const NearHeightfield& f, Vec3 x, VF reach) {
     return hn::And(low, r.y - height <= most_above(reach, f.grid.secant, height));
 }
 
-// Which bodies may touch something solid within a step.
+// Marks bodies that can touch a collider within a step.
 void near_colliders(const NearColliders& c, float reach, float dt, float speed, const BatchArrays& a, size_t begin,
                     size_t end, uint32_t* near) {
     const DU du;
     const VF travel = constant(1.5f * dt), gain = constant(speed * dt);
     for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
         const Vec3 x = load3(a, field_x, at), v = load3(a, field_vx, at), w = load3(a, field_wx, at);
-        // Half of the reach again: contact begins before touching.
+        // Half of the reach more: contact begins before bodies touch.
         const VF size = constant(1.5f * reach) * load1(a, field_scale, at);
-        // What spins fast may go fast a moment later: added mass turns the energy of one into that of the other.
+        // A fast spin can become a fast velocity a moment later: added mass exchanges energy between them.
         const VF speed_now = constant(0.25f) * size * hn::Sqrt(dot(w, w)) + hn::Sqrt(dot(v, v));
         const VF far = travel * speed_now + size + gain;
         const auto nobody = far < hn::Zero(DF());
@@ -92,13 +92,12 @@ void near_colliders(const NearColliders& c, float reach, float dt, float speed, 
     }
 }
 
-// As kernel/integrator/step.cpp has them.
+// As declared in kernel/integrator/step.cpp.
 extern const ContactTarget contact_functions;
 extern const BodyContactTarget body_contact_functions;
 const ContactTarget contact_functions{&near_colliders, &touch_ground, &resolve_contacts};
 const BodyContactTarget body_contact_functions{
     &body_contact_begin, &body_contact_way,   &body_contact_sweep,    &body_contact_follow,   &body_contact_roll,
     &body_contact_move,  &body_contact_touch, &body_contact_velocity, &body_contact_restrain, &body_contact_finish};
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,5 +1,4 @@
-// What contacts do to bodies: Gauss-Seidel over the contacts of each body by itself, with its own mass and that of the fluid that it
-// moves along, first for the way of the substep and then for the velocity at its end (docs/maintainers/contact.md).
+// Contact with colliders: Gauss-Seidel over each body's contacts, first for displacement, then for velocity (docs/maintainers/contact.md).
 #if defined(LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_
 #undef LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_
@@ -15,17 +14,16 @@ namespace lr::LR_KERNEL_NAMESPACE {
 
 constexpr uint32_t contact_sweeps = 16;
 
-// A contact in the body frame, in kernel units: an impulse p at the arm r is the twist impulse (p, r x p/(d s)). Directions: the
-// normal and two tangents.
+// A contact in the body frame, in kernel units. An impulse p at the arm r is the twist impulse (p, r x p/(d s)). Directions: normal, two tangents.
 struct Row {
-    Twist along[3];         // the impulse along a direction; with a twist, what the point has of it
-    Twist response[3];      // of the body to it
-    VF inverse;             // 1 over what the normal velocity gains by a unit along the normal; 0 for an empty slot
-    VF to_first, to_second; // what the tangential ones gain by it
-    VF hold[3];             // inverse of what the tangential ones gain by each other, upper triangle
-    VF least;               // 1 over the most that a tangential one gains
-    VF target;              // normal velocity (or way) that it must have at least
-    VF surface[2];          // tangential velocity (or way) of the surface
+    Twist along[3];         // unit impulse along a direction; its product with a twist: the point's velocity along it
+    Twist response[3];      // of the body to that impulse
+    VF inverse;             // 1 over the gain of normal velocity by a unit normal impulse; 0 for an empty slot
+    VF to_first, to_second; // gains of the tangential velocities by a unit normal impulse
+    VF hold[3];             // inverse of the tangential response, upper triangle
+    VF least;               // 1 over the largest tangential gain
+    VF target;              // least normal velocity (or displacement)
+    VF surface[2];          // tangential velocity (or displacement) of the surface
     VF friction;
     VF pressed, dragged[2]; // impulses
 };
@@ -37,7 +35,7 @@ HWY_INLINE VF product(const Twist& a, const Twist& b) {
     return dot(a.v, b.v) + dot(a.u, b.u);
 }
 
-// The twist that a couple alone gives.
+// The twist by a couple alone.
 template <bool kFull, class C> HWY_INLINE Twist turned_by(const C& c, Vec3 couple) {
     const Vec3 none = zero3();
     if constexpr (!kFull) return {none, scaled_by(c.inverse_spin_mass, couple)};
@@ -48,7 +46,7 @@ template <bool kFull, class C> HWY_INLINE Twist turned_by(const C& c, Vec3 coupl
     return {{row(3, 4, 5), row(8, 9, 10), row(12, 13, 14)}, {row(15, 16, 17), row(16, 18, 19), row(17, 19, 20)}};
 }
 
-// No unit couple gives more spin.
+// Upper bound of the spin by a unit couple.
 template <bool kFull, class C> HWY_INLINE float most_turned(const C& c) {
     const auto size = [](float x) { return x < 0.0f ? -x : x; };
     if constexpr (!kFull)
@@ -58,18 +56,18 @@ template <bool kFull, class C> HWY_INLINE float most_turned(const C& c) {
                    HWY_MAX(size(m[16]) + m[18] + size(m[19]), size(m[17]) + size(m[19]) + m[20]));
 }
 
-// Of a slot's normal impulse: what the contact must be held with at once, and the new one.
+// Updates a slot's normal impulse and returns its change.
 HWY_INLINE VF press(Row& r, VF normal, VF dust, VF relaxed = constant(1.3f)) {
     const VF wanted = (r.target - normal) * r.inverse;
     const auto change = [&](VF by) { return hn::Max(r.pressed + by, hn::Zero(DF())) - r.pressed; };
-    // Each lane by itself: what is under the dust stays as it is, in every later sweep too, however relaxed that is.
+    // Per lane: changes under the dust are dropped in every later sweep too, whatever the relaxation.
     const auto counts = hn::Abs(change(wanted)) > dust * r.inverse;
     const VF counted = hn::IfThenElseZero(counts, change(relaxed * wanted));
     r.pressed += counted;
     return counted;
 }
 
-// Friction against the slip (x, y). Within the cone the point is held; else the impulse goes straight against the slip.
+// Friction against the slip (x, y). Inside the friction cone the point sticks; on the cone the impulse opposes the slip.
 HWY_INLINE void drag(Row& r, VF x, VF y, VF dust, VF& step_x, VF& step_y) {
     const VF slip = hn::Abs(x) + hn::Abs(y);
     const auto slides = slip > dust;
@@ -78,7 +76,7 @@ HWY_INLINE void drag(Row& r, VF x, VF y, VF dust, VF& step_x, VF& step_y) {
     VF to_y = r.dragged[1] - (r.hold[1] * x + r.hold[2] * y);
     to_x = hn::IfThenElse(slides, to_x, r.dragged[0]);
     to_y = hn::IfThenElse(slides, to_y, r.dragged[1]);
-    // A little beyond is not worth a root, and would never end.
+    // A tiny excess is not worth a root, and the sweeps would never end.
     const VF beyond = constant(1.000001f) * most_squared;
     const auto outside = to_x * to_x + to_y * to_y > beyond;
     if (!hn::AllFalse(DF(), outside)) {
@@ -98,7 +96,7 @@ HWY_INLINE void drag(Row& r, VF x, VF y, VF dust, VF& step_x, VF& step_y) {
     r.dragged[1] = to_y;
 }
 
-// The couple against rolling and spinning, no more than `most`: its change.
+// Updates the couple against rolling and spinning, at most `most`, and returns its change.
 HWY_INLINE Vec3 hold_spin(Vec3& rolled, Vec3 spin, VF spin_hold, VF most, VF dust) {
     const Vec3 wanted = rolled - spin_hold * spin;
     Vec3 couple = select(greatest(spin) > dust, wanted, rolled);
@@ -111,7 +109,7 @@ HWY_INLINE Vec3 hold_spin(Vec3& rolled, Vec3 spin, VF spin_hold, VF most, VF dus
     return step;
 }
 
-// Sweeps over the contacts, to and fro, until none changes the twist by more than `dust`.
+// Sweeps forward and backward over the contacts until none changes the twist by more than `dust`.
 template <bool kFull, class C>
 HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF spin_hold, VF dust, Twist& t) {
     const VF zero = hn::Zero(DF());
@@ -119,7 +117,7 @@ HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF sp
     Vec3 rolled = zero3(); // impulse couple against rolling and spinning
     for (uint32_t sweep = 0; sweep < contact_sweeps; ++sweep) {
         VF change = zero, load = zero;
-        // Over-relaxed, but for the first: a body's only contact is done then, and exactly.
+        // Over-relaxed from the second sweep on: the first solves a single contact exactly.
         const VF relaxed = constant(sweep == 0 ? 1.0f : 1.3f);
         for (uint32_t i = 0; i < count; ++i) {
             Row& r = rows[(sweep & 1) == 0 ? i : count - 1 - i];
@@ -150,7 +148,7 @@ HWY_INLINE void tangents(Vec3 n, Vec3& first, Vec3& second) {
     second = {b, n.y * n.y * a + sign, -n.y};
 }
 
-// The inverse of a contact's response along its tangents to unit impulses: a and e each to its own, b to the other's.
+// The inverse of a contact's 2x2 response to unit impulses along its tangents: a and e on the diagonal, b off it.
 HWY_INLINE void set_hold(VF a, VF b, VF e, VF (&hold)[3], VF& least) {
     const VF one = constant(1.0f), over = one / (a * e - b * b); // positive definite
     hold[0] = e * over;
@@ -180,7 +178,7 @@ HWY_INLINE void set_surface(Row& r, Vec3 velocity) {
     r.surface[1] = dot(r.along[2].v, velocity);
 }
 
-// The way of a substep as a twist: along the body's axes as they are at its end, rotation by its chord.
+// The displacement of a substep as a twist in body axes at its end; rotation by its chord.
 HWY_INLINE Twist way_of(Quaternion q0, Quaternion q, Vec3 moved, VF length) {
     const VF zero = hn::Zero(DF());
     const Quaternion back{-q0.x, -q0.y, -q0.z, q0.w};
@@ -192,13 +190,13 @@ HWY_INLINE Twist way_of(Quaternion q0, Quaternion q, Vec3 moved, VF length) {
     return {to_body(q, moved), length * (twice * angle)};
 }
 
-// A twist is a small rotation. The whole of it is made smaller: what no contact is against, no part of it is against.
+// A twist stands for a small rotation: a large one is scaled down as a whole. If no contact opposes it, none opposes a part of it.
 HWY_INLINE VF small_part(Vec3 u, VF inverse) {
     const VF half = constant(0.5f), large = greatest(u) * inverse;
     return hn::Min(half / hn::Max(large, half), constant(1.0f));
 }
 
-// Of a point as far out as the reach, over d s.
+// Largest speed of a point as far out as the reach; reach: over d s.
 HWY_INLINE VF speed_of(const Twist& t, VF reach) {
     return hn::Sqrt(dot(t.v, t.v)) + reach * hn::Sqrt(dot(t.u, t.u));
 }
@@ -231,7 +229,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
 
         Vec3 over[contact_slots]; // arms over d s
         VF gap[contact_slots], before[contact_slots], bounce[contact_slots], depth = zero;
-        VF left[contact_slots]; // of the gap, of what is to be undone later
+        VF left[contact_slots]; // overlap left for later substeps
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 normal = load3(s.normal, at), arm = load3(s.arm, at), surface = load3(s.surface, at);
@@ -246,10 +244,10 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             const Vec3 path = load3(s.lag, at) + h * surface;
             set_surface(r, to_body(q, path));
             r.friction = hn::IfThenElse(empty_slot, zero, load1(s.friction, at));
-            // Of the point that touches: where it was, and how fast it came when the gap closed, between its speeds at the ends.
+            // Gap at the beginning, and the approach speed when the gap closed, interpolated between the speeds at both ends.
             const Vec3 moved = x - x0 + to_world(q, arm) - to_world(q0, arm);
             before[k] = gap[k] + dot(normal, path - moved);
-            // Deep overlap that it had already, as of a body that a collider was put on, is undone over a few substeps.
+            // Deep overlap at the beginning, as after a collider was put on a body, is undone over a few substeps.
             const VF gained = gap[k] - hn::Min(before[k], zero);
             const VF push = hn::Max(gap[k], hn::Min(constant(-0.5f) * reach + gained, zero));
             r.target = product(r.along[0], way) - push;
@@ -277,7 +275,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             touching[k] = hn::IfThenElseZero(touches, one);
         }
         if (!hn::AllTrue(DF(), hn::Eq(less, one))) {
-            // Of what is left where the turn was too large the deepest is undone along its normal, if that opens all others.
+            // If the displacement was scaled down, undo the deepest remaining overlap along its normal, if that opens all others.
             VF deepest = zero;
             Vec3 up = zero3();
             for (uint32_t k = 0; k < count; ++k) {
@@ -300,12 +298,11 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
         const Twist met{load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
         Twist t = met;
         const VF slow = constant(2.0f * b.gravity * b.h);
-        VF shallow = zero;      // the least gap that the substep began with
+        VF shallow = zero;      // least gap at the beginning of the substep
         VF apart = zero;        // m/s, between the surfaces' velocities
-        Vec3 carried = zero3(); // velocity of the surface that it touches, if it is one
+        Vec3 carried = zero3(); // velocity of the surface, if all contacts share it
         auto any_touch = reach < zero;
-        // A body that rests falls half of g h^2 in a substep and gains g h: the impulses that undo the one are a good guess of those
-        // that undo the other.
+        // A resting body falls g h^2/2 in a substep and gains g h: the impulses that undo the fall are a good guess of those that undo the gain.
         const auto rests = depth < constant(2.0f) * slop + constant(b.gravity * (b.h * b.h));
         const VF guess = hn::IfThenElseZero(rests, constant(2.0f / b.h));
         for (uint32_t k = 0; k < count; ++k) {
@@ -325,8 +322,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             const auto present = load1(s.gap, at) < empty;
             r.inverse = hn::IfThenElseZero(hn::And(present, any_touch), r.inverse);
             const VF back_off = hn::IfThenElseZero(bounce[k] < -slow, -(load1(s.restitution, at) * bounce[k]));
-            // Of a body that touches with another point, what does not yet may come as fast as it takes to touch in a substep: a
-            // body does not rock from one side to the other with what it falls in each.
+            // If another point touches, an open contact can close within a substep, but not faster: the body must not rock by each substep's fall.
             const VF closing = -(hn::Max(gap[k], zero) * inverse_h);
             r.target = dot(r.along[0].v, surface) + hn::IfThenElse(touches, back_off, closing);
             set_surface(r, surface);
@@ -337,8 +333,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
         project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-3f) * slow, t);
-        // Seen from what it touches. Restitution and friction of several contacts together could give energy (Kane 1984), and still
-        // surfaces have none to give.
+        // In the frame of the surface, which has no energy to give: restitution and friction together could add some (Kane 1984).
         const Vec3 base = to_body(q, carried);
         const Twist came{met.v - base, met.u};
         Twist goes{t.v - base, t.u};
@@ -353,8 +348,8 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
         const VF factor = hn::IfThenElse(gained, hn::Sqrt(had / hn::Max(has, constant(1e-30f))), one);
         goes = factor * goes;
 
-        // What is left of the sweeps would make bodies at rest creep. One that neither moved before nor does now stays where it
-        // was, to the bit: less than 1/100 of gravity, half a degree of slope, does not get it going.
+        // The sweeps' residual would make still bodies creep. A body that was and is still keeps its pose to the bit: less than 1/100 of gravity,
+        // half a degree of slope, does not move it.
         const VF lever = reach * inverse;
         const Twist first{began.v - to_body(q0, carried), began.u};
         auto stays = hn::And(speed_of(first, lever) < creep, speed_of(goes, lever) < creep);
@@ -372,7 +367,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             const auto touches = hn::And(touching[k] > zero, present);
             store1(s.impulse, at, hn::IfThenElse(touches, rows[k].pressed, -one));
         }
-        // A body without contacts must not see that another in its vector has some: not even by rounding.
+        // A body without contacts keeps its bits, whatever other lanes touch.
         const auto put = [&](VF value, size_t field) LR_LAMBDA {
             store1(b.arrays, field, at, hn::IfThenElse(any_contact, value, load1(b.arrays, field, at)));
         };
@@ -392,7 +387,6 @@ void resolve_contacts(const ContactBodies& b, ContactSlots& slots) {
     else
         resolve<true>(b, slots);
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -1,5 +1,4 @@
-// Where two convex cores are nearest (Gilbert, Johnson and Keerthi 1988), bounded in work: one search for all that ask. L says what a
-// number is: a float or a double of one pair, or a vector with a pair in each lane, which does not depend on the others.
+// Closest points of two convex cores (Gilbert, Johnson and Keerthi 1988), bounded. L: the number type, of one pair or of a vector of pairs.
 #if defined(LR_KERNEL_CONTACT_GJK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_GJK_INL_H_
 #undef LR_KERNEL_CONTACT_GJK_INL_H_
@@ -15,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// One pair. relative: tolerances are parts of the distance, and of the cores' size.
+// The number type of one pair. relative: tolerances are fractions of the distance and of the cores' size.
 template <class Number, class Vector3, bool kRelative, uint32_t kRounds> struct OnePair {
     using V = Number;
     using Vec = Vector3;
@@ -34,13 +33,13 @@ template <class Number, class Vector3, bool kRelative, uint32_t kRounds> struct 
     static Vec choose(M m, const Vec& yes, const Vec& no) { return m ? yes : no; }
 };
 
-// A corner of the difference of both cores, and where it is on the first.
+// A vertex of the Minkowski difference of both cores, and its point on the first.
 template <class L> struct Corner { typename L::Vec w, on_a; };
 template <class L> HWY_INLINE Corner<L> choose(typename L::M m, const Corner<L>& yes, const Corner<L>& no) {
     return {L::choose(m, yes.w, no.w), L::choose(m, yes.on_a, no.on_a)};
 }
 
-// The point of a triangle nearest to the origin, where the newest corner, c, holds it (without that it was farther), and which others do.
+// The point of a triangle nearest to the origin. The newest vertex, c, always supports it (without c it was farther); the masks name the others.
 template <class L> struct Nearby {
     typename L::Vec point, on_a;
     typename L::V square;
@@ -72,14 +71,14 @@ template <class L> HWY_INLINE Nearby<L> nearest_of(const Corner<L>& a, const Cor
 }
 
 template <class L> struct Closest {
-    typename L::M beyond, overlap; // else apart; farther than what is enough, and then `lower` and `normal` count alone
-    typename L::V distance, lower; // lower: sure, along `normal`
+    typename L::M beyond, overlap; // neither: apart. beyond: farther than `enough`, only `lower` and `normal` are valid
+    typename L::V distance, lower; // lower: a lower bound, along `normal`
     typename L::Vec normal;        // unit, towards the first
-    typename L::Vec v, on_a;       // from the second's nearest point to the first's, and that
+    typename L::Vec v, on_a;       // from the second's nearest point to the first's; the first's
 };
 
-// support(direction): the corner that is farthest against it. start: unit, a guess of the normal. Cores farther apart than `enough`
-// are not looked at further, nearer than `near` they overlap. Simplices have their newest corner last; missing ones repeat others.
+// support(direction): the vertex farthest against it. start: unit, a guess of the normal. Cores farther apart than `enough` are not refined; nearer
+// than `near` they overlap. The newest vertex of a simplex is last; missing vertices repeat others.
 template <class L, class Support>
 HWY_INLINE Closest<L> closest(const Support& support, const typename L::Vec& start, typename L::V enough,
                               typename L::V near, typename L::V tolerance) {
@@ -117,7 +116,7 @@ HWY_INLINE Closest<L> closest(const Support& support, const typename L::Vec& sta
             const Vec da = first.w - newest.w, db = second.w - newest.w, dc = third.w - newest.w;
             const Vec ab = cross(da, db), bc = cross(db, dc), ca = cross(dc, da);
             const V volume = dot(ab, dc);
-            // Of a tetrahedron the sides on whose outer side the origin is.
+            // The faces of a tetrahedron that have the origin on their outer side.
             const V out_ab = dot(ab, newest.w) * volume, out_bc = dot(bc, newest.w) * volume;
             const V out_ca = dot(ca, newest.w) * volume;
             M found = L::inverse(out_ab < zero);
@@ -138,7 +137,7 @@ HWY_INLINE Closest<L> closest(const Support& support, const typename L::Vec& sta
                 found = L::either(found, side);
             }
             const M inside = L::without(four, found);
-            // Flat simplices look as if the origin were inside; a plane between the two says that it is not.
+            // Flat simplices seem to contain the origin; a separating plane disproves it.
             overlap = L::either(overlap, L::without(inside, lower > (L::relative ? zero : near)));
             live = L::without(live, inside);
         }
@@ -155,7 +154,6 @@ HWY_INLINE Closest<L> closest(const Support& support, const typename L::Vec& sta
     overlap = L::without(L::either(overlap, L::inverse(square > least)), beyond);
     return {beyond, overlap, L::root(square), lower, normal, v, on_a};
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -36,7 +36,6 @@ HWY_INLINE Vec cross(const Vec& a, const Vec& b) {
             hw::Sub(hw::Mul(a.x, b.y), hw::Mul(a.y, b.x))};
 }
 
-// A pair in each lane.
 struct Lanes {
     using V = Number;
     using Vec = search::Vec;
@@ -66,7 +65,7 @@ HWY_INLINE void store(const Vec& a, SearchBlock::Row* rows, size_t at) {
     hw::Store(a.z, Tag(), rows[2] + at);
 }
 
-// The corner farthest along a direction, the first of equal ones.
+// The vertex farthest along a direction, the first of equals.
 HWY_INLINE Vec farthest(const SearchHull& hull, const Vec& d) {
     const auto corner = [&](uint32_t i) HWY_ATTR {
         return Vec{Lanes::number(hull.x[i]), Lanes::number(hull.y[i]), Lanes::number(hull.z[i])};
@@ -111,13 +110,11 @@ HWY_INLINE void nearest_of_hulls(const SearchHull& a, const SearchHull& b, Searc
     const Number overlap = Lanes::choose(found.overlap, Lanes::number(SearchBlock::overlap), apart);
     hw::Store(Lanes::choose(found.beyond, beyond, overlap), d, block.state + at);
 }
-
 } // namespace search
 
 void search_pairs(const SearchHull& a, const SearchHull& b, uint32_t count, SearchBlock& block) {
     for (size_t at = 0; at < count; at += hwy::HWY_NAMESPACE::Lanes(search::Tag()))
         search::nearest_of_hulls(a, b, block, at);
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

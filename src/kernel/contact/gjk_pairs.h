@@ -1,4 +1,4 @@
-// Where the cores of many pairs of bodies are nearest, a pair a lane.
+// Closest points of the cores of many pairs of bodies, one pair per lane.
 #pragma once
 
 #include <cstdint>
@@ -7,17 +7,17 @@ namespace lr {
 
 inline constexpr uint32_t search_lanes = 16;
 
-// Corners of a convex hull, in its own frame.
+// Vertices of a convex hull in its own frame.
 struct SearchHull {
     const float *x, *y, *z;
     uint32_t count;
 };
 
-// Pairs of the same two hulls, each in the frame of its a. docs/maintainers/contact.md, 12.
+// Pairs of the same two hulls, each in the frame of its a (docs/maintainers/contact.md, 12).
 struct SearchBlock {
     using Row = float[search_lanes];
-    // In. b's scale, origin and axes; unit, from b to a: a guess; cores farther apart than `enough` are not looked at further, nearer
-    // than `near` they overlap; how exactly distances are wanted.
+    // In: b's scale, origin and axes; a guess of the normal, unit, from b to a; cores farther apart than `enough` are not refined, nearer than `near`
+    // they overlap; tolerance of the distance.
     alignas(64) Row ratio, offset[3], axes[9], start[3], enough, near, tolerance;
     // Out.
     Row state; // as below
@@ -25,7 +25,6 @@ struct SearchBlock {
     static constexpr float apart = 0.0f, beyond = 1.0f, overlap = 2.0f;
 };
 
-// Of the first `count` lanes.
+// Searches the first `count` lanes.
 using PairSearch = void(const SearchHull& a, const SearchHull& b, uint32_t count, SearchBlock& block);
-
 } // namespace lr

@@ -1,4 +1,4 @@
-// Where bodies touch a plane or a heightfield: few points of each, that hold it best.
+// Contact of bodies with a plane or a heightfield: the few points of each body that hold it best.
 #if defined(LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
 #undef LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// The first sample, along an axis, of the cell at a place counted in cells.
+// The first sample of a cell along an axis. place: in cells.
 HWY_INLINE VF cell_at(const HeightGrid& grid, VF place, int axis) {
     const VF last = constant(static_cast<float>(grid.counts[axis] - 2));
     return hn::Max(hn::Min(hn::Floor(place), last), hn::Zero(DF()));
@@ -22,7 +22,7 @@ HWY_INLINE VF height_of(const HeightGrid& grid, VF i, VF k) {
     const VI row = hn::Set(di, static_cast<int32_t>(grid.counts[0]));
     return hn::GatherIndex(DF(), grid.heights, hn::ConvertTo(di, i) + hn::ConvertTo(di, k) * row);
 }
-// The triangle at a place of a cell: `upper`, with the corner (i, k + 1), or that with (i + 1, k).
+// The triangle of a cell at a place: `upper`, with the corner (i, k + 1), or the one with (i + 1, k).
 struct HeightTriangle {
     VF h00, h11, corner;
 
@@ -38,7 +38,7 @@ template <class Mask> HWY_INLINE HeightTriangle triangle_of(const HeightGrid& gr
             height_of(grid, hn::IfThenElse(upper, i, next_i), hn::IfThenElse(upper, next_k, k))};
 }
 
-// The height of a heightfield below points in its frame, that at its outline where they are beyond.
+// The height below points in the heightfield's frame; beyond its outline, the height at the outline.
 HWY_INLINE VF height_within(const HeightGrid& grid, Vec3 p) {
     const auto within = [&](VF at, int axis) LR_LAMBDA {
         const VF last = constant(static_cast<float>(grid.counts[axis] - 1));
@@ -50,12 +50,12 @@ HWY_INLINE VF height_within(const HeightGrid& grid, Vec3 p) {
     VF along_u, along_w;
     return triangle_of(grid, i, k, upper).height(upper, fu, fw, along_u, along_w);
 }
-// How far above such a height what reaches so far may be and touch something; heights are rounded.
+// How far above that height a body of this reach can still touch; heights are rounded.
 HWY_INLINE VF most_above(VF reach, float secant, VF height) {
     return reach * constant(secant) + constant(1e-6f) * hn::Abs(height);
 }
 
-// Of the surface below a point, in the surface's own frame.
+// The surface below a point, in the surface's own frame.
 struct GroundSample {
     VF gap;               // height above it along its normal
     VF slope[2], inverse; // its normal is (slope[0], 1, slope[1]) inverse
@@ -69,8 +69,7 @@ HWY_INLINE Vec3 columns(const float* m, Vec3 a) {
     return a.x * broadcast(m) + a.y * broadcast(m + 3) + a.z * broadcast(m + 6);
 }
 
-// What lies below the bodies of a vector. Those smaller than half a cell meet no more than two by two cells, whose heights and normals
-// are fetched once; the samples are the same to the bit.
+// The ground below a vector's bodies. Bodies below half a cell overlap at most two by two cells, which are fetched once, with equal bits.
 class GroundBelow {
 public:
     HWY_INLINE GroundBelow(const HeightGrid& g, Vec3 middle, VF radius) : grid_(g) {
@@ -148,7 +147,7 @@ private:
     VF inverse_[2][2][2]; // of the upper and the lower triangle of each
 };
 
-// Thick ones roll over their only point, and lie in a valley between several.
+// Thick ellipsoids roll on a single point, and lie in a valley on several.
 inline bool is_flat(const ShapeConstants& s) {
     const float(&a)[3] = s.semi_axes;
     const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
@@ -158,7 +157,7 @@ inline uint32_t ellipsoid_points(const ShapeConstants& s, const GroundSurface& g
     return is_flat(s) ? 8 : g.grid.heights ? 5 : 1;
 }
 
-// A point of the shape: of its core, m in the surface's frame from the centre of mass, and its gap.
+// A point of the shape's core, m in the surface's frame from the centre of mass, and its gap.
 struct GroundPoint {
     Vec3 at;
     VF gap;
@@ -177,14 +176,13 @@ public:
         radius_ = scale_ * constant(b.shape.count == 0 ? 0.0f : b.shape.radius);
     }
 
-    // Of a core point, at scale 1.
+    // A core point at scale 1.
     HWY_INLINE GroundPoint get(float x, float y, float z, GroundSample& sample) const {
         const Vec3 p{constant(x), constant(y), constant(z)};
         return point(scaled_ * p, sample);
     }
-    // Of an ellipsoid the one nearest to the surface and others. The first is that below which the surface is nearest. A flat one
-    // that lies touches at a point that goes from rim to rim with the least tilt: four more are where it would touch if it were tilted
-    // a little more, and three at the mirrored normals, at the other rims. A thick one has four for the slopes around it.
+    // Points of an ellipsoid. The first is nearest to the surface. A flat ellipsoid that lies touches at a point that jumps from rim to rim with the
+    // least tilt: four more are its contacts if tilted a little more, and three those of mirrored normals. A thick one has four for slopes around it.
     HWY_INLINE GroundPoint of_ellipsoid(uint32_t k, GroundSample& sample) const {
         const ShapeConstants& s = shape_;
         const Vec3 axes = scale_ * broadcast(s.semi_axes), center = scale_ * broadcast(s.center);
@@ -192,7 +190,7 @@ public:
         const float(&a)[3] = s.semi_axes;
         const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
         Vec3 from = turned_ * center;
-        if (k != 0 && !flat) { // no farther than the reach, which is as far as cells are fetched
+        if (k != 0 && !flat) { // within the reach: cells are fetched no farther
             const VF beside = scale_ * constant((k & 1) != 0 ? most : -most);
             VF& along = k <= 2 ? from.x : from.z;
             along += beside;
@@ -204,8 +202,7 @@ public:
             const Vec3 arm = center - inverse * times(axes, stretched);
             return point(turned_ * arm, sample);
         };
-        // On a slope the surface under the point of support is that under another point: a second look is enough for
-        // bodies smaller than the cells, and exact on a plane.
+        // On a slope the support point is above another part of the surface: one more sample is enough below a cell's size, and exact on planes.
         Vec3 n = columns(turned_, normal(sample));
         p = support(n);
         n = columns(turned_, normal(sample));
@@ -226,7 +223,7 @@ public:
     }
     HWY_INLINE GroundSample sample_at(Vec3 at) const { return below_.at(local_ + at); }
     HWY_INLINE VF gap_of(const GroundSample& sample) const { return sample.gap - radius_; }
-    // On the body's surface, body frame.
+    // The point on the body's surface, body frame.
     HWY_INLINE Vec3 arm(Vec3 at, Vec3 n) const { return columns(turned_, at - radius_ * n); }
     static HWY_INLINE Vec3 normal(const GroundSample& s) {
         return {s.slope[0] * s.inverse, s.inverse, s.slope[1] * s.inverse};
@@ -245,8 +242,7 @@ private:
     GroundBelow below_;
 };
 
-// Whether none of the bodies within `radius` about their centres can be near the surface: over a heightfield no steeper than `steepness`
-// a point that far away is lower above it by no more than that times the secant.
+// True if the surface is farther than `radius` from all centres: over a heightfield, points within `radius` are at most radius * secant lower.
 HWY_INLINE bool far_above(const GroundSurface& g, Vec3 x, VF radius) {
     const Vec3 p = lr::HWY_NAMESPACE::rows(g.axes, x - broadcast(g.position));
     if (!g.grid.heights) return hn::AllFalse(DF(), p.y <= radius);
@@ -254,18 +250,15 @@ HWY_INLINE bool far_above(const GroundSurface& g, Vec3 x, VF radius) {
     return hn::AllFalse(DF(), p.y - height <= most_above(radius, g.grid.secant, height));
 }
 
-// How near a point must be to count: half a hundredth of the body, what it falls in a substep, and what its position is
-// rounded to.
+// Points nearer than this count: half a hundredth of the body, its fall in a substep, and the rounding of its position.
 HWY_INLINE VF contact_margin(const ContactBodies& b, VF reach, Vec3 x) {
     return constant(0.005f) * reach + (constant(1e-6f) * greatest(x) + constant(b.gravity * (b.h * b.h)));
 }
 
-// Slopes that differ by more than this, as the length of the difference of normals, meet in an edge between the points.
+// Slopes whose normals differ by more than this length form an edge between the points.
 constexpr float sharp = 0.2f;
 
-// The deepest point, the one farthest from it, and the farthest on either side of the line between them, those that touch
-// before those that nearly do: of a body that lies
-// flat, corners of the largest quadrilateral or nearly so.
+// The deepest point, the farthest from it, and the farthest on both sides of their line, touching ones first: about the largest quadrilateral.
 bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::Slot (&out)[manifold_slots],
                   uint32_t* rough) {
     const DU du;
@@ -275,7 +268,7 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
     bool any = false;
     const VF empty = constant(no_contact), zero = hn::Zero(DF()), one = constant(1.0f);
     GroundPoint points[most_ground_points];
-    // As SurfaceMotion::lag_at.
+    // As in SurfaceMotion::lag_at.
     const float half = 0.5f * b.h;
     const float turned = half * half * (g.spin[0] * g.spin[0] + g.spin[1] * g.spin[1] + g.spin[2] * g.spin[2]);
     const VF less = hn::Sqrt(hn::Max(one - constant(turned), zero)) - one;
@@ -328,8 +321,8 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         const Vec3 normal = put(0, deepest, touching);
         if (count < 2) continue;
 
-        // What touches holds the body; of the rest, what pushing the deepest point out may press in. Points nearer to each other than
-        // `apart` hold no better than one.
+        // Touching points hold the body. More points count if pushing the deepest one out can press them in. Points nearer to each other than `apart`
+        // hold no better than one.
         const VF deep = hn::Max(-least, zero);
         const VF wide_margin = constant(0.1f) * reach + margin + (deep + deep);
         const VF per_margin = one / margin, per_wide = constant(0.05f) / wide_margin;
@@ -373,7 +366,6 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
     }
     return any;
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

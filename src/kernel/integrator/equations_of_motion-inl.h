@@ -25,7 +25,6 @@ HWY_INLINE Vec3 zero3() {
     const VF zero = hn::Zero(DF());
     return {zero, zero, zero};
 }
-// f of the components of vectors, along each axis by itself.
 template <class F, class... V> HWY_INLINE Vec3 each_axis(const F& f, const V&... v) {
     return {f(v.x...), f(v.y...), f(v.z...)};
 }
@@ -65,8 +64,7 @@ HWY_INLINE VF norm_squared(Quaternion q) {
     return q.x * q.x + (q.y * q.y + (q.z * q.z + q.w * q.w));
 }
 
-// R(q) a and R(q)^T a. For a quaternion off the unit sphere by the truncation error of a Runge-Kutta stage, a smooth
-// extension of the rotation: the order of the scheme holds.
+// R(q) a and R(q)^T a. For stages of Runge-Kutta, off the unit sphere, a smooth extension of the rotation: the scheme keeps its order.
 HWY_INLINE Vec3 to_world(Quaternion q, Vec3 a) {
     const Vec3 axis{q.x, q.y, q.z};
     Vec3 t = cross(axis, a);
@@ -100,13 +98,13 @@ HWY_INLINE Quaternion normalised(Quaternion q) {
 HWY_INLINE VF greatest(Vec3 v) {
     return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z)));
 }
-// A vector's length, and its inverse that is 0 for no vector at all.
+// The inverse of a vector's length; 0 for the zero vector.
 HWY_INLINE VF inverse_length(VF length) {
     const VF least = constant(1e-30f);
     return hn::IfThenElseZero(length > least, constant(1.0f) / hn::Max(length, least));
 }
 
-// Magnitudes under 1e-15 become zero: their squares would be denormal, which is slow, and nothing can be seen of them.
+// Magnitudes under 1e-15 become zero: their squares would be denormal, which is slow, and they have no visible effect.
 HWY_INLINE VF without_dust(VF v) {
     return hn::IfThenElseZero(hn::Abs(v) >= constant(1e-15f), v);
 }
@@ -190,7 +188,6 @@ template <class T> HWY_INLINE Vec3 symmetric3(const T* m, Vec3 a) {
 template <class T> HWY_INLINE Twist broadcast6(const T* v) {
     return {broadcast(v), broadcast(v + 3)};
 }
-// entry(i, j): of a 6x6 matrix.
 template <class Entry> HWY_INLINE Twist times_matrix6(const Entry& entry, const Twist& t) {
     const VF in[6] = {t.v.x, t.v.y, t.v.z, t.u.x, t.u.y, t.u.z};
     VF out[6];
@@ -217,8 +214,8 @@ struct Body {
     Vec3 gust; // m/s, world; AERODYNAMIC loads
 };
 
-// Up to this age a plain sum errs by less than 1e-3 for substeps of 0.1 ms and more. Beyond, what each addition rounds
-// away is made up for at the next (Kahan 1965): a plain sum of 4 ms stops growing after 18 hours.
+// Beyond this age the sum is compensated (Kahan 1965): a plain sum of 4 ms stops growing after 18 hours. Below, it errs by less than 1e-3 for
+// substeps of 0.1 ms and more.
 inline constexpr float plain_age = 2.0f; // s
 HWY_INLINE void grow_older(Body& b, VF h) {
     const VF growth = h - b.age_rest;
@@ -247,12 +244,12 @@ HWY_INLINE void grow_older(Body& b, VF h) {
     beta_squared = part * (b1 - b0) + b0;
 }
 
-// Forces from outside in kernel units: force/(U s^3), torque/(U s^3 d s), and accelerations v', u'.
+// External forces in kernel units: force/(U s^3), torque/(U s^3 d s), and accelerations v', u'.
 struct External {
     Twist force[2], rate[2]; // in the world's and in the body's frame
 };
 
-// What stays fixed over the stages of one substep.
+// Constant over the stages of one substep.
 struct Held {
     VF inverse_length; // 1/(d s)
     VF alpha, beta;    // 1/s and m/s^(3/2), AGE clock
@@ -260,11 +257,11 @@ struct Held {
     // The fluid at the body, world axes, in the middle of the substep (docs/reference/wind_and_water.md).
     Vec3 wind;       // m/s
     Vec3 weight;     // force per mass unit: gravity, buoyancy, acceleration of the fluid and of the frame of t
-    Vec3 gravity;    // m/s^2, as buoyancy feels it: less the fluid's own acceleration
-    Vec3 fluid_spin; // d s times half the vorticity; read only where `sheared`
+    Vec3 gravity;    // m/s^2, effective for buoyancy: less the fluid's own acceleration
+    Vec3 fluid_spin; // d s times half the vorticity; read only if `sheared`
     bool sheared;
     bool uniform;                       // weight is (m - rho V)/U gravity
-    const External* external = nullptr; // null without forces from outside
+    const External* external = nullptr; // null without external forces
 };
 
 template <bool kFull, class C> HWY_INLINE Twist momentum(const C& c, Twist t) {
@@ -279,8 +276,7 @@ HWY_INLINE Twist to_body(Quaternion q, Twist t) {
     return {to_body(q, t.v), to_body(q, t.u)};
 }
 
-// Force and torque of what acts from outside at an orientation. Not inlined: few batches have any, and it would be there
-// four times in each variant of the kernel.
+// External force and torque at an orientation. Not inlined: few batches have any, and each variant of the kernel would contain it four times.
 template <bool kFull, class C> static HWY_NOINLINE Twist external_force(const C& c, const External& e, Quaternion q) {
     const Twist rate = e.rate[1] + to_body(q, e.rate[0]);
     return e.force[1] + to_body(q, e.force[0]) + momentum<kFull>(c, rate);
@@ -292,9 +288,9 @@ template <bool kFull, class C> HWY_INLINE Twist dragged(const C& c, Twist t) {
     return {scaled_by(c.damping, t.v), scaled_by(c.spin_damping, t.u)};
 }
 
-// A vector's bodies: taken from a batch's arrays or from rows of a block, and put back where they are bodies still (kernel/divergence.h).
+// Loads and stores of a vector's bodies, in a batch's arrays or in rows of a block. Diverged bodies are not stored (kernel/divergence.h).
 
-// A vector of a row's numbers, or of a field's.
+// A vector from a row of numbers, or from a field.
 HWY_INLINE VF load1(const float* row, size_t at) {
     return hn::Load(DF(), row + at);
 }
@@ -314,7 +310,7 @@ HWY_INLINE void store1(const BatchArrays& a, size_t field, size_t at, VF v) {
     store1(a.field[field], at, v);
 }
 
-// Rows of x, y, z (and w), or fields that lie so.
+// Rows, or successive fields, of x, y, z (and w).
 template <class Row> HWY_INLINE Vec3 load3(const Row* rows, size_t at) {
     return {load1(rows[0], at), load1(rows[1], at), load1(rows[2], at)};
 }
@@ -346,7 +342,7 @@ HWY_INLINE Quaternion load4(const BatchArrays& a, size_t at) {
     return load4(a.field + field_qx, at);
 }
 
-// A number that is not finite counts as 0, so that it cannot reach a neighbour through the bounds of the block.
+// A number that is not finite counts as 0: it must not reach other bodies through the bounds of the block.
 HWY_INLINE Vec3 within(Vec3 v, float limit) {
     const VF most = constant(limit);
     return each_axis([&](VF x) LR_LAMBDA { return hn::IfThenElseZero(hn::Abs(x) <= most, x); }, v);
@@ -362,7 +358,7 @@ template <bool kGust> HWY_INLINE Body load_body(const BatchArrays& a, size_t at)
     return b;
 }
 
-// Comparisons with NaN do not hold.
+// NaN fails every comparison.
 HWY_INLINE hn::Mask<DF> sane_pose(Vec3 x, Quaternion q) {
     const VF far = constant(farthest_place);
     const VF turn = norm_squared(q);
@@ -376,7 +372,7 @@ HWY_INLINE hn::Mask<DF> not_held(const BatchArrays& a, size_t at) {
     return load1(a, field_age_rest, at) > constant(least_age_rest);
 }
 
-// Stores what has become of bodies in `seconds`. Those that are not sane, and those that are held, stay as they were.
+// Stores bodies after `seconds`. Diverged and held bodies keep their former state.
 template <class Store>
 HWY_INLINE void store_sane(const BatchArrays& a, size_t at, hn::Mask<DF> sane, float seconds, bool gusts,
                            uint32_t* faults, const Store& store) {
@@ -393,7 +389,6 @@ HWY_INLINE void store_velocities(const BatchArrays& a, size_t at, Vec3 v, Vec3 w
         store3(a, field_wx, at, without_dust(w));
     });
 }
-// At the end of a step.
 template <bool kGust>
 HWY_INLINE void store_body(const BatchArrays& a, size_t at, const Body& b, Vec3 v, Vec3 w, float seconds,
                            uint32_t* faults) {
@@ -409,7 +404,6 @@ HWY_INLINE void store_body(const BatchArrays& a, size_t at, const Body& b, Vec3 
         store1(a, field_age_rest, at, b.age_rest);
     });
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -1,6 +1,5 @@
-// The default scheme: half a step of damping, weight and noise, exactly; a step of Kirchhoff's equations without loads,
-// by a linearly implicit midpoint that keeps their energy; the other half (docs/maintainers/numerics.md). Stable whatever the step:
-// the first part contracts towards its own equilibrium, the second neither gains nor loses.
+// The default scheme (docs/maintainers/numerics.md): half a step of damping, weight and noise, solved exactly; a step of free motion; the other half.
+// Stable at any step: the loads contract towards their equilibrium, free motion neither gains nor loses energy.
 #if defined(LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_
 #undef LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_
@@ -14,15 +13,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// Kirchhoff's equations without loads over one step, for diagonal and for full mass matrices: the implicit midpoint, solved so that
-// the energy is kept whatever the step (docs/maintainers/numerics.md, "Free motion").
+// Free motion, Kirchhoff's equations without loads: the implicit midpoint keeps the energy at any step (docs/maintainers/numerics.md).
 
-// A 3x3 matrix by its columns.
 struct Columns {
     Vec3 x, y, z;
 };
 
-// Cramer's rule. Positive definite plus skew is never singular; a Newton step's matrix may be, and is then found unsound.
+// Cramer's rule. Positive definite plus skew is never singular; the matrix of a Newton step can be, and is then rejected.
 HWY_INLINE Vec3 solve(Columns m, Vec3 r) {
     const Vec3 yz = cross(m.y, m.z);
     const VF inverse = constant(1.0f) / dot(m.x, yz);
@@ -36,7 +33,7 @@ template <bool kFull, class C> HWY_INLINE Vec3 mobility(const C& c, Vec3 y) {
 }
 // rows(c.slip, x) and columns(c.slip, x) are C x and C^T x, C = M12^T M11^-1, full path only.
 
-// The three columns of a x for the unit vectors x.
+// The columns of [a]x.
 HWY_INLINE Columns cross_columns(Vec3 a) {
     const VF zero = hn::Zero(DF());
     return {{zero, a.z, -a.y}, {-a.z, zero, a.x}, {a.y, -a.x, zero}};
@@ -54,10 +51,10 @@ template <bool kFull, class C> HWY_INLINE Columns reduced_rotation(const C& c) {
             {constant(m[2]), constant(m[4]), constant(m[5])}};
 }
 
-// How far the middle of a step of M z' = S(mu) z, S skew, lies from its start: (M - h/2 S) dz = h/2 S z0. Energy is kept
-// whatever mu is. p, l: the momenta mu. g: h/2 over the length d s. With dv = M11^-1 p x u - C^T du
+// From the start of a step of M z' = S(mu) z, S skew, to its middle: (M - h/2 S) dz = h/2 S z0. Energy is kept for any mu. p, l: the momenta mu.
+// g: h/2 over the length d s. With dv = M11^-1 p x u - C^T du
 //   (S - [l]x - [p]x M11^-1 [p]x + C [p]x + [p]x C^T) du = l x u0 + p x (v0 + M11^-1 p x u0) - C p x u0.
-// An increment, and not the middle itself: over many steps its rounding would show as a drift of energy.
+// An increment, because the rounding of the middle itself would accumulate into a drift of energy.
 template <bool kFull, class C> HWY_INLINE Twist middle_increment(const C& c, Twist start, Twist mu, VF g) {
     const Vec3 p = g * mu.v, l = g * mu.u;
     const Vec3 pu = cross(p, start.u);
@@ -85,9 +82,9 @@ template <bool kFull, class C> HWY_INLINE Twist middle_increment(const C& c, Twi
     }
 }
 
-// One Newton step for the implicit midpoint M (z - z0) = g f(z), f = (P x u, L x u + P x v), from the estimate z.
-// With y = dP for unknown and N = (1 + [g u]x)^-1: y = N (r_v + g P x du), dv = M11^-1 y - C^T du, dL = C y + S du,
-// where C = M12^T M11^-1 and S = M22 - C M12; what is left is three equations for du.
+// One Newton step for the implicit midpoint M (z - z0) = g f(z), f = (P x u, L x u + P x v), from the estimate z. With y = dP unknown and
+// N = (1 + [g u]x)^-1: y = N (r_v + g P x du), dv = M11^-1 y - C^T du, dL = C y + S du, where C = M12^T M11^-1 and S = M22 - C M12; three equations
+// for du remain.
 template <bool kFull, class C> HWY_INLINE Twist newton_step(const C& c, Twist start_momentum, Twist z, VF g) {
     const Twist mu = momentum<kFull>(c, z);
     const Vec3 a = g * z.u, b = g * z.v, p = g * mu.v, l = g * mu.u;
@@ -96,7 +93,7 @@ template <bool kFull, class C> HWY_INLINE Twist newton_step(const C& c, Twist st
 
     const VF inverse = constant(1.0f) / (constant(1.0f) + dot(a, a));
     const auto n = [&](Vec3 x) LR_LAMBDA { return inverse * (x + dot(a, x) * a - cross(a, x)); };
-    // What momentum y adds to the three equations.
+    // The contribution of momentum y to the three equations.
     const auto coupled = [&](Vec3 y) LR_LAMBDA {
         const Vec3 sum = cross(b, y) - cross(p, mobility<kFull>(c, y));
         if constexpr (!kFull) return sum;
@@ -119,18 +116,17 @@ template <bool kFull, class C> HWY_INLINE Twist newton_step(const C& c, Twist st
     return {z.v + dv, z.u + du};
 }
 
-// A body that moves by more than this many of its lengths in half a step turns more often than can be seen or resolved:
-// it is turned by less, with the same energy. Beyond a hundred, single precision would lose that too.
+// A body that moves more lengths than this in half a step is unresolved: it turns less, with the same energy. Beyond 100, energy would suffer too.
 inline constexpr float most_lengths = 8.0f;
 
-// The implicit midpoint turns a steady spin through 2 atan(w h/2) instead of w h, and the moment in the middle of the chord is
-// too small by (w h)^2/12: a step longer by that share, x^2/3 with x = w h/2, makes both right to fourth order.
+// The implicit midpoint turns a steady spin through 2 atan(w h/2) instead of w h, and the moment in the middle of the chord is too small by
+// (w h)^2/12: a step longer by that share, x^2/3 with x = w h/2, makes both right to fourth order.
 HWY_INLINE VF stretched(Vec3 u, VF g) {
     const VF x2 = hn::Min(g * g * dot(u, u), constant(1.0f));
     return g * (x2 * constant(1.0f / 3.0f) + constant(1.0f));
 }
 
-// From the start of a step to its middle, and the step that was taken.
+// The increment from the start of a step to its middle, and the step taken.
 struct Solved {
     Twist increment;
     VF g;
@@ -142,20 +138,18 @@ template <bool kFull, class C> HWY_INLINE Solved solve_middle(const C& c, const 
     const VF g = full_g / hn::Max(lengths * constant(1.0f / most_lengths), constant(1.0f));
     const Twist first = newton_step<kFull>(c, start, from, g);
     const Twist second = newton_step<kFull>(c, start, first, g);
-    // The true middle has no more energy than the ends. Newton's steps may miss it by far where the step is too long to
-    // resolve: then the momenta of the start are better.
+    // The true middle has no more energy than the ends. Newton's step can miss it by far if the time step is too long: take the momenta at the start.
     const Twist second_mu = momentum<kFull>(c, second);
     const auto sound = dot(second.v, second_mu.v) + dot(second.u, second_mu.u) <= energy * constant(1.5f);
     return {middle_increment<kFull>(c, from, select(sound, second_mu, start), g), g};
 }
 
-// Velocities in the middle of a step and at its end.
 struct Motion {
     Twist middle, end;
     VF g; // half the step that was taken over the length d s
 };
 
-// Bodies that one Newton step does not solve: two, and a middle that keeps the energy whatever they give.
+// Two Newton steps, for bodies that one does not solve, and a middle that keeps the energy whatever they give.
 template <bool kFull, class C>
 static HWY_NOINLINE void resolve_motion(const C& c, const Twist& start, VF g, hn::Mask<DF> where, Motion& m) {
     const auto energy = [&](const Twist& t) LR_LAMBDA {
@@ -164,7 +158,7 @@ static HWY_NOINLINE void resolve_motion(const C& c, const Twist& start, VF g, hn
     };
     const Solved s = solve_middle<kFull>(c, start, g);
     Twist end = start + (s.increment + s.increment);
-    // What rounding has added: much where a needle turns many times in a step. A body that got lost in it stays as it was.
+    // Energy added by rounding: much if a needle turns many times in a step. A body lost in it keeps its state.
     const VF before = energy(start), after = energy(end), zero = hn::Zero(DF());
     const auto sound = hn::And(after > zero, after <= before * constant(4.0f));
     const VF factor = hn::Min(hn::Sqrt(before / hn::IfThenElse(sound, after, constant(1.0f))), constant(1.0f));
@@ -174,12 +168,11 @@ static HWY_NOINLINE void resolve_motion(const C& c, const Twist& start, VF g, hn
     m.g = hn::IfThenElse(where, s.g, m.g);
 }
 
-// The implicit midpoint u1 = u0 + 2 g J^-1 (J u x u + P x v), P1 - P0 = 2 g P x u, at the middle. P there is
-// (1 + [g u]x)^-1 P0, so that only u is unknown; one Newton step finds it, for which P is P0 + g P0 x u. What that leaves
-// undone would show as energy: spin at the end is scaled by what is missing, and a body that would need more than `most_scaling`
-// is solved the long way.
+// The implicit midpoint u1 = u0 + 2 g J^-1 (J u x u + P x v), P1 - P0 = 2 g P x u at the middle, where P = (1 + [g u]x)^-1 P0: only u is unknown.
+// One Newton step finds it, with P = P0 + g P0 x u. Its residual would show as energy: the spin at the end is scaled to remove it. A body that needs
+// more than `most_scaling` is solved by resolve_motion.
 inline constexpr float most_scaling = 0.05f;
-// Beyond these, squares of lengths moved and of the tangent of half the angle turned in half the step, the long way too.
+// Squares of the lengths moved and of the tangent of half the angle turned in half a step: beyond them resolve_motion, too.
 inline constexpr float most_moved = 64.0f, most_turned = 4.0f;
 
 // (1 + [a]x)^-1 P less P, for the spin in the middle, and for that at the start, a.(P x a) being 0.
@@ -190,7 +183,7 @@ HWY_INLINE Vec3 turned_by(Vec3 a, VF squared, Vec3 momentum) {
 HWY_INLINE Vec3 first_turn(Vec3 a, Vec3 pa) {
     return constant(1.0f) / (constant(1.0f) + dot(a, a)) * (pa - cross(a, pa));
 }
-// What the spin must be multiplied by to lose the energy gained.
+// The factor on the spin that removes the energy gained.
 HWY_INLINE VF spin_factor(VF gained, VF spin_energy) {
     const VF share = gained / hn::Max(spin_energy, constant(1e-30f));
     return hn::Sqrt(hn::Max(constant(1.0f) - share, hn::Zero(DF())));
@@ -206,7 +199,7 @@ template <class C> HWY_INLINE Motion free_motion(const C& c, Twist start, VF g) 
     const Vec3 v = start.v, u = start.u, momentum = scaled_by(c.mass, v);
     const Vec3 a = g * u, b = g * v, p = g * momentum;
     const auto products = [](Vec3 w) LR_LAMBDA { return Vec3{w.y * w.z, w.z * w.x, w.x * w.y}; };
-    // u' over the body: gyroscopic and Munk moment.
+    // u' by the gyroscopic and the Munk moment.
     const auto turning = [&](Vec3 spin, Vec3 speed) LR_LAMBDA {
         return scaled_by(c.gyroscopic, products(spin)) + scaled_by(c.munk, products(speed));
     };
@@ -318,15 +311,13 @@ HWY_INLINE Relaxation relaxation(VF x) {
     return {c, x * c + constant(1.0f)};
 }
 
-// Of the noise that leaves a mode's stationary variance exact, over h/4: over the whole step exp(-2x) = 1/D^2; variance
-// (1 - 1/D^4)/(4x) without the cancellation, as D - 1 = x C.
+// The noise that keeps a mode's stationary variance, over h/4. With exp(-2x) = 1/D^2: variance (1 - 1/D^4)/(4x), D - 1 = x C against cancellation.
 HWY_INLINE VF quadruple_variance(const Relaxation& r, VF inverse) {
     const VF one = constant(1.0f);
     return r.c * inverse * ((one + inverse) * (inverse * inverse + one));
 }
 
-// One mode: y' = -x/tau y + f over tau, and the noise that leaves its stationary variance exact. `kick` is the noise
-// force times sqrt(2 tau).
+// One mode: y' = -x/tau y + f over tau, and the noise that leaves its stationary variance exact. kick: the noise force times sqrt(2 tau).
 template <bool kNoise> HWY_INLINE VF relax(VF y, VF x, VF tau_f, VF kick) {
     const Relaxation r = relaxation(x);
     const VF inverse = constant(1.0f) / r.d;
@@ -335,7 +326,7 @@ template <bool kNoise> HWY_INLINE VF relax(VF y, VF x, VF tau_f, VF kick) {
     return kick * hn::Sqrt(constant(0.25f) * quadruple_variance(r, inverse)) + still;
 }
 
-// kUsual: LANGEVIN loads by speed, known when this is compiled.
+// kUsual: LANGEVIN loads by speed, known at compile time.
 template <bool kUsual> HWY_INLINE bool without_loads(const StepInput& in) {
     return !kUsual && in.loads == Loads::none;
 }
@@ -360,7 +351,7 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
         if (held.external) b.t.u += couple;
         return;
     }
-    // Damping is towards the fluid's own rotation: relax the spin through the fluid.
+    // Damping is towards the fluid's own rotation: relax the spin relative to it.
     Vec3 fluid_spin{};
     if (held.sheared) {
         fluid_spin = to_body(b.q, held.fluid_spin);
@@ -410,7 +401,7 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
     if (held.sheared) b.t.u += fluid_spin;
 }
 
-// Weight, buoyancy and what acts from outside, along the modes.
+// Weight, buoyancy and external forces, along the modes.
 template <class C> HWY_INLINE Twist applied_to_modes(const C& c, const Held& held, Quaternion q) {
     const Vec3 gravity = to_body(q, held.gravity);
     if (held.uniform) {
@@ -422,12 +413,12 @@ template <class C> HWY_INLINE Twist applied_to_modes(const C& c, const Held& hel
     return force_to_modes(c, f);
 }
 
-// Damping, weight, and at the end of a step noise, for half a substep; orientation held.
+// Damping, weight, and at the end of a step noise, for half a substep at a fixed orientation.
 template <bool kNoise, bool kUsual, class C>
 HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6],
                                Body& b) {
     const VF tau = constant(0.5f * in.h);
-    // Damping is towards the fluid's own rotation: relax the spin through the fluid.
+    // Damping is towards the fluid's own rotation: relax the spin relative to it.
     const bool sheared = !without_loads<kUsual>(in) && held.sheared;
     const auto fluid_spin = [&]() LR_LAMBDA { return to_body(b.q, held.fluid_spin); };
     if (sheared) b.t.u -= fluid_spin();
@@ -462,13 +453,12 @@ HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held
     const auto relax_mode = [&](VF value, VF decay, VF push, VF by)
                                 LR_LAMBDA { return relax<kNoise>(value, decay, push, by); };
     const Twist relaxed = each_axis6(relax_mode, y, x, tau_f, kick);
-    // The change only: to modes and back costs a rounding each time.
+    // Only the change: a round trip through the modes would round the whole.
     b.t += from_modes(c, {relaxed.v - y.v, relaxed.u - y.u});
     if (sheared) b.t.u += fluid_spin();
 }
 
-// A step of Kirchhoff's equations without loads. Stretched: with the error of the turning made good, and along the velocities
-// at the ends: the middle one is the chord of an arc, too short by (w h)^2/8.
+// A step of free motion. kStretched: corrects the turning, and moves along the mean of the end velocities: the chord is too short by (w h)^2/8.
 template <bool kFull, bool kStretched = false, class C>
 HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     VF g = constant(0.5f * h) * held.inverse_length;
@@ -512,7 +502,6 @@ HWY_INLINE void splitting_substep(const StepInput& in, const C& c, Held& held, V
     b.x += constant(in.h) * held.wind;
     grow_older(b, constant(in.h));
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -1,4 +1,4 @@
-// Blocks of bodies through the substeps of a step, and which of them it has ended, compiled once for each instruction set.
+// Steps blocks of bodies through the substeps of a step, and finds bodies that end, compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/integrator/step.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
@@ -14,9 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// In a wind field. The body's velocity through the fluid obeys the equations of still fluid with the force
+// In a wind field, the body's velocity through the fluid obeys the equations of still fluid with the force
 //   (m - rho V) g + rho V a_f - m a_b,   m = (1 + weight)/2 and rho V = (1 - weight)/2 in mass units,
-// a_f the fluid's acceleration, a_b that of the wind that the body meets on its way (docs/reference/wind_and_water.md).
+// a_f the fluid's acceleration, a_b that of the wind along the body's path (docs/reference/wind_and_water.md).
 HWY_INLINE void hold_field(const FluidSample& f, size_t at, float weight, VF length, Vec3 gravity, Held& held,
                            Vec3& begin_wind, Vec3& end_wind) {
     held.wind = load3(f.wind, at);
@@ -32,8 +32,7 @@ HWY_INLINE void hold_field(const FluidSample& f, size_t at, float weight, VF len
 
 constexpr size_t line = 64 / sizeof(float);
 
-// The lines of the next bodies are on their way while these are stepped: in worlds larger than the caches, from too many
-// arrays for the processor to see it by itself. `at` may lie behind the last body: nothing is read.
+// Prefetches the next bodies: large worlds have too many arrays for the hardware prefetcher. `at` can be past the last body.
 template <bool kAerodynamic> HWY_INLINE void prefetch(const BatchArrays& a, size_t at, size_t count) {
     constexpr size_t fields = kAerodynamic ? field_count : size_t{field_gust_x};
     for (size_t i = 0; i < count; i += line) {
@@ -62,7 +61,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         held.fluid_spin = zero3();
         held.sheared = false;
         held.uniform = true;
-        // In a uniform wind the body moves through the fluid as if that were still: work with the relative velocity.
+        // In a uniform wind, step the velocity relative to the wind, as if the fluid were still.
         Vec3 begin_wind = broadcast(in.wind_begin), end_wind = held.wind;
         if (fluid) hold_field(*fluid, at - begin, c.weight, length, gravity, held, begin_wind, end_wind);
         b.t.v = load3(a, field_vx, at) - to_body(b.q, begin_wind);
@@ -108,14 +107,14 @@ HWY_INLINE hn::Mask<DF> inside(const lr_kill_volume& volume, Vec3 x) {
     }
 }
 
-// Which bodies have come to their end by a batch's rules.
+// Marks bodies that end by a batch's rules.
 bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin, size_t end, uint32_t* cause) {
     const DU du;
     const VF zero = hn::Zero(DF());
     VU any = hn::Zero(DU());
     for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
         const Vec3 x = load3(a, field_x, at);
-        // The first of the causes counts: they are written over each other in reverse.
+        // The first cause counts: they are written in reverse order.
         VU out = hn::Zero(DU());
         const auto put = [&](hn::Mask<DF> where, uint32_t code)
                              LR_LAMBDA { out = hn::IfThenElse(hn::RebindMask(du, where), hn::Set(du, code), out); };
@@ -134,7 +133,7 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
     return !hn::AllTrue(du, hn::Eq(any, hn::Zero(DU())));
 }
 
-// kernel/wind/sample_wind.cpp, kernel/water/water_loads.cpp, kernel/contact/collider_contact.cpp and kernel/contact/gjk_pairs.cpp
+// Defined in sample_wind.cpp, water_loads.cpp, collider_contact.cpp and gjk_pairs.cpp.
 PredictFunction predict;
 EvaluateFunction evaluate;
 CombineFunction combine;
@@ -168,7 +167,6 @@ void step_range_rk4(const StepInput& in, const BatchArrays& a, size_t begin, siz
                         HWY_ATTR { step_bodies<kFull, kAerodynamic, Integrator::rk4>(in, a, begin, end); });
 }
 #endif
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -193,7 +191,7 @@ const KernelTarget* built_targets(size_t& count) {
 }
 
 const KernelTarget* find_target(int32_t simd) {
-    const int64_t supported = HWY_SUPPORTED_TARGETS; // needs Highway's library only where there is a choice
+    const int64_t supported = HWY_SUPPORTED_TARGETS; // links Highway's library only if there is a choice
     size_t count = 0;
     const KernelTarget* const targets = built_targets(count);
     for (size_t i = 0; i < count; ++i) {
@@ -203,6 +201,5 @@ const KernelTarget* find_target(int32_t simd) {
     }
     return nullptr;
 }
-
 } // namespace lr
 #endif

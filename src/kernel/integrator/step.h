@@ -14,12 +14,12 @@ struct lr_batch_rules;
 
 namespace lr {
 
-// Forces over a step, by force_component. The step consumes those of bodies: it leaves zeros behind.
+// External forces over a step, by force_component. The step consumes those of single bodies: it leaves zeros behind.
 struct ExternalInput {
     bool any;
     float batch[force_components]; // on each body
-    float* bodies;                 // on each by itself, force_components arrays
-    uint32_t used;                 // a bit for each vector of `bodies`, from component 0 on; the others are 0
+    float* bodies;                 // on single bodies, force_components arrays
+    uint32_t used;                 // a bit for each vector of `bodies` in use, from component 0 on; the others are 0
     size_t stride;                 // from one of these arrays to the next
     bool clear = true;             // forces on bodies are for this call alone
 };
@@ -40,29 +40,29 @@ struct StepInput {
     BodyConstants body;
     TableConstants table;
     ExternalInput external;
-    const WaterBody* water;     // null without a surface
+    const WaterBody* water;     // null without water
     uint32_t* faults = nullptr; // set when a body diverges (kernel/divergence.h); null: not needed
 };
 
 // begin: a multiple of lane_block; end: of the target's lanes.
 using StepFunction = void(const StepInput&, const BatchArrays&, size_t begin, size_t end);
-// The paper's scheme is a reference, which need not be fast: compiled for one instruction set, used by all. The bits are the same.
+// The paper's scheme is a reference, which need not be fast: compiled for one instruction set and used by all, with the same bits.
 StepFunction step_rk4;
 
 inline constexpr uint32_t most_kill_volumes = 8;
 // Why bodies end. Volumes follow, in their order.
 enum Cause : uint32_t { cause_none, cause_not_finite, cause_age, cause_volume };
 inline constexpr uint32_t cause_count = cause_volume + most_kill_volumes;
-// Writes the first cause that holds for each body of [begin, end), multiples of lane_block. Returns whether there is any.
+// Writes the first cause that holds for each body of [begin, end), multiples of lane_block. Returns whether any body ends.
 using EndedFunction = bool(const lr_batch_rules&, const BatchArrays&, size_t begin, size_t end, uint32_t* cause);
 
 // Positions (and velocities) of bodies in the middle of a substep, world axes.
 using PredictFunction = void(const BatchArrays&, size_t begin, size_t end, float h, FieldBlock& out);
 // Winds at the block's positions.
 using EvaluateFunction = void(const FieldInstant&, size_t count, FieldBlock& block);
-// What a substep needs of them.
+// The fluid at the bodies, as a substep needs it, from these winds.
 using CombineFunction = void(float h, size_t count, const FieldBlock& block, FluidSample& out);
-// After the substep: bodies met the wind of their mean velocity over it, not that of their first.
+// After the substep: corrects velocities for the wind along the mean velocity of the substep instead of the first.
 using SettleFunction = void(const BodyConstants&, float h, const FieldBlock& block, const FluidSample& sample,
                             const BatchArrays&, size_t begin, size_t end, uint32_t* faults);
 
@@ -88,7 +88,6 @@ struct KernelTarget {
 // Targets in this build, best first; `count` receives how many.
 const KernelTarget* built_targets(size_t& count);
 
-// The best target that this processor runs, or the one asked for (LR_SIMD_*); null when it cannot.
+// The best target that this processor runs, or the requested one (LR_SIMD_*); null if it cannot run that.
 const KernelTarget* find_target(int32_t simd);
-
 } // namespace lr

@@ -1,4 +1,4 @@
-// One substep of one vector of bodies, whatever their loads and scheme.
+// One substep of one vector of bodies, for all loads and schemes.
 #if defined(LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_
 #undef LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_
@@ -30,7 +30,7 @@ HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Q
     if (!kAerodynamic && in.loads == Loads::langevin) {
         VF alpha = held.alpha;
         if (in.clock == Clock::speed) alpha = constant(c.speed_alpha) * held.inverse_length * hn::Sqrt(dot(t.v, t.v));
-        if (held.sheared) t.u -= to_body(q, held.fluid_spin); // drag of the spin through the fluid
+        if (held.sheared) t.u -= to_body(q, held.fluid_spin); // drag acts on the spin through the fluid
         const Twist d = dragged<kFull>(c, t);
         f.v = f.v + held.noise.v - alpha * d.v;
         f.u = f.u + held.noise.u - alpha * d.u;
@@ -38,8 +38,7 @@ HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Q
     return acceleration<kFull>(c, f);
 }
 
-// One substep of the paper's scheme: classical Runge-Kutta, with the noise held over its stages (docs/maintainers/physics.md section
-// 4, docs/maintainers/numerics.md).
+// The paper's scheme: classical Runge-Kutta, with the noise fixed over its stages (docs/maintainers/physics.md section 4, numerics.md).
 template <bool kFull, bool kAerodynamic, class C>
 HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6], Body& b) {
     const VF h = constant(in.h), half = constant(0.5f * in.h), quarter = constant(0.25f * in.h);
@@ -99,7 +98,7 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
     grow_older(b, h);
 }
 
-// Forces from outside over a step, in the units of the kernel (body_constants.h). Those of bodies are taken: zeros are left for the next step.
+// External forces over a step in kernel units (body_constants.h). Forces on single bodies are consumed: zeros remain for the next step.
 template <class C>
 static HWY_NOINLINE External take_external(const ExternalInput& in, const C& c, VF body_scale, size_t at) {
     VF sum[force_components];
@@ -134,8 +133,7 @@ HWY_INLINE Vec3 wind_of_substep(const StepInput& in, uint32_t i) {
     return broadcast(wind);
 }
 
-// A body in its own patch of moving air: quasi-steady motion through it, then the patch's next velocity, which the body
-// meets with the world velocity it has.
+// A body in its own patch of moving air: quasi-steady motion through the patch, then the patch's next velocity; the body's world velocity stays.
 template <bool kFull, Integrator kIntegrator, class C>
 HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held, VU noise_seed, uint32_t substep,
                                     Body& b) {
@@ -185,7 +183,7 @@ HWY_INLINE void one_substep(const StepInput& in, const C& c, Held& held, VU nois
         rk4_substep<kFull, false>(in, c, held, beta_unit, gauss, b);
 }
 
-// Calls f<kFull, kAerodynamic>() for the batch's. Bodies without loads go the way of LANGEVIN loads.
+// Calls f<kFull, kAerodynamic>() for the batch. Bodies without loads use the LANGEVIN variant.
 template <class F> HWY_INLINE void for_variant(const StepInput& in, const F& f) {
     const bool aerodynamic = in.loads == Loads::aerodynamic;
     if (in.body.diagonal)
@@ -193,7 +191,6 @@ template <class F> HWY_INLINE void for_variant(const StepInput& in, const F& f) 
     else
         aerodynamic ? f.template operator()<true, true>() : f.template operator()<true, false>();
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -1,5 +1,5 @@
 // Quasi-steady loads for one vector of bodies: docs/maintainers/physics.md, "AERODYNAMIC". Kernel units and constants: body_constants.h.
-// `b`: 1/(d s). `nu`: viscosity over d s, a velocity. v: of the centre of the loads, along their axes.
+// `b`: 1/(d s). `nu`: viscosity over d s, a velocity. v: of the load centre, along the load axes.
 #if defined(LR_KERNEL_LOADS_AERODYNAMIC_LOADS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_LOADS_AERODYNAMIC_LOADS_INL_H_
 #undef LR_KERNEL_LOADS_AERODYNAMIC_LOADS_INL_H_
@@ -19,7 +19,7 @@ template <class T> HWY_INLINE Twist rows6(const T* m, Vec3 a) {
     return {rows(m, a), rows(m + 9, a)};
 }
 
-// Above zero, so that directions exist; far below any speed that can be seen.
+// Above zero, so that directions exist; far below any visible speed.
 HWY_INLINE VF speed_squared(Vec3 v) {
     return dot(v, v) + constant(1e-20f);
 }
@@ -34,12 +34,12 @@ template <class A> HWY_INLINE VF drag_rate(const A& c, VF b, VF nu, Vec3 v) {
     return b * (s * form + (nu * weighted(c.drag_stokes, part) + layer));
 }
 
-// How far the flow is from edge-on: sin^2 of the angle of attack for a sheet.
+// sin^2 of the angle of attack for a sheet: 0 edge on.
 template <class A> HWY_INLINE VF stall(const A& c, VF inverse_s2, Vec3 v) {
     return weighted(c.broadside, times(v, v)) * inverse_s2;
 }
 
-// Lift is circulation x v, per mass unit: of translation, of rotation, and the sideways part of an uneven viscous drag.
+// Lift is circulation x v, per mass unit: by translation, by rotation, and by the sideways part of uneven viscous drag.
 template <class A> HWY_INLINE Vec3 circulation(const A& c, VF b, VF nu, Vec3 v, Vec3 u) {
     const VF s2 = speed_squared(v), s = hn::Sqrt(s2);
     const VF inverse_s2 = constant(1.0f) / s2, inverse = b * inverse_s2;
@@ -90,7 +90,7 @@ template <bool kFull, class A> HWY_INLINE Vec3 load_spin(const A& c, Twist t) {
     return rows(c.axes, t.u);
 }
 
-// All of them as force and torque about the centre of mass, body axes.
+// The sum of all loads as force and torque about the centre of mass, body axes.
 template <bool kFull, class A> HWY_INLINE Twist aerodynamic_loads(const A& c, VF b, Twist t) {
     const VF nu = constant(c.viscosity) * b;
     const Vec3 v = centre_velocity<kFull>(c, t), u = load_spin<kFull>(c, t);
@@ -104,10 +104,9 @@ template <bool kFull, class A> HWY_INLINE Twist aerodynamic_loads(const A& c, VF
     return {f, columns(c.axes, torque) + cross(broadcast(c.arm), f)};
 }
 
-// The fluid's own velocity after a substep (world frame): an Ornstein-Uhlenbeck process whose rate and variance, alpha
-// and beta^2/(2 alpha), are held over it.
+// The gust after a substep (world frame): an Ornstein-Uhlenbeck process whose rate and variance, alpha and beta^2/(2 alpha), are fixed over it.
 HWY_INLINE Vec3 next_gust(Vec3 gust, VF alpha, VF variance, float h, const VF gauss[3]) {
-    // exp(-x) to 1e-6 for x below 1, zero in the end for all above.
+    // exp(-x), to 1e-6 for x below 1, and towards zero beyond.
     const VF x = hn::Min(alpha * constant(0.125f * h), constant(8.0f));
     VF e = constant(1.0f) / polynomial({1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f}, x);
     e *= e;
@@ -117,8 +116,7 @@ HWY_INLINE Vec3 next_gust(Vec3 gust, VF alpha, VF variance, float h, const VF ga
     return e * gust + kick * broadcast(gauss);
 }
 
-// The splitting scheme's substep with quasi-steady loads: free motion, drag and weight, spin drag, lift, and back
-// (docs/maintainers/numerics.md, "AERODYNAMIC loads").
+// The substep with quasi-steady loads: free motion, drag and weight, spin drag, lift, and back (docs/maintainers/numerics.md, "AERODYNAMIC loads").
 
 // y' = f - x/tau y over tau, given tau f: exp(-x) = 1/D and (1 - exp(-x))/x = C/D with D = 1 + x C, C = 1 + x/2.
 HWY_INLINE VF relax_second(VF y, VF x, VF tau_f) {
@@ -126,8 +124,8 @@ HWY_INLINE VF relax_second(VF y, VF x, VF tau_f) {
     const VF c = x * constant(0.5f) + constant(1.0f);
     return (tau_f * c + y) / (x * c + constant(1.0f));
 }
-// In its middle, m = r/(1 + e), where r is y and half of tau f: as if the rate grew with y, x/tau being that at r,
-// m (1 + x m/(2 r)) = r. An x taken at y instead would leave y as it is where x is large, and a body at rest there for long.
+// Its middle: m = r/(1 + e), r = y plus half of tau f, as if the rate grew with y: with x/tau the rate at r, m (1 + x m/(2 r)) = r. The rate at y
+// instead would leave y unchanged for large x, and a body at rest there for long.
 HWY_INLINE VF eased(VF x) {
     return x / (constant(1.0f) + hn::Sqrt(constant(2.0f) * x + constant(1.0f)));
 }
@@ -139,19 +137,19 @@ HWY_INLINE VF relax_middle(VF r, VF x) {
     return (r + r) / (constant(1.0f) + hn::Sqrt(constant(2.0f) * x + constant(1.0f)));
 }
 
-// Twist of the body about the centre of the loads, along their axes; of both halves of the loads.
+// Twist of the body about the load centre, in load axes, for both halves of the loads.
 struct Pull {
-    Twist t;    // what weight, buoyancy and external forces give in half a substep
+    Twist t;    // gain by weight, buoyancy and external forces in half a substep
     Vec3 modes; // its velocity along the modes of the mobility
 };
-// Rates in the middle of a half. The other half finds its own middle with them: of second order, and at rest where these are.
+// Rates in the middle of one half. The other half starts from them to find its own middle: second order, with the same equilibrium.
 struct Rates {
     VF drag;
     Vec3 spin;
 };
 
-// Drag opposes the velocity with one factor in all directions, so that the modes of the mobility P M^-1 P^T decay on
-// their own, each towards its terminal velocity. On the diagonal path they are the axes.
+// Drag opposes the velocity with one factor in all directions, so the modes of the mobility P M^-1 P^T decay independently, each towards its terminal
+// velocity. On the diagonal path they are the axes.
 template <bool kFull, class C>
 HWY_INLINE void drag_along_modes(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull,
                                  bool before_lift, Rates& rates, Twist& t) {
@@ -177,7 +175,7 @@ HWY_INLINE void drag_along_modes(const StepInput& in, const C& c, const Held& he
     const Vec3 lost = rows(a.modes, after - y - pull.modes);
     t += pull.t + Twist{lost, rows(a.spin_of_force, lost)};
 }
-// The full path's halves are not inlined: each is there twice, and a substep would not fit into the instruction cache.
+// Not inlined: the full path has each half twice, and a substep would exceed the instruction cache.
 template <class C>
 static HWY_NOINLINE void drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull,
                                         bool before_lift, Rates& rates, Twist& t) {
@@ -214,11 +212,10 @@ template <bool kFull, class C> HWY_INLINE Vec3 rolled_half(const C& c, const Rol
     return u - lost * response;
 }
 
-// The couple of the lift acts at four moments, h/4 each: at the ends of the substep and on both sides of its middle. It is the
-// load that turns most with the body, and one attitude for all of it was the largest error of the splitting.
+// The lift's couple acts at four moments, h/4 each: at the ends of the substep and on both sides of its middle. Of all loads it turns most with the
+// body, and a single attitude for it was the largest error of the splitting.
 inline constexpr float couple_share = 0.25f;
-// A couple that makes the rim faster than this many times the stream acts longer than it does in truth: the body would have
-// turned away. At the ends of a substep no spin drag acts against it.
+// Bound of the rim's speed by a couple, over the stream's: in truth the body would have turned away. At a substep's ends no spin drag acts.
 inline constexpr float most_rim = 8.0f, most_rim_at_end = 1.0f;
 HWY_INLINE Vec3 bounded(Vec3 v, VF most, VF least) {
     return each_axis([&](VF x) LR_LAMBDA { return hn::Max(hn::Min(x, most), least); }, v);
@@ -243,9 +240,8 @@ HWY_INLINE void couple_at_end(const StepInput& in, const C& c, const Held& held,
         b.t.u += push;
 }
 
-// Spin along one axis under the couple and the drag along it, to which all spin answers: N e of it, here over e.N e. One
-// axis after the other, and backwards in the other half, is of second order, contracts in the norm of N^-1, and rests where couple
-// and drag agree along every axis, whatever the step.
+// Spin along one axis under couple and drag along it; all spin answers by N e, here over e.N e. Axis after axis, in reverse order in the other half,
+// is of second order, contracts in the norm of N^-1, and rests at any step if couple and drag agree along every axis.
 template <int kAxis, class T> HWY_INLINE Vec3 answering(const T* n, VF change, Vec3 u) {
     if constexpr (kAxis == 0) return {u.x + change, constant(n[0]) * change + u.y, constant(n[1]) * change + u.z};
     if constexpr (kAxis == 1) return {constant(n[2]) * change + u.x, u.y + change, constant(n[3]) * change + u.z};
@@ -277,7 +273,7 @@ static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, co
     Vec3 middle = answering<0>(n, lost(r.x, e.x), r);
     middle = answering<1>(n, lost(middle.y, e.y), middle);
     middle = answering<2>(n, lost(middle.z, e.z), middle);
-    // A couple moves a centre that lies off the centre of mass.
+    // A couple moves a load centre that lies off the centre of mass.
     const Vec3 v = t.v + rows(a.velocity_of_couple, middle - t.u);
     const VF speed = hn::Sqrt(speed_squared(v));
     const Vec3 push = push_in(v, speed);
@@ -300,7 +296,7 @@ static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, co
     t.u = u;
 }
 
-// Roll damping is a part of its own, next to the lift on both sides.
+// Roll damping is a separate part, next to the lift on both sides.
 template <bool kFull, bool kBeforeLift, class C>
 HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull, Rates& rates,
                                Twist& t) {
@@ -327,7 +323,7 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held
 }
 
 // The middle of the implicit midpoint for v' = N (2 k) x v: (1 - N [k]x)^-1 v = (v + N (k x v) + (k.a v) k)/(1 + k.a k),
-// a the adjugate of N; a rotation where N is the unit matrix.
+// a the adjugate of N; a rotation if N is the unit matrix.
 template <bool kFull, class C> HWY_INLINE Vec3 lifted_middle(const C& c, Vec3 k, Vec3 v) {
     const auto& a = c.aerodynamics;
     const Vec3 kv = cross(k, v);
@@ -345,14 +341,14 @@ template <bool kFull, class C> HWY_INLINE Vec3 lifted_middle(const C& c, Vec3 k,
     return inverse * (v + moved + dot(ak, v) * k);
 }
 
-// Lift does no work, whatever the circulation: force g x v_middle of the implicit midpoint keeps the energy at any step.
-// The circulation is that of the middle to which the one at the start leads.
+// Lift does no work: the force g x v_middle of the implicit midpoint keeps the energy at any step, whatever the circulation g. That is taken at the
+// middle which the circulation at the start leads to.
 template <bool kFull, class C>
 HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF nu, Twist& t) {
     const auto& a = c.aerodynamics;
     const VF half = constant(0.5f * in.h);
     const Vec3 v = t.v, u = t.u;
-    // Beyond this the velocity turns through more than can be resolved.
+    // Beyond this the velocity turns too far in a step to be resolved.
     const VF most = constant(5e3f), least = constant(-5e3f);
     const Vec3 start = bounded(half * circulation(a, held.inverse_length, nu, v, u), most, least);
     const Vec3 v_start = lifted_middle<kFull>(c, start, v);
@@ -367,8 +363,7 @@ HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF 
         t.v += scaled_by(c.inverse_mass, impulse);
 }
 
-// What weight, buoyancy and what acts from outside give. A torque acts with the drag on the full path, where it moves the
-// centre of the loads, and with the spin drag on the diagonal one.
+// The gain by weight, buoyancy and external forces. A torque acts with the drag (full path: it moves the load centre) or the spin drag (diagonal).
 template <bool kFull, class C>
 HWY_INLINE Pull pull_of(const StepInput& in, const C& c, const Held& held, Quaternion q) {
     const VF tau = constant(0.5f * in.h);
@@ -400,7 +395,7 @@ HWY_INLINE Pull pull_of(const StepInput& in, const C& c, const Held& held, Quate
 template <bool kFull, class C>
 HWY_INLINE void loads_in_middle(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
     const Pull pull = pull_of<kFull>(in, c, held, b.q);
-    // Loads are those of the spin through the fluid.
+    // Loads act on the spin relative to the fluid.
     if (held.sheared) b.t.u -= to_body(b.q, held.fluid_spin);
     const auto& a = c.aerodynamics;
     const Twist before{centre_velocity<kFull>(a, b.t), load_spin<kFull>(a, b.t)};
@@ -412,7 +407,7 @@ HWY_INLINE void loads_in_middle(const StepInput& in, const C& c, const Held& hel
     spin_drag_half<kFull, false>(in, c, held, nu, pull, rates, t);
     drag_half<kFull, false>(in, c, held, nu, pull, rates, t);
     if constexpr (kFull) {
-        // The change only: a frame and back costs a rounding each time.
+        // Only the change: a round trip through the load axes would round the whole.
         const Vec3 u = columns(a.axes, t.u - before.u);
         b.t += Twist{columns(a.axes, t.v - before.v) - cross(u, broadcast(a.arm)), u};
     } else {
@@ -421,8 +416,7 @@ HWY_INLINE void loads_in_middle(const StepInput& in, const C& c, const Held& hel
     if (held.sheared) b.t.u += to_body(b.q, held.fluid_spin);
 }
 
-// Free motion errs most, and its error grows with the square of its step: it takes the two outer places, the loads the
-// middle one.
+// Free motion has the largest error, growing with the square of its step: it takes the two outer places, the loads the middle.
 template <bool kFull, class C>
 HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, const Held& held, Body& b) {
     const VF nu = constant(c.aerodynamics.viscosity) * held.inverse_length;
@@ -432,7 +426,6 @@ HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, c
     free_step<kFull, true>(0.5f * in.h, c, held, b);
     couple_at_end<kFull>(in, c, held, b);
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

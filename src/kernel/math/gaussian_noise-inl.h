@@ -1,4 +1,4 @@
-// Six Gaussians a body and substep from a counter: no state, no order, no communication (docs/maintainers/numerics.md).
+// Six Gaussians per body and substep from a counter: no state, no order, no communication (docs/maintainers/numerics.md).
 #if defined(LR_KERNEL_MATH_GAUSSIAN_NOISE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_MATH_GAUSSIAN_NOISE_INL_H_
 #undef LR_KERNEL_MATH_GAUSSIAN_NOISE_INL_H_
@@ -11,11 +11,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// Philox4x32-7: Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011; seven rounds are
-// the fewest that pass BigCrush there.
+// Philox4x32-7: Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011; seven rounds are the fewest that pass BigCrush there.
 
-// A word a body, bodies of even and of odd lanes apart: each word in the low half of 64 bits, which is all that the wide
-// product reads. What is above does not matter, so that a product is its own low word.
+// One word per body, even and odd lanes apart, in the low half of 64 bits, which the wide product reads: a product serves as its own low word.
 #if HWY_TARGET == HWY_SCALAR
 struct Word {
     uint64_t even;
@@ -57,7 +55,7 @@ HWY_INLINE Word product(Word a, uint32_t factor) {
     const VU f = hn::Set(du, factor);
     return {hn::BitCast(du, hn::MulEven(a.even, f)), hn::BitCast(du, hn::MulEven(a.odd, f))};
 }
-// By a shuffle: shifts share their ports with the additions of whatever runs beside.
+// By a shuffle: shifts compete for ports with the additions of neighbouring code.
 HWY_INLINE Word high(Word product) {
     return {hn::DupOdd(product.even), hn::DupOdd(product.odd)};
 }
@@ -72,8 +70,7 @@ HWY_INLINE VU join_high(Word product) {
 }
 #endif
 
-// Counter (first, second, third, fourth); all but the first are the same for all bodies. The first two rounds have then
-// only one product of theirs each that differs from body to body.
+// Counter (first, second, third, fourth). Only the first differs between bodies, so each of the first two rounds has one product that does.
 HWY_INLINE void philox(VU first, uint32_t second, uint32_t third, uint32_t fourth, uint64_t key, VU out[4]) {
     const DU du;
     constexpr uint32_t m0 = 0xD2511F53u, m1 = 0xCD9E8D57u, w0 = 0x9E3779B9u, w1 = 0xBB67AE85u;
@@ -119,9 +116,8 @@ HWY_INLINE VF squared_radius(VU word) {
     const DU du;
     const VF x = from_signed(hn::Or(hn::And(word, hn::Set(du, 0x7fffffffu)), hn::Set(du, 1)));
     const VU bits = hn::BitCast(du, x);
-    // As an integer, the bits are a logarithm by linear interpolation; what it lacks is a function of the mantissa. The factor
-    // f keeps the error in proportion as x comes near 2^31 from below. The largest words round to 2^31 itself, where f = -1:
-    // there the fit was held just below zero, so that the result is never negative.
+    // As an integer, the bits are a linearly interpolated logarithm; the rest is a function of the mantissa. The factor f keeps the error
+    // proportional as x approaches 2^31. The largest words round to 2^31, f = -1: there the fit stays just below zero, so no result is negative.
     const VF line = from_signed(hn::Set(du, 0x4f000000u) - bits) * constant(1.65259166e-7f); // 2^-22 log 2
     const VU mantissa = hn::Or(hn::And(bits, hn::Set(du, 0x007fffffu)), hn::Set(du, 0x3f800000u));
     const VF f = hn::BitCast(DF(), mantissa) - constant(2.0f); // [-1, 0)
@@ -132,9 +128,8 @@ HWY_INLINE VF squared_radius(VU word) {
     return f * ((high * f2 + middle) * f2 + low) + line;
 }
 
-// Two Gaussians by Box and Muller (1958). The radius is that of `word`. The angle, in quarter turns over 2^31, gives a
-// direction (a, b) within half a turn; the highest bit of `word` turns it by the other half. The direction's length is divided
-// out, so that its polynomials need to be right in their ratio only.
+// Two Gaussians by Box and Muller (1958), with the radius of `word`. The angle, in quarter turns over 2^31, gives a direction (a, b) within half a
+// turn; the highest bit of `word` adds the other half. The direction's length is divided out: only the ratio of its polynomials must be right.
 HWY_INLINE void gaussian_pair(VU word, VU angle, VF& g0, VF& g1) {
     const DU du;
     const VF t = from_signed(angle);
@@ -149,9 +144,8 @@ HWY_INLINE void gaussian_pair(VU word, VU angle, VF& g0, VF& g1) {
     g1 = turned * b;
 }
 
-// Ten bits of each pair's angle come from the fourth word. Ten more are the low ones of the radius's word, where they stand for
-// less than 2^-20 of the radius's uniform number. Signs, radii to 21 bits and angles to 20 are independent and uniform: every
-// bit of an angle is one that they have not yet used, changed or not by bits that they have.
+// Ten bits of each angle come from the fourth word, ten more are the low bits of the radius's word, less than 2^-20 of its uniform number. Signs,
+// radii to 21 bits and angles to 20 are independent and uniform: each bit of an angle is unused by them, at most XORed with used bits.
 template <int kPair> HWY_INLINE VU pair_angle(const VU word[4]) {
     return hn::Xor(hn::ShiftLeft<12>(word[kPair]), hn::ShiftLeft<10 * kPair>(word[3]));
 }
@@ -168,7 +162,7 @@ HWY_INLINE void six_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[6]
     gaussian_pair(word[2], pair_angle<2>(word), out[4], out[5]);
 }
 
-// The first three of them.
+// The first three of six_gaussians.
 HWY_INLINE void three_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[3]) {
     VU word[4];
     noise_words(key, substep, seed, word);
@@ -176,7 +170,6 @@ HWY_INLINE void three_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[
     gaussian_pair(word[0], pair_angle<0>(word), out[0], out[1]);
     gaussian_pair(word[1], pair_angle<1>(word), out[2], unused);
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

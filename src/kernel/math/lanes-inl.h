@@ -1,6 +1,5 @@
-// Vectors of bodies. A substep is one long chain of dependent operations, longer than a processor looks ahead: two hardware
-// vectors side by side fill the gaps (docs/maintainers/performance.md). Everything else in the kernel is written for one vector,
-// with Highway's names, and does not know.
+// Vectors of bodies. A substep is one chain of dependent operations, longer than a processor looks ahead: two hardware vectors side by side fill the
+// gaps (docs/maintainers/performance.md). The rest of the kernel is written for one vector, with Highway's names.
 #if defined(LR_KERNEL_MATH_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_MATH_LANES_INL_H_
 #undef LR_KERNEL_MATH_LANES_INL_H_
@@ -14,12 +13,11 @@
 #include <cstdint>
 #include <type_traits>
 
-// Lambdas in kernels: of the target, and never calls with vectors passed through memory.
+// Lambdas in kernels: compiled for the target, and inlined, because a call would pass vectors through memory.
 #undef LR_LAMBDA
 #define LR_LAMBDA HWY_ATTR __attribute__((always_inline))
 
-// Files with and without pairs have functions of the same names: each kind has a namespace, or the linker takes one for the other
-// where a compiler does not inline.
+// Files with and without pairs have functions of the same names: separate namespaces keep the linker from mixing those that are not inlined.
 #undef LR_KERNEL_PAIRS
 #undef LR_KERNEL_NAMESPACE
 #if !defined(LR_NO_PAIRS) && (HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON)
@@ -30,8 +28,7 @@
 #define LR_KERNEL_NAMESPACE HWY_NAMESPACE
 #endif
 
-// The lesser is a < b ? a : b and the greater a > b ? a : b, of a number and NaN the second: as x86 has it, where others differ. A body
-// that leaves the numbers does so on all of them alike.
+// Min is a < b ? a : b, Max a > b ? a : b; of a number and NaN the second, as on x86. Others differ, but a body must diverge alike on all targets.
 #undef LR_LESSER_BY_COMPARISON
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
 #define LR_LESSER_BY_COMPARISON 0
@@ -80,7 +77,7 @@ template <class T, class V> HWY_INLINE Vec<Tag<T>> GatherIndex(Tag<T>, const T* 
     return {one::GatherIndex(d, p, index.a), one::GatherIndex(d, p, index.b)};
 }
 
-// Functions of vectors and masks, and those that have a tag before them.
+// Functions of vectors and masks, and functions with a tag before them.
 #define LR_PAIR(name)                                                                                                  \
     template <class... V> HWY_INLINE auto name(Pair<V>... x) {                                                         \
         return pair(one::name(x.a...), one::name(x.b...));                                                             \
@@ -188,8 +185,8 @@ HWY_INLINE float greatest_lane(VF v) {
 #endif
 }
 
-// Elementary functions from + - x / sqrt only, so that every target gives the same bits. Polynomials are minimax fits
-// made for these ranges; their errors are below half an ulp of a float result (docs/maintainers/determinism.md).
+// Elementary functions from + - x / sqrt only, so that every target gives the same bits. Polynomials are minimax fits for these ranges, with errors
+// below half an ulp of a float result (docs/maintainers/determinism.md).
 
 HWY_INLINE VF constant(float x) {
     return hn::Set(DF(), x);
@@ -199,7 +196,7 @@ HWY_INLINE VF constant(VF x) {
     return x;
 }
 
-// Products and sums are never fused (cmake/compile_flags.cmake): that differs in the last bit, and not every target has it.
+// Products and sums are never fused (cmake/compile_flags.cmake): fusing changes the last bit, and not every target has it.
 HWY_INLINE VF operator-(VF a) {
     return hn::Neg(a);
 }
@@ -250,7 +247,6 @@ HWY_INLINE void sin_cos_turn(VF turn, VF& sine, VF& cosine) {
     sine = hn::BitCast(DF(), hn::Xor(hn::BitCast(du, a), sine_sign));
     cosine = hn::BitCast(DF(), hn::Xor(hn::BitCast(du, b), cosine_sign));
 }
-
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

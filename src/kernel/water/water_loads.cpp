@@ -1,9 +1,9 @@
-// Bodies between two fluids, compiled once for each instruction set.
+// Bodies at the water's surface, compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/water/water_loads.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
 
-// Vectors one by one: two side by side spill so much here that they are slower, in twice the code.
+// One vector at a time: two side by side spill so much here that they are slower, with twice the code.
 #ifndef LR_NO_PAIRS
 #define LR_NO_PAIRS
 #endif
@@ -19,13 +19,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// A surface at a vector of points (docs/reference/wind_and_water.md).
+// The water's surface at a vector of points (docs/reference/wind_and_water.md).
 struct SurfaceSample {
     VF height; // m above the plane
     Vec3 normal, velocity, rate;
 };
 
-// exp(-x) for x >= 0, to 1e-6; zero in the end.
+// exp(-x) for x >= 0, to 1e-6, towards zero for large x.
 HWY_INLINE VF decay(VF x) {
     const VF y = hn::Min(x, constant(64.0f)) * constant(1.0f / 16.0f);
     const VF d = polynomial({1.0f / 720.0f, 1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f}, y);
@@ -48,8 +48,7 @@ HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, Vec3 x) {
         out.normal += constant(w.amplitude * w.number) * sine[i] * k;
     }
     out.normal = constant(1.0f) / hn::Sqrt(dot(out.normal, out.normal)) * out.normal;
-    // Motion fades with the depth below the surface itself (Wheeler's stretching): no wave rides on another's crest
-    // faster than it would on still water.
+    // Motion fades with depth below the wavy surface (Wheeler's stretching): no wave on another's crest moves faster than on still water.
     const VF depth = hn::Max(out.height - dot(up, from), zero);
     for (uint32_t i = 0; i < s.wave_count; ++i) {
         const WaveInstant& w = s.waves[i];
@@ -62,7 +61,7 @@ HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, Vec3 x) {
     return out;
 }
 
-// How a body lies in the surface, by its equivalent ellipsoid: cut by a plane, that is a sphere's cap.
+// Immersion of the equivalent ellipsoid: scaled to a sphere, a plane cuts a cap off it.
 struct Immersion {
     VF fraction;    // of the volume under the surface
     Vec3 center;    // m, body frame: fraction times the submerged centre, from the centre of mass
@@ -71,7 +70,7 @@ struct Immersion {
     Vec3 normal;    // body frame
 };
 
-// `blur`: m. A body thinner than the way that it falls in a substep counts as that thick, or it would miss the surface.
+// blur: m. A body thinner than its fall in a substep counts as that thick, or it would miss the surface.
 HWY_INLINE Immersion immersed(const WaterBody& w, const SurfaceInstant& plane, VF body_scale, Quaternion q, Vec3 x,
                               VF height, Vec3 normal, float blur) {
     const VF one = constant(1.0f);
@@ -93,13 +92,11 @@ HWY_INLINE Immersion immersed(const WaterBody& w, const SurfaceInstant& plane, V
     return out;
 }
 
-// Constants of bodies of which a part f is in the lower fluid: rho(f) = rho_a + f (rho_w - rho_a) in everything that
-// goes with the fluid's density (docs/reference/wind_and_water.md).
+// Constants of bodies with a part f in water: rho(f) = rho_a + f (rho_w - rho_a) in all that scales with density (docs/reference/wind_and_water.md).
 
 using LaneConstants = BodyConstantsOf<VF>;
 
-// Eigenvalues on the diagonal of `a`, eigenvectors in the columns of `v`. Cyclic Jacobi with a fixed number of sweeps:
-// it converges quadratically, and all lanes must do the same. Seven leave single precision's rounding for six rows.
+// Eigenvalues on the diagonal of `a`, eigenvectors in columns of `v`: cyclic Jacobi. Seven sweeps, for all lanes, leave only rounding for six rows.
 template <int N> static HWY_NOINLINE void eigen(VF (&a)[N][N], VF (&v)[N][N]) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     for (int i = 0; i < N; ++i)
@@ -123,7 +120,7 @@ template <int N> static HWY_NOINLINE void eigen(VF (&a)[N][N], VF (&v)[N][N]) {
             }
 }
 
-// Shares of two sets of constants in their mean; each at its end exactly.
+// Weights of two sets of constants in their mean; exact at both ends.
 struct Shares {
     VF air, water;
     HWY_INLINE VF operator()(float a, float w) const { return air * constant(a) + water * constant(w); }
@@ -132,7 +129,7 @@ struct Shares {
     }
 };
 
-// The fraction's share of the fluid's mass.
+// The water's share of the displaced mass.
 HWY_INLINE VF water_share(const WaterBody& w, VF f) {
     const VF wet = f * constant(w.water_density);
     return wet / ((constant(1.0f) - f) * constant(w.air_density) + wet);
@@ -140,7 +137,7 @@ HWY_INLINE VF water_share(const WaterBody& w, VF f) {
 
 HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const AerodynamicConstants& w, const Shares& mean,
                                    VF wet, AerodynamicConstantsOf<VF>& out) {
-    // The dynamic viscosity goes with the fraction.
+    // The dynamic viscosity is linear in the fraction.
     out.viscosity = Shares{constant(1.0f) - wet, wet}(a.viscosity, w.viscosity);
     mean(a.drag, w.drag, out.drag);
     mean(a.drag_blunt, w.drag_blunt, out.drag_blunt);
@@ -175,8 +172,7 @@ static HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
     set_frame(hn::Zero(DF()), constant(1.0f), eigen<3>, c);
 }
 
-// Modes in which mass is 1 and the turbulent damping diagonal: with Z = X (1 + f lambda)^-1/2 mass is 1 already, and
-// Jacobi turns Z^T W Z.
+// Modes in which mass is 1 and the turbulent damping diagonal: with Z = X (1 + f lambda)^-1/2 mass is 1 already, and Jacobi makes Z^T W Z diagonal.
 static HWY_NOINLINE void langevin_modes(bool damped, const WaterBody& w, VF f, VF unit, LaneConstants& c) {
     const VF one = constant(1.0f), root = hn::Sqrt(unit);
     VF stretch[6], z[6][6], q[6][6];
@@ -320,21 +316,21 @@ HWY_NOINLINE Immersion immersed_at(const StepInput& in, const WetSubstep& s, con
     return immersed(*s.body, *s.plane, body_scale, q, x, load1(b.height, at), load3(b.normal, at), blur_of(in, s));
 }
 
-// Fluid that the body begins to move has to be set in motion: momentum is kept. Fluid that it leaves behind keeps its
-// own, and the body its velocity. Neither gains energy. v, u: relative to the lower fluid.
+// Fluid that the body begins to move must be accelerated: momentum is kept. Fluid that it leaves keeps its own momentum, and the body its velocity.
+// Neither gains energy. v, u: relative to the water.
 template <bool kFull> HWY_INLINE Twist struck(const WaterBody& w, VF before, VF after, Twist t) {
     const VF one = constant(1.0f);
     const auto ratio = [&](VF lambda)
                            LR_LAMBDA { return hn::Min((before * lambda + one) / (after * lambda + one), one); };
     const Twist kept = each_axis6(ratio, broadcast6(w.lambda));
     if constexpr (!kFull) return each_axis6([](VF x, VF part) LR_LAMBDA { return x * part; }, t, kept);
-    // The change alone: one that is zero must leave every bit.
+    // Only the change: a zero change must keep every bit.
     const auto change = [&](VF y, VF part) LR_LAMBDA { return y * (part - one); };
     return t + general6<false>(w.from, each_axis6(change, general6<false>(w.to, t), kept));
 }
 
-// Weight and buoyancy of a body between the fluids, over the mass unit. Where they pull back towards floating they are
-// weakened by 1 + h^2/4 times their steepest rate: with it the scheme, position Verlet, is stable for any substep.
+// Weight and buoyancy of a body between the fluids, over the mass unit. Restoring loads are weakened by 1 + h^2/4 times their steepest rate: this
+// makes the scheme, position Verlet, stable for any substep.
 struct Floating {
     Vec3 force;  // world
     Vec3 torque; // body frame, over d s
@@ -379,7 +375,7 @@ HWY_NOINLINE Floating floating(const StepInput& in, const WetSubstep& s, const L
     return out;
 }
 
-// By the splitting scheme, whatever the batch has in the air.
+// By the splitting scheme, whatever integrator the batch has in air.
 template <bool kFull, bool kAerodynamic>
 HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
     const WaterBody& w = *s.body;
@@ -421,12 +417,11 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         External external{};
         for (Twist* t : {external.force, external.force + 1, external.rate, external.rate + 1}) *t = {none, none};
         if (in.external.any) external = take_external(in.external, c, body_scale, at);
-        // In the body's frame: held in the world's, a step that turns the body otherwise than foreseen would bring it to bear
-        // on an axis about which there is neither torque nor inertia.
+        // In the body's frame: in the world's, a step that turns the body unexpectedly would apply it about an axis without torque or inertia.
         external.force[1].u += loads.torque;
         held.external = &external;
 
-        // The fluid's acceleration is the frame's.
+        // The frame accelerates with the fluid.
         const Vec3 half_change = half * wet * rate;
         b.t = {world.v - to_body(b.q, held.wind - half_change), world.u};
         const VU noise_seed = load1(a.noise_seed, at);
@@ -465,6 +460,5 @@ void settle_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, 
     else
         settle_bodies<true>(in, s, a, count);
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

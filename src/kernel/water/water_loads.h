@@ -1,5 +1,4 @@
-// A surface between two fluids as the kernel sees it, and what a batch's bodies are in the lower one. Formulas:
-// docs/reference/wind_and_water.md.
+// The water's surface as the kernel sees it, and a batch's bodies in water. Formulas: docs/reference/wind_and_water.md.
 #pragma once
 
 #include "base/lane_arrays.h"
@@ -31,7 +30,7 @@ struct SurfaceInstant {
     WaveInstant waves[most_waves];
 };
 
-// The surface, and the lower fluid's motion, at a block of bodies.
+// The surface, and the water's motion, at a block of bodies.
 struct SurfaceBlock {
     alignas(64) float position[3][field_block]; // m, world
     float height[field_block];                  // m above the plane
@@ -40,17 +39,17 @@ struct SurfaceBlock {
     float rate[3][field_block];                 // m/s^2
 };
 
-// A batch's bodies in the lower fluid. Lengths and masses at scale 1.
+// A batch's bodies in water. Lengths and masses at scale 1.
 struct WaterBody {
-    BodyConstants water;              // all of the body in the lower fluid
+    BodyConstants water;              // the body wholly in water
     float mass, air_mass, water_mass; // kg: m, rho_a V, rho_w V
     float air_density, water_density; // kg/m^3
     float axes[9];                    // rows: of the equivalent ellipsoid, in the body frame
     float semi_axes_squared[3];       // m^2
     float center[3];                  // m, of buoyancy, from the centre of mass
     float radius;                     // m: no part of the ellipsoid is farther from the centre of mass
-    // Modes of the mass matrices: X^T M_a X = 1, X^T (M_w U_w/U_a - M_a) X = lambda, so that with the fraction f in the
-    // lower fluid X^-1 twists go with 1 + f lambda. On the diagonal path X is diagonal and not used.
+    // Modes of the mass matrices: X^T M_a X = 1, X^T (M_w U_w/U_a - M_a) X = lambda, so with the fraction f in water X^-1 twists scale with 1 + f
+    // lambda. On the diagonal path X is diagonal and not used.
     float lambda[6], to[36], from[36];
 };
 
@@ -65,14 +64,14 @@ struct WetSubstep {
     float* fraction;                  // submerged in the middle of the substep, for the settling after it
 };
 
-// Marks with 1 in `near` the bodies of [begin, end) that may touch the lower fluid within `dt`; others get 0.
+// Marks with 1 in `near` the bodies of [begin, end) that can touch the water within `dt`; others get 0.
 using NearFunction = void(const SurfaceInstant&, float highest, const WaterBody&, float dt, float gravity,
                           const BatchArrays&, size_t begin, size_t end, uint32_t* near);
-// Where bodies will be after `h`.
+// Positions of bodies after `h`.
 using AheadFunction = void(const BatchArrays&, size_t count, float h, SurfaceBlock&);
 // Plane and built-in waves at the block's positions.
 using SurfaceFunction = void(const SurfaceInstant&, size_t count, SurfaceBlock&);
-// One substep of bodies that may touch the lower fluid, and the added mass that the end of it brings.
+// One substep of bodies that can touch the water, and the change of added mass at its end.
 using WetFunction = void(const StepInput&, const WetSubstep&, const BatchArrays&, size_t count);
 
 struct SurfaceTarget {
@@ -82,9 +81,8 @@ struct SurfaceTarget {
     WetFunction *step, *settle;
 };
 
-// From an asset and the loads in use; `air` are the batch's constants. False when a mass matrix cannot be inverted.
+// From an asset and the loads in use; `air` are the batch's constants. False if a mass matrix has no inverse.
 bool make_water_body(const AssetData& asset, const AerodynamicData& loads, const Gains& gains,
                      const TurbulenceSample& stationary, bool diagonal, double air_density, double water_density,
                      double water_viscosity, const BodyConstants& air, WaterBody& out);
-
 } // namespace lr

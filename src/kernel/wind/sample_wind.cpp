@@ -1,5 +1,5 @@
-// Wind at blocks of bodies, compiled once for each instruction set. Sources are the outer loop: their constants are
-// broadcast once, and one that is out of reach of the whole block costs a comparison.
+// Wind at blocks of bodies, compiled once for each instruction set. Sources are the outer loop: their constants are broadcast once, and a source out
+// of reach of the block costs one comparison. Formulas: docs/reference/wind_and_water.md.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/wind/sample_wind.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
@@ -12,20 +12,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// Turbulence, vortices, blowers, grids and the ground's boundary layer, for one vector of positions: each formula is in
-// docs/reference/wind_and_water.md.
+// Divergence-free turbulence from a lattice of random eddies, with its gradient. Lattice point c carries w(d) (omega x d)/2 of a vector potential,
+// d = x - c in cells, w a product of quintic steps; the field is the curl of their sum.
 
-// Divergence-free turbulence from a lattice of random eddies, with its gradient, for one vector of positions.
-// Each lattice point c carries w(d) (omega x d)/2 of a vector potential, d = x - c in cells, w a product of quintic
-// steps; the field is the curl of their sum (docs/reference/wind_and_water.md, "Turbulence").
-
-// A velocity, its rate and gradient.
 struct Flow {
     Vec3 wind, rate;
     Matrix gradient;
 };
 
-// Three words from three, by the mixing of pcg3d (Jarzynski and Olano, JCGT 9(3), 2020).
+// Mixes three words by pcg3d (Jarzynski and Olano, JCGT 9(3), 2020).
 struct Words {
     VU x, y, z;
 };
@@ -55,7 +50,7 @@ HWY_INLINE void unit_pair(VU word, VF& a, VF& b) {
     b = hn::ConvertTo(DF(), hn::BitCast(di, hn::ShiftRight<16>(word))) * unit - one;
 }
 
-// The quintic step and its derivatives, one for the lower and one for the upper lattice point.
+// The quintic step and its derivatives, at the lower and the upper lattice point.
 struct Step {
     VF w[2], first[2], second[2], d[2];
 };
@@ -68,7 +63,7 @@ HWY_INLINE Step quintic(VF f) {
     return {{one - up, up}, {-slope, slope}, {-bend, bend}, {f, -g}};
 }
 
-// Eddies turn about in 64 beats, each at 32 to 95 of them a period: after that the field repeats itself in time.
+// Each eddy oscillates with 32 to 95 times the slowest beat: the field repeats with the period of that beat.
 HWY_INLINE void eddy(Words h, const SourceInstant& s, Vec3& omega, Vec3& omega_rate) {
     const DU du;
     const DI di;
@@ -131,7 +126,6 @@ HWY_INLINE void turbulence(const SourceInstant& s, Vec3 x, Flow& out) {
         sum.row[0].x -= q, sum.row[1].y -= q, sum.row[2].z -= q;
         gradient = gradient + sum;
     }
-    // Back to the world's axes.
     out.wind = columns(s.lattice, strength * wind);
     out.rate = columns(s.lattice, strength * rate);
     const auto turned = [&](const Matrix& m) LR_LAMBDA {
@@ -143,13 +137,13 @@ HWY_INLINE void turbulence(const SourceInstant& s, Vec3 x, Flow& out) {
 HWY_INLINE VF clamp_unit(VF t) {
     return hn::Min(hn::Max(t, hn::Zero(DF())), constant(1.0f));
 }
-// 3 t^2 - 2 t^3 for t held in [0, 1], and its derivative by t, which is 0 outside.
+// 3 t^2 - 2 t^3 for t clamped to [0, 1], and its derivative by t, which is 0 outside.
 HWY_INLINE VF smooth(VF t, VF& slope) {
     t = clamp_unit(t);
     slope = constant(6.0f) * (t * (constant(1.0f) - t));
     return t * t * (constant(3.0f) - constant(2.0f) * t);
 }
-// A window of the square of a distance over the square of its limit: 1 to a half of the limit, 0 from it on.
+// A window of squared distance over squared limit: 1 up to half of the limit, 0 beyond it.
 HWY_INLINE VF window(VF squared, VF& slope) {
     const VF third = constant(4.0f / 3.0f);
     const VF s = smooth(squared * third - constant(1.0f / 3.0f), slope);
@@ -181,7 +175,7 @@ HWY_INLINE VF lamb_oseen(VF q, VF& slope) {
     return hn::IfThenElse(small, near, far);
 }
 
-// u = f (a x d): whatever f is of the distances from and along the axis, free of divergence.
+// u = f (a x d) is free of divergence for any f of the distances from and along the axis.
 HWY_INLINE bool vortex(const SourceInstant& s, Vec3 x, Flow& out) {
     const Vec3 a = broadcast(s.axis), d = x - broadcast(s.position);
     const VF along = dot(a, d);
@@ -220,7 +214,7 @@ HWY_INLINE bool vortex(const SourceInstant& s, Vec3 x, Flow& out) {
     return true;
 }
 
-// A turbulent jet: Gaussian across, b = b0 + spread z wide, its momentum kept along the way.
+// A turbulent jet: Gaussian across, b = b0 + spread z wide, with constant momentum along the axis.
 HWY_INLINE bool blower(const SourceInstant& s, Vec3 x, Flow& out) {
     const bool line = s.kind == SourceKind::line_blower;
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
@@ -241,7 +235,7 @@ HWY_INLINE bool blower(const SourceInstant& s, Vec3 x, Flow& out) {
     VF ends = one;
     if (line) ends = one - smooth((hn::Abs(y) - constant(s.half_length)) * core, end_slope);
     const VF lit = mouth * tail * ends;
-    // exp(-16) is under what single precision adds to the speed at the nozzle.
+    // exp(-16) of the speed at the nozzle is below single precision.
     const auto in = hn::And(lit > zero, q < constant(16.0f));
     if (hn::AllFalse(DF(), in)) return false;
 
@@ -282,7 +276,7 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
         const VF last = constant(samples - 1.0f);
         if (s.outside == outside_repeat) {
             p -= hn::Floor(p * constant(1.0f / samples)) * constant(samples);
-            p = hn::Max(p, zero); // rounding may have gone past either end
+            p = hn::Max(p, zero); // rounding can pass either end
         } else {
             const auto inside = hn::And(p >= zero, p <= last);
             if (s.outside == outside_zero) in = hn::And(in, inside);
@@ -340,7 +334,7 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
     return true;
 }
 
-// Logarithmic profile over a plane, ln(1 + z/z0)/ln(1 + z_ref/z0): what the uniform wind is multiplied by.
+// Logarithmic profile over a plane, ln(1 + z/z0)/ln(1 + z_ref/z0): the factor of the uniform wind.
 HWY_INLINE VF ground_factor(const SourceInstant& s, Vec3 x, Vec3& slopes) {
     const VF one = constant(1.0f), zero = hn::Zero(DF());
     const Vec3 n = broadcast(s.axis);
@@ -359,7 +353,6 @@ void predict(const BatchArrays& a, size_t begin, size_t end, float h, FieldBlock
     }
 }
 
-// The square of the distance of a point from the block's bounds.
 float distance_squared(const float point[3], const float low[3], const float high[3]) {
     float sum = 0.0f;
     for (int i = 0; i < 3; ++i) {
@@ -387,7 +380,7 @@ HWY_INLINE void add_ground(const SourceInstant& s, size_t count, FieldBlock& b) 
         Vec3 slopes;
         const VF factor = ground_factor(s, load3(b.position, at), slopes);
         const Matrix lifted = outer(load3(b.wind, at), slopes);
-        // Plus zero: no zero is negative, or a source that adds nothing could change a sign.
+        // Plus zero: removes negative zeros, or a source that adds nothing could change a sign.
         store_matrix(b.gradient, at, factor * load_matrix(b.gradient, at) + lifted + Matrix{{none, none, none}});
         store3(b.wind, at, factor * load3(b.wind, at) + none);
         store3(b.change, at, factor * load3(b.change, at) + none);
@@ -451,9 +444,8 @@ void evaluate(const FieldInstant& instant, size_t count, FieldBlock& b) {
     }
 }
 
-// The change of the wind along a way at velocity v, over the substep: h (du/dt + v . grad u), held below the speed of
-// the field itself. Where a substep crosses more than a gradient's length the product says nothing; without the limit a
-// body in a vortex core would gain without bound. For short substeps it is of second order.
+// The change of the wind along a path at velocity v over the substep: h (du/dt + v . grad u), limited to the speed of the field. If a substep crosses
+// more than a gradient's length the product means nothing, and a body in a vortex core would gain without bound. Short substeps: second order.
 HWY_INLINE Vec3 limited_change(const FieldBlock& b, size_t at, VF h, Vec3 v) {
     const Vec3 change = h * (load3(b.rate, at) + load_matrix(b.gradient, at) * v);
     // 1e-12 m/s and less would square to a denormal; the floor keeps the quotient finite.
@@ -468,7 +460,7 @@ HWY_INLINE Vec3 limited_change(const FieldBlock& b, size_t at, VF h, Vec3 v) {
 }
 
 void combine(float h, size_t count, const FieldBlock& b, FluidSample& out) {
-    // Steps below a nanosecond do not move anything; their inverse must stay finite.
+    // Steps below a nanosecond move nothing; their inverse must stay finite.
     const VF half = constant(0.5f), hv = constant(h), rate = constant(1.0f / (h > 1e-9f ? h : 1e-9f));
     for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
         const Vec3 wind = load3(b.wind, at), uniform = load3(b.change, at);
@@ -484,8 +476,7 @@ void combine(float h, size_t count, const FieldBlock& b, FluidSample& out) {
     }
 }
 
-// The substep took the wind's change along the way from the velocity at its beginning. What the mean of both ends makes
-// of it is d more: the wind at the end is that much stronger, and -m d has been missing in the momentum.
+// The substep used the wind's change along the path at its first velocity. The mean velocity adds d to the wind at the end, and -m d to the momentum.
 void settle(const BodyConstants& c, float h, const FieldBlock& b, const FluidSample& sample, const BatchArrays& a,
             size_t begin, size_t end, uint32_t* faults) {
     const VF half = constant(0.5f), hv = constant(h), mass = constant(0.5f * (1.0f + c.weight));
@@ -511,6 +502,5 @@ void settle(const BodyConstants& c, float h, const FieldBlock& b, const FluidSam
         store_velocities(a, at, settled, turns, faults);
     }
 }
-
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,5 +1,4 @@
-// Wind fields as the kernel sees them: sources at one instant, and what they give at a block of bodies.
-// Host side: src/environment. Formulas: docs/reference/wind_and_water.md.
+// Wind as the kernel sees it: sources at an instant (src/environment), their sum at a block of bodies. Formulas: docs/reference/wind_and_water.md.
 #pragma once
 
 #include "base/lane_arrays.h"
@@ -9,7 +8,7 @@
 
 namespace lr {
 
-// Bodies that are looked at together: 40 KB of both structs, nearly a first-level cache, and on the stack of a worker.
+// Bodies per block: both structs take 40 KB, nearly a first-level cache, on a worker's stack.
 inline constexpr size_t field_block = 256;
 static_assert(field_block % lane_block == 0);
 
@@ -21,24 +20,24 @@ struct FieldBlock {
     float change[3][field_block];               // m/s, of the uniform part over the substep
     float rate[3][field_block];                 // m/s^2, partial derivative in time, without the uniform part
     float gradient[9][field_block];             // 1/s, d wind_i / d x_j at 3 i + j
-    float reference[field_block];               // m/s, the speed of the field: no change over a substep is larger
+    float reference[field_block];               // m/s, the speed of the field: the limit of a change over a substep
 };
 
-// What a substep needs at the bodies of a block.
+// The fluid at the bodies of a block, as a substep needs it.
 struct FluidSample {
     alignas(64) float wind[3][field_block]; // m/s, in the middle of the substep
-    float half_change[3][field_block];      // m/s, of the wind along the body's way over half the substep
-    float mean[3][field_block];             // m/s^2, of the fluid's acceleration and the one along the body's way
+    float half_change[3][field_block];      // m/s, of the wind along the body's path over half the substep
+    float mean[3][field_block];             // m/s^2, of the fluid's acceleration and the one along the body's path
     float difference[3][field_block];       // m/s^2, half of theirs
     float spin[3][field_block];             // rad/s, half the vorticity
 };
 
 enum class SourceKind : int32_t { ground, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid };
 
-// One source (one octave of turbulence) at one instant. `reach`: nothing farther from `center` is touched; 0: no limit.
-// Of a grid: what lies beyond its samples, by the numbers of LR_WIND_OUTSIDE_*.
+// Values beyond the samples of a grid, by the numbers of LR_WIND_OUTSIDE_*.
 enum Outside : int32_t { outside_zero, outside_clamp, outside_repeat };
 
+// A source (or an octave of turbulence) at an instant. Bodies farther than `reach` from `center` do not feel it; 0: no limit.
 struct SourceInstant {
     SourceKind kind;
     float center[3], reach;
@@ -73,5 +72,4 @@ struct FieldInstant {
     uint32_t source_count;
     const SourceInstant* sources;
 };
-
 } // namespace lr

@@ -27,7 +27,6 @@ double reach_of(const AssetData& a) {
                          norm(static_cast<double>(v[i]), static_cast<double>(v[i + 1]), static_cast<double>(v[i + 2])));
     return reach;
 }
-
 } // namespace
 
 Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
@@ -172,7 +171,7 @@ uint32_t Batch::rest(uint32_t index) {
     return to;
 }
 
-// Its birth is set. It keeps its box if it has lain in this pose before.
+// Requires its birth. A body that has lain in this pose before keeps its box.
 void Batch::lie_down(uint32_t index) {
     const uint32_t slot = unpack(ids()[index]).slot;
     const float scale = arrays_.field[field_scale][index];
@@ -213,7 +212,7 @@ void Batch::wake_in(const Box& box) {
     for (uint32_t i = awake_; i < count_; ++i) look_at(i);
 }
 
-// Spheres around where they are and may have come to since.
+// Spheres around the bodies' places, and around the places that they can have reached since.
 Box Batch::box() const {
     const auto reach = static_cast<float>(1.0001 * reach_), behind = static_cast<float>(1.0001 * pace.behind());
     float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
@@ -226,7 +225,7 @@ Box Batch::box() const {
             high[k] = std::max(high[k], x + r);
         }
     }
-    // Places are rounded, here and by whoever draws a body.
+    // Places are rounded, here and by renderers.
     for (size_t k = 0; k < 3 && count_ != 0; ++k) {
         low[k] = std::max(low[k] - 1e-6f * std::abs(low[k]), -FLT_MAX);
         high[k] = std::min(high[k] + 1e-6f * std::abs(high[k]), FLT_MAX);
@@ -235,7 +234,7 @@ Box Batch::box() const {
 }
 
 bool Batch::reserve_rest() {
-    // The contact shape may extend slightly beyond the reach.
+    // The contact shape can extend slightly beyond the reach.
     const double most = std::max(reach(), static_cast<double>(asset_->meeting.shape.reach));
     return columns_.reserve(*allocator_, part_rest, whole_blocks(capacity_)) &&
            resting_.reserve(*allocator_, capacity_, most, index_, columns_.row<double>(column_birth));
@@ -315,7 +314,7 @@ void Batch::settle_noted() {
 // Forwards, so that a body moved into another's place was already visited.
 void Batch::wake_noted() {
     if (!columns_.has(part_contact)) return;
-    const uint32_t shared = awake_ / cut_bodies; // shared with awake bodies, which may be marked for sleep
+    const uint32_t shared = awake_ / cut_bodies; // shared with awake bodies, which can be marked for sleep
     for (uint32_t cut = shared, end = cut_count(count_); cut < end; ++cut) {
         if (cut == shared ? cut_noted_[cut] == 0 : !take_cut(cut)) continue;
         const uint32_t begin = cut * cut_bodies;
@@ -441,7 +440,7 @@ bool Batch::reserve_lifecycle() {
 bool Batch::set_table(const TableView& t, bool of_asset) {
     Buffer<float> table;
     if (!table.allocate(*allocator_, size_t{2} * t.count)) return false;
-    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): samples are there where their memory was
+    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): the samples were allocated
     const auto chi = [&](uint32_t i) { return static_cast<double>(t.chi[i]); };
     const auto epsilon = [&](uint32_t i) { return static_cast<double>(t.epsilon[i]); };
     for (uint32_t i = 0; i < t.count; ++i) {
@@ -489,5 +488,4 @@ bool Batch::set_asset_table() {
         samples.data(), samples.data() + count, count, t.stationary, t.dt * a.length_l / a.u0, a.u0, a.length_l, t.c0};
     return set_table(view, true);
 }
-
 } // namespace lr

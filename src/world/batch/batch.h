@@ -56,16 +56,16 @@ struct BodyFaults {
     uint64_t total = 0;
 };
 
-// Settings that may change at any time: numbers of 32 bits, or structs of them. Snapshots hold them as they are here.
+// Settings that calls can change at any time: 32-bit numbers, or structs of them. Snapshots contain this struct.
 struct BatchOptions {
     int32_t divergence_policy = LR_DIVERGENCE_AUTO;
-    uint32_t reserved = 0; // a whole number of eight bytes
+    uint32_t reserved = 0; // keeps the size a multiple of 8 bytes
 };
 inline const char* wrong_in(const BatchOptions& o) {
     if (o.divergence_policy < LR_DIVERGENCE_AUTO || o.divergence_policy > LR_DIVERGENCE_REMOVE) return "unknown policy";
     return o.reserved != 0 ? "reserved is not 0" : nullptr;
 }
-// Those that are not initial are part of the world's hash.
+// Settings that are not initial are part of the world's hash.
 template <class Mix> void hash(const BatchOptions& options, const Mix& mix) {
     using Words = std::array<uint32_t, sizeof options / 4>;
     const auto words = std::bit_cast<Words>(options), initial = std::bit_cast<Words>(BatchOptions());
@@ -97,8 +97,7 @@ public:
     // Both leave the old table in place when they fail.
     bool set_table(const TableView& table, bool of_asset = false);
     bool set_asset_table();
-    // An upper bound of all samples of a table with this stationary sample (u0 is 0 for the asset's own table), and the range of
-    // rates (1/s) at which samples follow each other.
+    // An upper bound of a table with this stationary sample (u0 is 0 for the asset's own), and the range of rates (1/s) of its samples.
     TurbulenceSample strongest_turbulence(const TurbulenceSample& stationary, double& least_rate,
                                           double& most_rate) const;
     // Sets quasi-steady loads other than the asset's own. False if they cannot be used; nothing has then changed.
@@ -158,8 +157,7 @@ public:
     uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
     const BatchSettings& settings() const { return settings_; }
 
-    // Its constants in water, recomputed when the water or the loads have changed. Null if the batch cannot be in water; `failed`
-    // is then set once.
+    // Its constants in water, recomputed when the water or the loads have changed. Null if the batch cannot be in water; `failed` is then set once.
     const WaterBody* water_body(const lr_water_desc& surface, bool& failed);
 
     ExternalForces external;
@@ -233,5 +231,4 @@ template <class Move> void move_awake(const Batch& batch, uint32_t begin, uint32
     move();
     kept.put_back(batch.arrays(), index);
 }
-
 } // namespace lr

@@ -20,7 +20,6 @@ template <class Function> void each(unsigned char* const (&data)[column_count], 
     }
 }
 
-// Mixes one column into the hashes of `count` bodies.
 void mix_in(const Column& column, const unsigned char* from, uint32_t count, bool rests, uint64_t* bodies) {
     const auto mixed = [&](uint32_t i) {
         return mix64(bodies[i] ^ (value_at<uint32_t>(from, i) + (uint64_t{column.tag} << 32)));
@@ -34,7 +33,6 @@ void mix_in(const Column& column, const unsigned char* from, uint32_t count, boo
     else
         for (uint32_t i = 0; i < count; ++i) bodies[i] = mixed(i);
 }
-
 } // namespace
 
 bool BodyColumns::reserve(Allocator& allocator, ColumnPart part, size_t lanes) {
@@ -97,5 +95,4 @@ uint64_t BodyColumns::hash(uint32_t awake, uint32_t count) const {
     }
     return sum;
 }
-
 } // namespace lr

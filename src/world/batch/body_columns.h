@@ -28,9 +28,9 @@ enum class Hashed : uint8_t {
     never,
     always,
     awake,  // of awake bodies
-    rare,   // where it is not 0: most are 0
+    rare,   // values other than 0: most are 0
     birth,  // of sleeping bodies
-    remnant // of awake bodies, where it is not 0
+    remnant // of awake bodies, values other than 0
 };
 
 struct Column {
@@ -115,5 +115,4 @@ private:
     unsigned char* data_[column_count] = {};
     Buffer<unsigned char> memory_[column_parts];
 };
-
 } // namespace lr

@@ -59,7 +59,6 @@ Double3 on_box(CounterRandom& random, Double3 h) {
     return p;
 }
 
-// A place in the shape.
 Double3 place(CounterRandom& random, int32_t shape, Double3 size) {
     Double3 p{};
     switch (shape) {
@@ -92,13 +91,13 @@ const char* wrong_in(const lr_emitter_desc& d) {
     if (!normalisable(d.direction)) return "direction cannot be normalised";
     if (!in_range(d.spread, 0.0, 3.1416)) return "spread is not 0 to pi";
     if (!in_range(d.speed_min, 0.0, most_speed) || !in_range(d.speed_max, wide(d.speed_min), most_speed))
-        return "speed_min and speed_max are not in order, 0 to 1e6 m/s";
+        return "speed_min to speed_max is not a range within 0 to 1e6 m/s";
     if (!in_range(d.spin_min, 0.0, most_speed) || !in_range(d.spin_max, wide(d.spin_min), most_speed))
-        return "spin_min and spin_max are not in order, 0 to 1e6 rad/s";
+        return "spin_min to spin_max is not a range within 0 to 1e6 rad/s";
     if (!in_range(d.scale_min, wide(least_scale), wide(most_scale)) ||
         !in_range(d.scale_max, wide(d.scale_min), wide(most_scale)))
-        return "scale_min and scale_max are not in order, 0.001 to 1000";
-    if (!in_range(d.rate, 0.0, 1e9)) return "rate is not 0 to 1e9 a second";
+        return "scale_min to scale_max is not a range within 0.001 to 1000";
+    if (!in_range(d.rate, 0.0, 1e9)) return "rate is not 0 to 1e9 per second";
     if (d.burst_count != 0 ? !in_range(d.burst_interval, static_cast<double>(1e-4f), 1e9)
                            : !in_range(d.burst_interval, 0.0, 1e9))
         return "burst_interval is not 1e-4 to 1e9 s";
@@ -106,7 +105,6 @@ const char* wrong_in(const lr_emitter_desc& d) {
     if (d.reserved != 0) return "reserved is not 0";
     return nullptr;
 }
-
 } // namespace
 
 Outcome check(const lr_emitter_desc& d) {
@@ -145,5 +143,4 @@ BodyState Emitter::draw(uint64_t seed, uint32_t noise_seed, uint32_t life) const
     out.value[field_scale] = std::clamp(static_cast<float>(scale), desc_.scale_min, desc_.scale_max);
     return out;
 }
-
 } // namespace lr

@@ -52,5 +52,4 @@ Kick impulse_response(const BodyConstants& body, double scale, const Kick& impul
         }
     return {{t[0], t[1], t[2]}, {t[3] / length, t[4] / length, t[5] / length}};
 }
-
 } // namespace lr

@@ -42,8 +42,6 @@ struct Kick {
     Double3 v, w; // m/s and rad/s, body frame
 };
 
-// The change of velocity by an impulse (N s) and an angular impulse (N m s), body frame, including the added mass:
-// (M + added)^-1 of them.
+// The change of velocity by an impulse (N s) and an angular impulse (N m s), body frame, including the added mass: (M + added)^-1 of them.
 Kick impulse_response(const BodyConstants& body, double scale, const Kick& impulse);
-
 } // namespace lr

@@ -32,7 +32,6 @@ const char* wrong_in(const lr_batch_rules& r) {
     }
     return nullptr;
 }
-
 } // namespace
 
 Outcome check(const lr_batch_rules& r) {
@@ -125,8 +124,7 @@ void Lifecycle::respawn(Batch& batch, const lr_world& world, uint32_t index) {
     if (batch.events()) batch.events()->clear(unpack(batch.ids()[index]).slot);
 }
 
-// A body moved into the place of an ended one was already judged. The result depends on noise seed and life alone, so the
-// order does not matter.
+// A body moved into the place of an ended one was already judged. The result depends on noise seed and life alone, so the order does not matter.
 void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
     const uint32_t awake = batch.awake(), count = batch.count();
     const auto note = [&](uint32_t i) {
@@ -242,5 +240,4 @@ void log_faults(const lr_world& world, const FaultReport& report) {
                   report.count == 1 ? "body" : "bodies", report.noise_seed, report.batch.id);
     world.log(LR_LOG_WARNING, "lr_world_step", text);
 }
-
 } // namespace lr

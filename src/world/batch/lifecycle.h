@@ -41,10 +41,9 @@ public:
     bool has_emitter() const { return state_.has_emitter != 0; }
     bool respawns() const { return has_rules() && state_.rules.action == LR_END_RESPAWN; }
 
-    // In each step: judge() for all awake bodies, from any threads, each for whole cuts (world/schedule/step_chunks.h); then
-    // judge_rest() and finish() once.
+    // In each step: judge() for all awake bodies in whole cuts (world/schedule/step_chunks.h), any threads; then judge_rest() and finish() once.
     void judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end);
-    // Checks sleeping bodies if the rules may give a new answer for them.
+    // Checks sleeping bodies if the rules can give a new answer for them.
     void judge_rest(EndedFunction ended, Batch& batch);
     void finish(Batch& batch, lr_world& world, double dt);
     // Between these calls: ends an awake body because it diverged, whatever the rules; and whether rules end it.
@@ -105,5 +104,4 @@ struct FaultReport {
 // At the end of a step of the batch, before its rules end bodies.
 void settle_faults(lr_world& world, Batch& batch, lr_batch handle, FaultReport& report);
 void log_faults(const lr_world& world, const FaultReport& report);
-
 } // namespace lr

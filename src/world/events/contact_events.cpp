@@ -25,7 +25,6 @@ lr_event event_of(const Batch& batch, lr_batch handle, uint32_t index) {
     put(vector_in(batch.arrays().field, field_x, index), event.position);
     return event;
 }
-
 } // namespace
 
 bool ContactEvents::allocate(Allocator& allocator, uint32_t capacity) {
@@ -178,7 +177,6 @@ void ContactEvents::tell(const Batch& batch, lr_batch handle, const Colliders& c
     ended_.count = entries_.count = 0;
     if (stepped) all_ = false;
 }
-
 } // namespace lr
 
 using namespace lr;

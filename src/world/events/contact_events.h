@@ -13,7 +13,7 @@ namespace lr {
 
 class Batch;
 
-// The events of a world's last step. Those beyond its capacity are counted.
+// The events of a world's last step. Events beyond the capacity are only counted.
 struct EventList : StepList<lr_event> {
     uint32_t kinds = 0;
     uint64_t lost = 0, total_lost = 0;
@@ -33,11 +33,11 @@ public:
     // Before a step of the batch. looks: its bodies are tested against colliders in it.
     void begin_step(bool looks);
     TouchNotes notes(const lr_body* ids);
-    // A collider has been destroyed: a slot may now hold another one.
+    // A collider has been destroyed: its slot can get another one.
     void recheck() { all_ = true; }
 
     void note(uint32_t slot, Note what) { noted_[slot] |= what; }
-    // It was put back to sleep before it moved.
+    // The body was put back to sleep before it moved.
     void take_back(uint32_t slot, Note what) { noted_[slot] &= static_cast<uint8_t>(~what); }
     // A body that ends, before it does; at most once per body and step. for_fault: it diverged.
     void note_ended(const Batch& batch, uint32_t index, bool for_fault);
@@ -81,5 +81,4 @@ private:
     StepList<Entry> entries_;
     bool all_ = false, looks_ = false;
 };
-
 } // namespace lr

@@ -15,7 +15,6 @@ constexpr double pace_of_length = 1.5;        // m/s
 
 // Rounding of step lengths must not add a substep.
 constexpr double slack = 0.01;
-
 } // namespace
 
 BatchClock::BatchClock(double length) : record_{}, longest_(std::min(longest_of_all, length / pace_of_length)) {
@@ -29,7 +28,7 @@ bool BatchClock::consistent(const Record& r, double time, uint64_t substep_count
     if (r.steps == 0) return r.substeps == 0 && r.behind == 0.0 && r.passed_over == 0;
     // Sums of the same steps, up to rounding.
     const bool meets = std::abs(r.begin + r.behind - time) <= 1e-9 * std::abs(time) + 1e-9;
-    // The count of substeps may have wrapped around once.
+    // The count of substeps can have wrapped around once.
     return meets && in_range(r.begin, 0.0, time) && r.behind > 0.0 && r.substeps >= r.steps &&
            r.first_substep + r.substeps == substep_count;
 }
@@ -132,8 +131,7 @@ void StepScheduler::ask(Batch& batch, uint32_t slot, const Step& step) {
     claim.urgency = claim.due ? static_cast<double>(pace.record().substeps) / divisor : 0.0;
 }
 
-// In the order of their waiting, each gets the fewest substeps that respect its longest one; then, in the same order, as many of
-// the rest as it wants.
+// In the order of waiting, each gets the fewest substeps that respect its longest; then, in the same order, as many of the rest as it wants.
 void StepScheduler::share(uint64_t step) {
     Claim* const end = claims_.data() + count_;
     for (uint32_t i = 0; i < count_; ++i) claims_[i].turn = (step + i) % count_;
@@ -157,7 +155,7 @@ void StepScheduler::share(uint64_t step) {
     }
     record_.saved = short_of ? left : 0;
     for (Claim* c = claims_.data(); c != end && !short_of; ++c) grant(*c, c->wanted - c->granted);
-    // Beyond the budget, in addition to those whose turn it was.
+    // Beyond the budget, in addition to the batches whose turn it was.
     for (Claim* c = claims_.data(); c != end; ++c)
         if (c->forced) c->granted = std::max(c->granted, 1u);
 }
@@ -181,5 +179,4 @@ void StepScheduler::decide(const Step& step) {
         report_.lost = std::max(report_.lost, pace.lost_now());
     }
 }
-
 } // namespace lr

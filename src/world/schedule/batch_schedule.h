@@ -58,12 +58,11 @@ public:
     // The batch has no awake bodies, so nothing waits.
     void rest();
 
-    // The divisor, reduced so that no substep exceeds the longest one; `h`: s, the world's substep.
+    // The divisor, reduced so that no substep exceeds the longest permitted; `h`: s, the world's substep.
     uint32_t divisor(double h) const;
-    // Whether a batch of this phase is due in the world's step of this number: in every step, unless `divisor` exceeds the
-    // substeps of a step.
+    // Whether a batch of this phase is due in the world's step of this number: in every step, unless `divisor` exceeds the substeps of a step.
     bool due(uint32_t divisor, uint32_t substeps, uint64_t step, uint32_t phase) const;
-    // The fewest substeps that catch up, none longer than the longest one or the world's;
+    // The fewest substeps that catch up, none longer than the longest permitted or the world's;
     uint32_t least() const;
     // and with none longer than `divisor` of the world's.
     uint32_t wanted(uint32_t divisor) const;
@@ -72,7 +71,6 @@ public:
     void grant(uint32_t substeps, bool passed_over, double h);
     uint32_t granted() const { return granted_; }
     double lost_now() const { return lost_now_; } // s, in this step
-    // After the step has been taken.
     void stepped(uint32_t bodies);
 
     bool waits() const { return record_.steps != 0; }
@@ -110,7 +108,6 @@ public:
         uint32_t substeps;
         double h; // s
     };
-    // Starts a step.
     void begin() { count_ = 0, report_ = {}; }
     // Registers a batch with awake bodies, once per step, after its wait().
     void ask(Batch& batch, uint32_t slot, const Step& step);
@@ -156,5 +153,4 @@ private:
     lr_step_report report_{};
 };
 static_assert(sizeof(StepScheduler::Record) % 8 == 0);
-
 } // namespace lr

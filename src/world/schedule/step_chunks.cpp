@@ -14,7 +14,6 @@ namespace {
 constexpr uint64_t cut_blocks = cut_bodies / lane_block;
 constexpr uint64_t chunks_a_thread = 8; // so that no thread waits long for the last
 constexpr uint64_t most_chunks = 1u << 24;
-
 } // namespace
 
 StepChunks::StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks,
@@ -91,5 +90,4 @@ void StepChunks::move_bodies(const StepItem& item, uint32_t begin, uint32_t end)
         if (few) world_->narrow->step(batch.step, arrays, whole, whole + narrow_lanes);
     }
 }
-
 } // namespace lr

@@ -24,8 +24,7 @@ static_assert(LR_CHUNK_BODIES > 0 && LR_CHUNK_BODIES % lane_block == 0);
 
 // Batches are cut only at multiples of this. Rules record ended bodies per cut, each written by one thread.
 inline constexpr uint32_t cut_bodies = LR_CHUNK_BODIES < 256 ? LR_CHUNK_BODIES : 256;
-// Bodies in a chunk of a large world. Shorter chunks cost nothing extra; longer ones would make the caller wait for the last,
-// the more so if its thread shares its core.
+// Bodies in a chunk of a large world. Shorter chunks cost nothing extra; after longer ones the caller waits for the last.
 inline constexpr uint32_t most_chunk_bodies = LR_CHUNK_BODIES;
 inline constexpr uint32_t most_chunk_work = 8192; // body-substeps
 // Body-substeps that justify another thread: tens of microseconds of work, when waking it takes up to ten.
@@ -55,8 +54,7 @@ inline const StepItem* item_at(const StepItem* items, uint32_t count, uint64_t a
     return std::upper_bound(items, items + count, at, [](uint64_t a, const StepItem& i) { return a < i.begin; }) - 1;
 }
 
-// Chunks are equal lengths of that line, with ends moved back to the last cut: part of a large batch, or many small
-// ones.
+// Chunks are equal lengths of that line, with ends moved back to the last cut: part of a large batch, or many small ones.
 class StepChunks {
 public:
     // work: body-substeps of one run over them.
@@ -82,5 +80,4 @@ private:
     uint64_t blocks_;
     uint64_t chunk_; // lane blocks in each
 };
-
 } // namespace lr

@@ -44,7 +44,6 @@ struct Neighbours {
         found[at] = one;
     }
 };
-
 } // namespace
 
 bool withstands(Vector held, Vector wind) {
@@ -182,5 +181,4 @@ uint32_t RestingNeighbours::touched_by(uint32_t noise_seed, float scale, const P
     }
     return count;
 }
-
 } // namespace lr

@@ -42,10 +42,9 @@ public:
 
     // So many steps of the world have passed for the batch. Returns whether rules are due.
     bool pass(double seconds, uint32_t steps);
-    // Whether the rules may give a new answer for any of them.
+    // Whether the rules can give a new answer for any of them.
     bool in_question(float max_age) const;
-    // For the uniform wind: true if all bodies have been tried in a similar one since the last fell asleep; else the next
-    // ones have their turn.
+    // For the uniform wind: true if all bodies have been tried in a similar one since the last fell asleep; else the next ones have their turn.
     bool withstood(const float (&wind)[3]);
     // Rules have checked all of them. Bodies [begin, end) sleep.
     void answered(uint32_t begin, uint32_t end, float max_age);
@@ -76,5 +75,4 @@ private:
     Buffer<Box> boxes_; // by slot; NaN for none
 };
 static_assert(sizeof(SleepingBodies::State) % 8 == 0);
-
 } // namespace lr

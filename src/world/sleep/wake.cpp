@@ -12,13 +12,11 @@ namespace {
 constexpr uint32_t chunk_bodies = 8 * cut_bodies; // sleeping; few of them have their turn
 constexpr auto most = static_cast<uint32_t>(field_block);
 
-// A body would move if it gains this share of gravity over the substep in spite of its contacts: above the limit of the static
-// lock, so that nothing wakes only to lie still again.
+// A body wakes if it gains this share of gravity in spite of its contacts: above the static lock's limit, so that it does not lie still again.
 constexpr float going = 0.05f;
 
 constexpr uint32_t grain = 256; // bodies
-// Times the speed of a still body: a fall by a tenth of the reach. Slower bodies, as in a settling heap, only wake bodies that
-// they touch.
+// Times the speed of a still body: a fall by a tenth of the reach. Slower bodies, as in a settling heap, only wake bodies that they touch.
 constexpr float hits = 100.0f;
 
 // The first cut with sleeping bodies.
@@ -33,7 +31,6 @@ void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float stil
     const Vector v = vector_in(a.field, field_vx, i);
     const float turns = reach * length(vector_in(a.field, field_wx, i));
     if (!(length(v) + turns > hits * still * std::sqrt(reach))) return;
-    // Box of its way in the step.
     const Pose pose = pose_of(a, i);
     const Box box = bounds(batch.asset().meeting, scale, pose);
     const Vector way = dt * rotate(pose.rotation, v), none{0.0f, 0.0f, 0.0f};
@@ -44,7 +41,6 @@ void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float stil
         partner.look_at_resting(around, [&](uint32_t index) { partner.note_rest(index); });
     });
 }
-
 } // namespace
 
 WakeByFlow::WakeByFlow(lr_world& world, StepItem* items, const StepTime& time)
@@ -174,5 +170,4 @@ void wake_before_hit(lr_world& world, float dt, const FloatMode& mode) {
         if (any && world.pairs.meets(slot)) batch.wake_noted();
     });
 }
-
 } // namespace lr

@@ -38,5 +38,4 @@ private:
     StepTime time_; // one substep
     WaterStep surface_;
 };
-
 } // namespace lr

@@ -16,7 +16,7 @@ bool near(Vector v, Vector most) {
     return std::abs(v.x) <= most.x && std::abs(v.y) <= most.y && std::abs(v.z) <= most.z; // false for NaN
 }
 
-// Steps may carry colliders farther than calls may place them, up to the limit of `advanced`.
+// Steps can carry colliders farther than calls may place them, up to the limit of `advanced`.
 bool consistent(const Pose& pose) {
     const float n = dot(pose.rotation, pose.rotation);
     return near(pose.position, {farthest_place, farthest_place, farthest_place}) && n > 0.999f && n < 1.001f;
@@ -37,7 +37,6 @@ bool consistent(const ColliderRecord& c) {
            !wrong_velocity({c.linear.x, c.linear.y, c.linear.z}, {c.angular.x, c.angular.y, c.angular.z}) &&
            (c.pending == 0 || !ColliderMotion{c.linear, c.angular, {}, false}.moves());
 }
-
 } // namespace
 
 ColliderSnapshot::Slot ColliderSnapshot::slot(uint32_t i) const {
@@ -123,7 +122,7 @@ lr_status ColliderSnapshot::read(const Head& head, const unsigned char* from, ui
 void ColliderSnapshot::commit() {
     if (same_) return;
     Colliders& c = *to_;
-    // Acquires data before releasing any: the same data may be in both.
+    // Acquires data before releasing any: the same data can be in both.
     for (uint32_t i = 0; i < head_.count; ++i)
         if (SharedGeometry* const data = shared(record(i))) ++data->users;
     for (uint32_t i = 0; i < c.used_; ++i)
@@ -159,5 +158,4 @@ void ColliderSnapshot::commit() {
         c.any_fresh_ = c.any_fresh_ || r.fresh != 0;
     }
 }
-
 } // namespace lr

@@ -47,5 +47,4 @@ private:
     Head head_{};
     bool same_ = false; // they equal the world's present ones
 };
-
 } // namespace lr

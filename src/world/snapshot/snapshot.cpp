@@ -18,9 +18,8 @@ SnapshotHeader header_of(const void* memory) {
     return value_at<SnapshotHeader>(static_cast<const unsigned char*>(memory), 0);
 }
 
-// The checksum detects damage, not forgery. It takes 64-bit words, the seal itself as 0: word i goes to sum i mod 8, so that no
-// multiplication waits for the one before it. Each step of a sum, and of combining the sums, is a bijection: one changed word always
-// changes the seal.
+// The checksum detects damage, not forgery. It takes 64-bit words, the seal itself as 0: word i goes to sum i mod 8, so that no multiplication waits
+// for the one before it. Each step of a sum, and of combining the sums, is a bijection: one changed word always changes the seal.
 uint64_t seal_of(const unsigned char* bytes, uint64_t size) {
     constexpr uint64_t factor = 0x9e3779b97f4a7c15ull, block = 64;
     const auto take = [](uint64_t& sum, uint64_t word) {
@@ -125,7 +124,7 @@ bool bodies_consistent(const SavedBatch& s) {
     return bad == 0;
 }
 
-// Slots may be those of destroyed colliders. meets_bodies: the batch has body contact.
+// Slots can be those of destroyed colliders. meets_bodies: the batch has body contact.
 bool touched_consistent(const SavedBatch& s, bool meets_bodies) {
     if (piece_bytes(s.header, column_touching) == 0) return true;
     const uint32_t most = meets_bodies ? 1 : 0;
@@ -183,7 +182,6 @@ bool table_consistent(const SavedBatch& s, const Batch& batch) {
            in_range(h.speed_alpha, 0.0, static_cast<double>(speed.speed_alpha)) &&
            in_range(h.speed_beta, 0.0, static_cast<double>(speed.speed_beta));
 }
-
 } // namespace
 
 class SnapshotAccess {
@@ -256,7 +254,7 @@ public:
         b.external.set_batch(h.force);
         b.external.restored((h.parts >> part_forces & 1u) != 0);
         b.contact = h.contact;
-        b.faults.noted = 1; // some may have diverged since the last step
+        b.faults.noted = 1; // some can have diverged since the last step
         b.faults.last = 0;
         if (b.lifecycle_) b.lifecycle_->restore(h.lifecycle);
         b.columns_.clear(b.awake_, b.count_, field_vx, 6);
@@ -350,7 +348,6 @@ void write(const lr_world& w, const SnapshotHeader& header, Writer& to) {
     to.bytes(w.pairs.links(), sizeof(uint32_t) * uint64_t{w.pairs.link_count()});
     for (uint32_t i = 0; i < w.batch_slots; ++i) SnapshotAccess::save(w.batches[i], to);
 }
-
 } // namespace
 
 uint64_t snapshot_size(const lr_world& w) {
@@ -454,5 +451,4 @@ lr_status snapshot_restore(lr_world& w, const void* memory) {
     w.resume_events();
     return LR_OK;
 }
-
 } // namespace lr

@@ -10,7 +10,6 @@ constexpr uint64_t padded_bytes(uint64_t bytes) {
     return (bytes + 7) / 8 * 8;
 }
 
-// The value at an index of an array.
 template <class T> T value_at(const unsigned char* from, uint64_t index) {
     T value;
     std::memcpy(static_cast<void*>(&value), from + sizeof(T) * index, sizeof(T));
@@ -32,5 +31,4 @@ template <class Next> bool make_chain(uint32_t first, uint32_t last, uint32_t fr
     }
     return true;
 }
-
 } // namespace lr

@@ -100,5 +100,4 @@ private:
     const unsigned char* pieces_;
     uint64_t begin_[batch_pieces] = {}, size_ = 0;
 };
-
 } // namespace lr

@@ -87,5 +87,4 @@ void WindSnapshot::commit() {
     std::copy(head_.before, head_.before + 3, field_->uniform.before);
     std::copy(head_.drift, head_.drift + 3, field_->uniform.drift);
 }
-
 } // namespace lr

@@ -48,5 +48,4 @@ private:
     bool kept_[WindField::capacity] = {};           // the field's source is equal and stays
     Head head_{};
 };
-
 } // namespace lr

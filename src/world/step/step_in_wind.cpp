@@ -42,7 +42,6 @@ void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlo
         block.reference[i] += largest;
     }
 }
-
 } // namespace
 
 void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRun* contact, const BatchArrays& arrays,
@@ -104,5 +103,4 @@ void sample_field(const KernelTarget& target, WindField& field, double time, lr_
             for (size_t i = 0; i < here; ++i) velocities[3 * (from + i) + k] = block.wind[k][i];
     }
 }
-
 } // namespace lr

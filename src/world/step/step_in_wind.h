@@ -15,14 +15,11 @@ struct FieldSlice {
     const WaterStep* surface; // null without water
 };
 
-// batch: handle, for the caller's own field. live: bodies of the batch; later lanes are empty. contact: null if there is
-// nothing to touch.
+// batch: handle, for the caller's own field. live: bodies of the batch; later lanes are empty. contact: null if there is nothing to touch.
 void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRun* contact, const BatchArrays& arrays,
                    lr_batch batch, uint32_t live, uint32_t begin, uint32_t end);
 
-// Velocities at the prepared moment. positions, velocities: x y z of each, may be the same array.
-// batch: passed to the wind callback; 0 for points.
+// Velocities at the prepared moment. positions, velocities: x y z of each, can be the same array. batch: passed to the wind callback; 0 for points.
 void sample_field(const KernelTarget& target, WindField& field, double time, lr_batch batch, const float* positions,
                   uint32_t count, float* velocities);
-
 } // namespace lr

@@ -46,8 +46,7 @@ void leave(const ContactCache& book, const NearContacts& near, uint32_t begin, u
     }
 }
 
-// Sorts bodies: in the air, moving in contact, nearly still. The solver sweeps until the last body of a vector is done, so similar
-// ones should share vectors.
+// Sorts bodies: in the air, moving in contact, nearly still. The solver sweeps until a vector's last body is done: similar bodies share vectors.
 void arrange(const ContactCache& book, NearContacts& near) {
     if (!book.rest_time) return;
     near.arrange(3, [&](uint32_t i) { return book.touching[0][i] == 0 ? 0u : book.rest_time[i] == 0.0f ? 1u : 2u; });
@@ -68,7 +67,6 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
         touch(run, group, states, near, arrays, before, first, i, in.faults);
     }
 }
-
 } // namespace
 
 void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
@@ -121,5 +119,4 @@ void ContactPass::resolve() {
     }
     states.put_back(*arrays_, index);
 }
-
 } // namespace lr

@@ -10,7 +10,6 @@
 
 namespace lr {
 
-// A batch in a step.
 struct ContactRun {
     ContactStep step;
     const KernelTarget* target;
@@ -41,7 +40,7 @@ BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t 
 void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
                          uint32_t live, uint32_t begin, uint32_t end);
 
-// In a wind field: the bodies of [begin, end), at most field_block, that may touch something within a substep.
+// In a wind field: the bodies of [begin, end), at most field_block, that can touch something within a substep.
 class ContactPass {
 public:
     // Before substep `substep` of the step.
@@ -59,5 +58,4 @@ private:
     NearContacts near_;
     alignas(64) float before_[pose_fields][field_block];
 };
-
 } // namespace lr

@@ -7,7 +7,6 @@ namespace lr {
 namespace {
 
 constexpr auto lanes = static_cast<uint32_t>(lane_block), most = static_cast<uint32_t>(field_block);
-
 } // namespace
 
 NearBodies::NearBodies(const WaterStep& step, const StepInput& in, const BatchArrays& from, uint32_t live,
@@ -95,5 +94,4 @@ void step_lanes(const KernelTarget& target, const WaterStep* surface, const Step
         near.put_back(arrays);
     }
 }
-
 } // namespace lr

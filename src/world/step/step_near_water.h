@@ -1,4 +1,4 @@
-// Bodies that may touch the water: copied out of a block, stepped separately, and put back.
+// Bodies that can touch the water: copied out of a block, stepped separately, and put back.
 #pragma once
 
 #include "environment/water.h"
@@ -17,7 +17,7 @@ struct WaterStep {
 
 class NearBodies {
 public:
-    // The bodies of [begin, end), at most field_block, that may touch the water within `dt`. live: the batch's bodies.
+    // The bodies of [begin, end), at most field_block, that can touch the water within `dt`. live: the batch's bodies.
     // forget: their forces apply to the following substeps only.
     NearBodies(const WaterStep& step, const StepInput& in, const BatchArrays& from, uint32_t live, uint32_t begin,
                uint32_t end, double dt, bool forget);
@@ -49,5 +49,4 @@ private:
 // Steps [begin, end) through all substeps of a step in a uniform wind. surface: null without water; its time is not read.
 void step_lanes(const KernelTarget& target, const WaterStep* surface, const StepTime& time, const StepInput& in,
                 const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end);
-
 } // namespace lr
