@@ -1,4 +1,4 @@
-// How each struct of the API begins.
+// Default values of the API's structs.
 #include "api/struct_conversion.h"
 #include "asset/closed_forms/ellipsoid_asset.h"
 #include "environment/source_desc.h"
@@ -6,7 +6,7 @@
 namespace lr::api {
 namespace {
 
-// Values of what does not begin as zero. An orientation begins as none.
+// Defaults other than zero. An orientation defaults to the identity.
 struct Initial {
     template <class T> static void set(T& s) {
         if constexpr (requires { source_type_of(s); }) desc_of(source_type_of(s), SourceDesc{}, &s);
@@ -73,7 +73,7 @@ private:
     }
 };
 
-// Clears the whole struct of the caller, which may be newer and larger.
+// Clears all bytes of the caller's struct, which is larger if its header is newer.
 template <Sized T> lr_status init(T* s, uint32_t struct_size) {
     if (!s) return LR_ERROR_NULL_ARGUMENT;
     if (!is_struct_size<T>(struct_size)) return LR_ERROR_STRUCT_SIZE;
