@@ -130,8 +130,7 @@ RowResult run_langevin(const Context& context) {
     run.dt = static_cast<float>(0.5 * t_correlation);
     run.substeps = 20;
     run.interval = static_cast<double>(run.dt);
-    run.duration = (8 + rounds) * 0.5 *
-                   t_correlation; // after four correlation times from rest, exp(-8) of the variance is missing
+    run.duration = (8 + rounds) * 0.5 * t_correlation; // after 4 times from rest, exp(-8) of the variance is missing
     run.threads = context.threads;
     const std::vector<Track> tracks = record(sphere, run, std::vector<Start>(4096));
 
