@@ -42,7 +42,7 @@ check "unpacks into one folder of its name" one_folder
 cd "$name" || { finish; exit 1; }
 prefix=$PWD
 
-# What is inside.
+# Contents.
 check "checksums" sha256sum --quiet --strict -c SHA256SUMS
 all_summed() { diff <(find . -type f ! -name SHA256SUMS -printf '%P\n' | sort) <(sed 's/^[0-9a-f]*  //' SHA256SUMS | sort); }
 check "every file has a checksum" all_summed

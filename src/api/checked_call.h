@@ -197,7 +197,7 @@ lr_status query(const lr_world* world, const char* function, const std::tuple<A.
 }
 
 // A call that can change the world. Without pointer arguments it is recorded at once. With pointers it is recorded by accepted(), or at the latest
-// on success: if the call is refused, the pointers may be invalid, and it is recorded without arguments.
+// on success: if the call is refused, the pointers can be invalid, and it is recorded without arguments.
 template <class F, class... A>
 lr_status change(lr_world* world, const char* function, const std::tuple<A...>& given, const F& f) {
     if (!world) return told(function, {LR_ERROR_NULL_ARGUMENT, "world is null"});

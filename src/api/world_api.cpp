@@ -199,7 +199,7 @@ lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
         if (n == 0 || n > LR_MAX_SUBSTEPS) return LR_ERROR_SUBSTEPS;
         if (static_cast<double>(t) / n > static_cast<double>(LR_MAX_SUBSTEP)) return LR_ERROR_TIMESTEP_TOO_LARGE;
         if (w.step(t, n, mode)) return {};
-        return {LR_ERROR_OUT_OF_MEMORY, "out of memory: the step was taken, but bodies may pass through each other"};
+        return {LR_ERROR_OUT_OF_MEMORY, "out of memory: the step was taken, but bodies can pass through each other"};
     };
     return change(world, __func__, args(dt, substeps), step);
 }

@@ -42,7 +42,7 @@ void add_memory(const BakeOptions& o, InputFiles& input) {
     }
 }
 
-// Readers of these formats open no other file. For other formats only reading tells.
+// Readers of these formats open no other file. Readers of other formats can.
 bool stands_alone(const std::string& path) {
     std::string extension = to_path(path).extension().string();
     for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);

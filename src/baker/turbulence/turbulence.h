@@ -74,7 +74,7 @@ struct TurbulenceTable {
 // Centre of the body in the domain, m: a quarter of the way down the stream, halfway across.
 std::array<double, 3> body_position(const TurbulenceOptions& options);
 
-// False, with fault 301 and the table untouched, if a parameter is out of range. `progress` (0 to 1) may be empty.
+// False, with fault 301 and the table untouched, if a parameter is out of range. progress: 0 to 1; can be empty.
 bool compute_turbulence_table(const TurbulenceOptions& options, TurbulenceTable& table, Faults& faults,
                               const std::function<void(double)>& progress = {});
 

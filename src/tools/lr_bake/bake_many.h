@@ -13,7 +13,7 @@
 namespace lr::baker {
 
 struct BatchFolders {
-    std::string assets, reports, plots; // all but the first may be empty
+    std::string assets, reports, plots; // reports and plots can be empty
 };
 
 // One job for each input, into FOLDER/STEM.lrb, FOLDER/STEM.json, FOLDER/STEM.turbulence.svg and so on. If two inputs have the same output, returns

@@ -16,7 +16,7 @@ struct CommandLine {
     // Bake: one input into files, or any number into folders.
     std::vector<std::string> inputs; // meshes or images, in addition to `list`
     std::string list;                // file with more inputs, or empty
-    std::string output, report;      // files or folders; report may be empty
+    std::string output, report;      // files or folders; report can be empty
     std::string plots;               // a folder, or empty
     bool folders = false;
     unsigned jobs = 0; // bakes at once; 0: one per processor
