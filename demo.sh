@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a mesh to a leaf storm: set-up, build, bake, 20,000 leaves in wind and on the ground, pictures and tables; a viewer. Results in demo/.
+# From a mesh to a leaf storm: sets up, builds, bakes, and simulates 20,000 leaves in wind and on the ground. Pictures and tables are in demo/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -10,7 +10,7 @@ step "Set-up"
 scripts/setup.sh build
 source scripts/compiler_cache.sh
 read_cpu
-SECONDS=0 cpu_of_setup=$cpu # times are those after set-up
+SECONDS=0 cpu_of_setup=$cpu # the reported times exclude set-up
 start_clock build/demo
 mkdir -p demo
 
@@ -19,7 +19,7 @@ configure build/demo --preset release -DLR_BUILD_TESTS=OFF
 cmake --build build/demo
 cmake --install build/demo --prefix build/demo/install >/dev/null
 
-step "Build the samples as an outside user would: against the installed package"
+step "Build the samples against the installed package, as a user would"
 configure build/demo-samples -S samples -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$PWD/build/demo/install"
 cmake --build build/demo-samples --target hello leaf_storm viewer viewer_assets
 
@@ -34,17 +34,17 @@ build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --cou
     --wind 2,0,0.5 --threads "$(nproc)" --png demo/leaf_storm.png --tracks demo/tracks.png \
     --csv demo/leaf_storm.csv --json demo/leaf_storm.json
 
-step "Leaves land, lie, are walked through, and blow away"
+step "Leaves land, lie, are kicked by a walker, and blow away"
 build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --count 20000 --seconds 19.5 \
     --ground --walk 11.5 --gusts 15.5 --check --threads "$(nproc)" --at 3,6,11,14.5,17,19.5 --width 960 --height 540 \
     --png demo/leaves_on_the_ground.png --json demo/leaves_on_the_ground.json
 
-step "Leaves lie on leaves: a heap, somebody walks through it, and a gust takes it"
+step "A heap of leaves, a walker through it, and a gust"
 build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --count 1800 --ground --heap --fall 2 \
     --walk 1.6 --gusts 6 --gust-speed 5 --substeps 2 --seconds 7.3 --check --threads "$(nproc)" \
     --at 1.2,2.8,4.4,5.1,6.7,7.3 --width 960 --height 540 --png demo/a_heap_of_leaves.png --json demo/a_heap_of_leaves.json
 
-step "A look through the viewer: samples/viewer"
+step "The viewer: samples/viewer"
 build/demo-samples/viewer --seconds 12 --count 9000 --trails --threads "$(nproc)" --png demo/viewer.png
 
 read_cpu

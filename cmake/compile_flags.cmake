@@ -1,12 +1,12 @@
-# Warnings and floating-point flags, in one place for every target of the project.
+# Warnings and floating-point flags for all targets of the project.
 
 add_library(lr_flags INTERFACE)
 
-# Determinism (docs/maintainers/determinism.md): a fused multiply-add differs in the last bit from a product and a sum, and a compiler
-# that may contract fuses where it likes. No -ffast-math, ever. -fno-math-errno only spares a call in square roots.
+# Determinism (docs/maintainers/determinism.md): a fused multiply-add differs in the last bit from a product and a sum, and with
+# contraction each compiler fuses different expressions. Never use -ffast-math. -fno-math-errno only saves a call in square roots.
 target_compile_options(lr_flags INTERFACE -ffp-contract=off -fno-fast-math -fno-math-errno)
 # GCC 12 at -O3 drops the rounding in double -> float -> double when it packs two such conversions into one vector (seen by
-# tests/api/test_views.cpp). The kernel's vectors are written out, so that nothing is lost without that pass.
+# tests/api/test_views.cpp). The kernel uses explicit vectors, so omitting this pass costs no speed.
 target_compile_options(lr_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 
 target_compile_options(lr_flags INTERFACE
@@ -14,16 +14,16 @@ target_compile_options(lr_flags INTERFACE
     -Wcast-qual -Wnull-dereference -Wimplicit-fallthrough -Werror
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wextra-semi>
     $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes -Wmissing-prototypes>
-    # GCC 12 reports false positives of these inside its own library headers when it inlines at -O3.
+    # GCC 12 reports false positives in its own library headers when it inlines at -O3.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-error=null-dereference -Wno-null-dereference>)
 
-# GCC for 64-bit Windows keeps vectors of 32 and 64 bytes in stack slots that are aligned to 16 alone, and moves them as if they
-# were aligned (GCC bug 54412). The assembler writes every such move as one that needs no alignment.
+# GCC for 64-bit Windows keeps vectors of 32 and 64 bytes in stack slots with an alignment of 16, but moves them with aligned
+# instructions (GCC bug 54412). The assembler replaces these by unaligned moves.
 if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(lr_flags INTERFACE -Wa,-muse-unaligned-vector-move)
 endif()
 
-# The same sources give the same bytes wherever they are built.
+# Equal sources give equal bytes in any folder.
 target_compile_options(lr_flags INTERFACE "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
 
 if(LR_SANITIZE)

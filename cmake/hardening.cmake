@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: MIT
 #
-# What makes a defect of memory an end of the process rather than a way in. docs/maintainers/testing.md says what each flag is for and what it
-# costs; tests/security/check_hardening.sh looks for it in the built files.
-#   lr_harden(TARGET [EXCEPT SOURCE...])     for what ships, besides what all targets have
+# Hardening: a memory error ends the process instead of being exploitable. docs/maintainers/testing.md explains each flag and its
+# cost; tests/security/check_hardening.sh checks the built files.
+#   lr_harden(TARGET [EXCEPT SOURCE...])     additional flags for shipped targets
 
 set(lr_hardening "")
-set(lr_no_hardening "") # takes it back
-if(LR_SANITIZE) # sees more, and does not go together with it
+set(lr_no_hardening "") # reverts lr_hardening
+if(LR_SANITIZE) # sanitizers find more and exclude hardening
 elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     target_compile_options(lr_flags INTERFACE -fstack-protector-strong)
     target_link_options(lr_flags INTERFACE -Wl,-z,relro,-z,now,-z,noexecstack)
-    # CMake compiles for programs at any address, but links them so only when it has been asked whether the linker can.
+    # CMake compiles position-independent programs, but links them as such only after this check.
     include(CheckPIESupported)
     check_pie_supported(LANGUAGES C CXX)
-    # Fortified functions are those of an optimised build.
+    # _FORTIFY_SOURCE needs an optimised build.
     set(optimised "$<CONFIG:Release,RelWithDebInfo,MinSizeRel>")
     list(APPEND lr_hardening "$<${optimised}:-U_FORTIFY_SOURCE>" "$<${optimised}:-D_FORTIFY_SOURCE=2>")
     list(APPEND lr_no_hardening -U_FORTIFY_SOURCE)
@@ -25,7 +25,7 @@ elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
         list(APPEND lr_no_hardening -mbranch-protection=none $<$<CXX_COMPILER_ID:GNU>:-fno-stack-clash-protection>)
     endif()
 elseif(MINGW)
-    # Not the stack protector: GCC's takes its secret from ADVAPI32, and the library needs no DLL but KERNEL32 and msvcrt.
+    # No stack protector: GCC's gets its secret from ADVAPI32, and the library must need no DLL but KERNEL32 and msvcrt.
     target_link_options(lr_flags INTERFACE LINKER:--dynamicbase,--nxcompat,--high-entropy-va)
 endif()
 

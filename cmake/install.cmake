@@ -1,4 +1,4 @@
-# A CMake package, a pkg-config file, and the tools. Components: runtime, bake (lr_bake), development (all else).
+# Installs the library, a CMake package, a pkg-config file and the tools. Components: runtime, bake (lr_bake), development (the rest).
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 install(TARGETS langevin_rigid EXPORT langevin_rigid_targets COMPONENT runtime
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
@@ -7,7 +7,7 @@ if(TARGET lr_bake)
     install(TARGETS lr_bake lr_replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
 endif()
 if(TARGET langevin_rigid_baker)
-    # Apart from the runtime's targets: who uses those alone must not need assimp.
+    # Separate from the runtime's targets, whose users must not need assimp.
     install(TARGETS langevin_rigid_baker EXPORT langevin_rigid_baker_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(FILES include/langevin_rigid_baker.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
     install(EXPORT langevin_rigid_baker_targets NAMESPACE langevin_rigid::
@@ -15,22 +15,22 @@ if(TARGET langevin_rigid_baker)
 endif()
 install(FILES include/langevin_rigid.h include/langevin_rigid_research.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# The library contains it: its terms go wherever the library goes, in packages of bindings too.
+# The library contains libccd, so its licence accompanies the library, also in packages of bindings.
 install(FILES "${LR_CCD_SOURCE}/BSD-LICENSE" DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.libccd COMPONENT runtime)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/langevin_rigid)
 install(EXPORT langevin_rigid_targets NAMESPACE langevin_rigid:: DESTINATION ${package_dir} COMPONENT runtime)
 configure_package_config_file(cmake/langevin_rigid-config.cmake.in
     "${PROJECT_BINARY_DIR}/langevin_rigid-config.cmake" INSTALL_DESTINATION ${package_dir})
-# Before 1.0 each minor version is an ABI of its own.
+# Before 1.0 each minor version has its own ABI.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/langevin_rigid-config-version.cmake"
     COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/langevin_rigid-config.cmake"
     "${PROJECT_BINARY_DIR}/langevin_rigid-config-version.cmake" DESTINATION ${package_dir} COMPONENT runtime)
 
-# The way from the .pc file up to the prefix, so that the package may be moved: two folders, or three on multiarch systems.
+# Relative path from the .pc file to the prefix, so that the package can be moved: two folders up, or three on multiarch systems.
 file(RELATIVE_PATH pc_to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
-# From the folder of the .pc file back to the prefix, so that the installed tree can be moved.
+# The same for the installed .pc file.
 file(RELATIVE_PATH LR_PC_UP "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" LR_PC_UP "${LR_PC_UP}")
 configure_file(cmake/langevin_rigid.pc.in "${PROJECT_BINARY_DIR}/langevin_rigid.pc" @ONLY)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 #
-# Programs and libraries that need nothing but the system's C library, for packages: LR_SELF_CONTAINED, with static libraries in
+# LR_SELF_CONTAINED, for packages: programs and libraries that need only the system's C library, with static libraries from
 # CMAKE_PREFIX_PATH.
 
-# What they would take of the glibc that they are built with, and none before 2.31 has: packaging/glibc_floor.c has it from older ones.
+# Symbols with versions newer than glibc 2.30; packaging/glibc_floor.c redirects them to older versions.
 set(lr_new_in_glibc
     __libc_single_threaded __libc_start_main __pthread_key_create _dl_find_object fstat fstat64 fstatat hypot lstat
     pthread_cond_clockwait pthread_create pthread_detach pthread_getspecific pthread_join pthread_key_create pthread_key_delete
@@ -20,7 +20,7 @@ function(lr_self_contained target)
         return()
     endif()
     if(WIN32)
-        # The same sources give the same bytes: no time of linking.
+        # No link time in the file, so that equal sources give equal bytes.
         target_link_options(${target} PRIVATE -static LINKER:--no-insert-timestamp)
         return()
     endif()
@@ -28,7 +28,7 @@ function(lr_self_contained target)
     if(TARGET lr_glibc_floor)
         target_sources(${target} PRIVATE $<TARGET_OBJECTS:lr_glibc_floor>)
         list(TRANSFORM lr_new_in_glibc PREPEND LINKER:--wrap= OUTPUT_VARIABLE wraps)
-        # Before 2.34 threads were in a library of their own, which is still there, empty.
+        # Before 2.34 threads were in libpthread, which newer systems still have, empty.
         target_link_options(${target} PRIVATE ${wraps}
             LINKER:--push-state,--no-as-needed -l:libpthread.so.0 LINKER:--pop-state)
     endif()

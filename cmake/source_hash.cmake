@@ -1,5 +1,5 @@
 # cmake -DFILES=a;b -DEXTRA=text -DMACRO=NAME -DOUTPUT=file.h -P source_hash.cmake
-# A header that defines NAME as the first 8 digits of a hash of the files' contents and of the text.
+# Writes a header that defines NAME as the first 8 digits of a hash of the files' contents and the text.
 cmake_minimum_required(VERSION 3.25)
 set(all "${EXTRA}")
 foreach(file IN LISTS FILES)

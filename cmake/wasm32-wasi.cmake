@@ -11,13 +11,13 @@ set(CMAKE_AR llvm-ar-14 CACHE FILEPATH "")
 set(CMAKE_RANLIB llvm-ranlib-14 CACHE FILEPATH "")
 set(CMAKE_C_FLAGS_INIT "-msimd128")
 set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fno-exceptions")
-# The linker's 64 KiB of stack are too few for the kernel's blocks. At the bottom of memory, where running over it is caught.
+# The kernel's blocks need more than the default stack of 64 KiB. The stack is at the bottom of memory, where an overflow traps.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,--stack-first -Wl,-z,stack-size=1048576")
 set(CMAKE_CROSSCOMPILING_EMULATOR "node;${CMAKE_CURRENT_LIST_DIR}/cross/run_wasi.mjs")
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
-# Of the other libraries the runtime needs headers alone.
+# The runtime needs only headers of the other libraries.
 list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}/cross/wasi")
 set(FlatBuffers_DIR "${CMAKE_CURRENT_LIST_DIR}/cross" CACHE PATH "FlatBuffers' headers and its compiler for this machine")
 set(HWY_DIR "${CMAKE_CURRENT_LIST_DIR}/cross" CACHE PATH "Highway's headers")
-set(doctest_DIR "${CMAKE_CURRENT_LIST_DIR}/cross/wasi" CACHE PATH "Its header")
+set(doctest_DIR "${CMAKE_CURRENT_LIST_DIR}/cross/wasi" CACHE PATH "doctest's header")

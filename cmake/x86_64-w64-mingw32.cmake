@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# 64-bit Windows, built on another machine with Debian's MinGW and run there by Wine (scripts/setup.sh windows). What others wrote is
-# looked for in CMAKE_FIND_ROOT_PATH alone: packaging/build_dependencies.sh windows-x64 makes it.
+# 64-bit Windows, cross-compiled with Debian's MinGW and run by Wine (scripts/setup.sh windows). Dependencies are searched only in
+# CMAKE_FIND_ROOT_PATH, which packaging/build_dependencies.sh windows-x64 builds.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR AMD64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The libraries that a package carries, as static ones, from Debian's sources, into build/packaging/PLATFORM/dependencies. What is
-# there for the same sources and the same flags stays.
+# Builds the libraries bundled in a package as static libraries from Debian's sources, into build/packaging/PLATFORM/dependencies. Does
+# nothing if they were built from the same sources with the same flags.
 #   packaging/build_dependencies.sh linux-x64|windows-x64|linux-arm64 [--runtime]
-# --runtime: of the library alone, into build/packaging/PLATFORM/runtime-dependencies
+# --runtime: only the runtime's dependencies, into build/packaging/PLATFORM/runtime-dependencies
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source packaging/platforms.sh
@@ -23,30 +23,30 @@ else
 fi
 jobs=${LR_JOBS:-$(nproc)}
 
-# No contraction, which ARM has and others have not. Names of folders stay out of the code.
-# Sections by function: who links leaves out what it does not call.
+# No contraction, which would differ between ARM and x86. No paths in the code.
+# Sections by function, so that the linker drops unused functions.
 flags="-ffp-contract=off -fno-fast-math -fvisibility=hidden -ffunction-sections -fdata-sections -w -ffile-prefix-map=$sources=. -ffile-prefix-map=$folder=."
-# GCC for 64-bit Windows takes stack slots for aligned that are not.
+# GCC for 64-bit Windows assumes an alignment of stack slots that they lack (cmake/compile_flags.cmake).
 [ "$platform" != windows-x64 ] || flags+=" -Wa,-muse-unaligned-vector-move"
 
 stamp="$( (cat "$sources/versions" packaging/build_dependencies.sh
     find packaging/cmake -type f -print0 | sort -z | xargs -0 cat
     printf '%s\n' "${toolchain[@]}" | sed -n 's/.*TOOLCHAIN_FILE=//p' | xargs -r cat) | sha256sum | cut -c1-16)"
 if [ -e "$prefix/stamp" ] && [ "$(cat "$prefix/stamp")" = "$stamp" ]; then
-    echo "dependencies of $platform: built already"
+    echo "dependencies of $platform: already built"
     exit 0
 fi
 rm -rf "$prefix" "$prefix.build"
 mkdir -p "$prefix"/{lib/cmake,lib/pkgconfig,include} "$prefix.build"
 start=$SECONDS
 
-# Nothing of the machine that builds is found: neither its libraries nor its pkg-config files.
+# Hides libraries and pkg-config files of the build machine.
 export PKG_CONFIG_LIBDIR=$prefix/lib/pkgconfig PKG_CONFIG_PATH=
 common=("${toolchain[@]}" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DCMAKE_C_FLAGS=$flags" "-DCMAKE_CXX_FLAGS=$flags"
     "-DCMAKE_C_FLAGS_RELEASE=-O2 -DNDEBUG" "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG" -DCMAKE_POSITION_INDEPENDENT_CODE=ON
     "-DCMAKE_INSTALL_PREFIX=$prefix" -DCMAKE_INSTALL_LIBDIR=lib "-DCMAKE_PREFIX_PATH=$prefix" "-DCMAKE_FIND_ROOT_PATH=$prefix"
     -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DBUILD_SHARED_LIBS=OFF)
-build() { # name, folder of the sources, what to build ("install": that too), arguments of CMake
+build() { # name, source folder, target ("install": also installs), arguments of CMake
     local name=$1 source=$2 target=$3 log=$prefix.build/$1.log
     if ! { cmake -S "$source" -B "$prefix.build/$name" "${common[@]}" "${@:4}" &&
         cmake --build "$prefix.build/$name" -j "$jobs" --target "$target"; } >"$log" 2>&1; then
@@ -55,13 +55,13 @@ build() { # name, folder of the sources, what to build ("install": that too), ar
         exit 1
     fi
 }
-built() { cp "$prefix.build/$1" "$prefix/$2"; } # of a library that is not installed by its own rules
+built() { cp "$prefix.build/$1" "$prefix/$2"; } # for libraries without install rules
 
 build highway "$sources/highway" install -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF \
     -DHWY_FORCE_STATIC_LIBS=ON -DHWY_SYSTEM_GTEST=OFF
 
-# Header-only: those of the machine that builds, each by itself, so that nothing else of its folder is found. A compiler that is the
-# machine's own finds that folder anyway, and is told of no other: what it makes is then in its cache from the build with the tests.
+# Header-only libraries of the build machine, linked one by one, so that a cross compiler finds no other headers. The native compiler
+# searches /usr/include anyway; without other paths it shares its compiler cache with the test builds.
 include=$prefix/include
 [ "$platform" != linux-x64 ] || include=/usr/include
 for header in eigen3 boost nlohmann CLI flatbuffers doctest utf8.h utf8; do
@@ -69,7 +69,7 @@ for header in eigen3 boost nlohmann CLI flatbuffers doctest utf8.h utf8; do
     [ "$include" = /usr/include ] || ln -s "/usr/include/$header" "$include/$header"
 done
 if [ "$include" = /usr/include ] && diff -qr --exclude=contrib "$prefix/include/hwy" /usr/include/hwy >/dev/null; then
-    # The words differ in nothing but the visibility that functions of it are declared with, which the linker hides.
+    # The two definitions differ only in the declared visibility of functions, which the linker hides.
     rm -r "$prefix/include/hwy"
     sed -i 's/HWY_STATIC_DEFINE/HWY_SHARED_DEFINE/' "$prefix"/lib/cmake/hwy/*.cmake
 fi
@@ -105,7 +105,7 @@ mkdir -p "$prefix/include/draco"
 (cd "$sources/draco/src/draco" && find . -name '*.h' -exec cp --parents '{}' "$prefix/include/draco" ';')
 find "$prefix.build/draco" -name draco_features.h -exec cp '{}' "$prefix/include/draco" ';'
 
-# Of the importers those alone that lr_bake hands files to; OBJ and PLY it reads itself.
+# Only the importers that lr_bake uses; it has its own readers for OBJ and PLY.
 build assimp "$sources/assimp" install -DASSIMP_BUILD_ALL_IMPORTERS_BY_DEFAULT=OFF -DASSIMP_BUILD_ALL_EXPORTERS_BY_DEFAULT=OFF \
     -DASSIMP_NO_EXPORT=ON -DASSIMP_BUILD_STL_IMPORTER=ON -DASSIMP_BUILD_GLTF_IMPORTER=ON -DASSIMP_BUILD_FBX_IMPORTER=ON \
     -DASSIMP_BUILD_COLLADA_IMPORTER=ON -DASSIMP_BUILD_TESTS=OFF -DASSIMP_BUILD_ASSIMP_TOOLS=OFF -DASSIMP_BUILD_SAMPLES=OFF \

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The library and lr_bake of one platform, which need nothing but its C library, in build/package-PLATFORM.
-#   packaging/build_library.sh PLATFORM [--tests]      --tests: what runs on the platform too (packaging/test_windows.sh)
+# Builds the library and lr_bake for one platform in build/package-PLATFORM. They need only its C library.
+#   packaging/build_library.sh PLATFORM [--tests]      --tests: also builds the tests (packaging/test_windows.sh)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source packaging/platforms.sh
@@ -17,7 +17,7 @@ if [ "${2:-}" = --tests ]; then
     targets+=(tests_core tests_api tests_determinism snapshot_file)
     tests=ON
 fi
-# assimp's package names some of what it links without a folder. Tests for Windows too run without the compiler's DLLs.
+# assimp's CMake package names some libraries without a folder. Tests for Windows must also run without the compiler's DLLs.
 link="-L$dependencies/lib"
 [ "$platform" != windows-x64 ] || link+=" -static"
 mkdir -p "$folder"

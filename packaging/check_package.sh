@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# A package as a new user has it: unpacked in an empty folder, looked through, compiled against in each way that its README names,
-# and run with nothing of this tree in sight.
+# Tests a package as a new user: unpacks it in an empty folder, checks its files, compiles against it in each way of its README, and runs
+# the result without access to this tree.
 #   packaging/check_package.sh ARCHIVE
 set -euo pipefail
 archive=$(realpath "${1:?which archive}")
@@ -21,7 +21,7 @@ export WINEDEBUG=${WINEDEBUG:--all}
 unset LD_LIBRARY_PATH PKG_CONFIG_PATH CMAKE_PREFIX_PATH
 
 passed=0 failed=0
-check() { # what, command
+check() { # name, command
     if "${@:2}" >"$work/check.log" 2>&1; then
         passed=$((passed + 1))
     else
@@ -42,7 +42,7 @@ check "unpacks into one folder of its name" one_folder
 cd "$name" || { finish; exit 1; }
 prefix=$PWD
 
-# What is inside.
+# Contents.
 check "checksums" sha256sum --quiet --strict -c SHA256SUMS
 all_summed() { diff <(find . -type f ! -name SHA256SUMS -printf '%P\n' | sort) <(sed 's/^[0-9a-f]*  //' SHA256SUMS | sort); }
 check "every file has a checksum" all_summed
@@ -51,7 +51,7 @@ expected=(README.md LICENSE THIRD_PARTY.md include/langevin_rigid.h include/lang
 [ "$platform" != windows-x64 ] || expected+=(lib/langevin_rigid.lib lib/langevin_rigid.def lib/liblangevin_rigid.dll.a)
 for file in "${expected[@]}"; do check "has $file" test -s "$file"; done
 for header in langevin_rigid langevin_rigid_research; do check "$header.h is the tree's" cmp "include/$header.h" "$root/include/$header.h"; done
-licences() { # each of the table is there and says something; none is there without being in it or named by one
+licences() { # every file in the table exists and has terms; licences named by others exist
     local file
     grep -o 'licences/[a-z0-9-]*\.txt' THIRD_PARTY.md | sort -u >"$work/named"
     [ "$(wc -l <"$work/named")" -ge 12 ] || { echo "only $(wc -l <"$work/named") in THIRD_PARTY.md"; return 1; }
@@ -64,14 +64,14 @@ licences() { # each of the table is there and says something; none is there with
     done
 }
 check "licences of all that it carries" licences
-no_paths() { # of the machine that built, in any file
+no_paths() { # no file contains a path of the build machine
     local bad
     bad=$(grep -rlaF -e "$root" -e build/packag . || true)
     [ -z "$bad" ] || { echo "$bad"; grep -raohE "[[:print:]]*($root|build/packag)[[:print:]]*" $bad | head -n 5; return 1; }
 }
 check "no folders of the machine that built it" no_paths
 
-# What it needs and what it exports.
+# Needed libraries and exports.
 if [ "$platform" = windows-x64 ]; then
     exports() {
         x86_64-w64-mingw32-objdump -p "$library" |
@@ -87,10 +87,10 @@ fi
 same_exports() { diff <(sort "$root/tests/api/exports.txt") <(exports); }
 check "exports the header's functions and nothing else" same_exports
 only_system() { local others; others=$(needs "$1" | grep -vE "$system" || true); [ -z "$others" ] || { echo "$others"; return 1; }; }
-check "the library needs the system's C library alone" only_system "$library"
-check "lr_bake needs the system's C library alone" only_system "bin/lr_bake$exe"
+check "the library needs only the system's C library" only_system "$library"
+check "lr_bake needs only the system's C library" only_system "bin/lr_bake$exe"
 security=$root/tests/security
-check "imports what its list has and nothing else" "$security/check_imports.sh" "$library" "$security/imports-package-${platform/linux-*/linux}.txt"
+check "imports are those in its list" "$security/check_imports.sh" "$library" "$security/imports-package-${platform/linux-*/linux}.txt"
 check "hardened" "$security/check_hardening.sh" "$library" "bin/lr_bake$exe"
 if [ "$platform" != windows-x64 ]; then
     stated() { grep -q "needs glibc $("$root/packaging/glibc_floor.sh" "$library") or later and nothing else; lr_bake needs glibc $(
@@ -103,7 +103,7 @@ if [ "$platform" != windows-x64 ]; then
     check "no run path and no text relocations" no_rpath
 fi
 
-# As its README says, each from another folder and from a copy that was moved.
+# The ways of its README, from other folders, with a moved copy.
 mv "$prefix" "$work/moved there"
 prefix="$work/moved there"
 cd "$work"
@@ -115,7 +115,7 @@ esac
 run() { # program
     (cd "$(dirname "$1")" && env -i HOME="$HOME" PATH=/usr/bin:/bin WINEDEBUG="$WINEDEBUG" WINEPREFIX="${WINEPREFIX:-$HOME/.wine}" "${runner[@]}" "$1")
 }
-says_hash() { # program; all ways must move the bodies alike, on every platform
+says_hash() { # program; the hash must be equal for all ways and platforms
     run "$1" >"$1.txt" && grep -E '^state [0-9a-f]{16} after 2 s' "$1.txt" | tr -d '\r' >"$1.hash"
 }
 warnings=(-std=c99 -Wall -Wextra -Wpedantic -Werror)
@@ -136,7 +136,7 @@ by_pkg_config() {
 check "hello.c by pkg-config" by_pkg_config
 check "and it runs" says_hash "$work/pkg-config/hello$exe"
 by_cmake() {
-    # Debian's toolchain files look for packages in CMAKE_FIND_ROOT_PATH alone.
+    # Cross toolchain files search packages only in CMAKE_FIND_ROOT_PATH.
     cmake -S "$prefix/samples" -B cmake "${toolchain[@]}" "-DCMAKE_PREFIX_PATH=$prefix" "-DCMAKE_FIND_ROOT_PATH=$prefix" \
         -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF && cmake --build cmake
 }
@@ -144,23 +144,23 @@ check "hello.c by CMake" by_cmake
 check "and it runs" says_hash "$work/cmake/hello$exe"
 if [ "$platform" = windows-x64 ] && command -v clang-14 >/dev/null && command -v lld-link >/dev/null; then
     mkdir microsoft
-    by_lld() { # Microsoft's form of import library; MinGW's start-up code stands in for theirs
+    by_lld() { # import library in Microsoft's format; MinGW's start-up code replaces Microsoft's
         "${compiler[@]}" -c -std=c99 -I"$prefix/include" "$prefix/samples/hello.c" -o microsoft/hello.o &&
             "${compiler[@]}" microsoft/hello.o "$prefix/lib/langevin_rigid.lib" -o microsoft/hello.exe && beside microsoft
     }
     check "hello.c with langevin_rigid.lib" by_lld
     check "and it runs" says_hash "$work/microsoft/hello.exe"
 fi
-# Held, as tests/determinism/golden.txt is; after a change of motion: LR_HOLD=1 packaging/check_package.sh ARCHIVE
+# A held hash like tests/determinism/golden.txt. To update it after a change of motion: LR_HOLD=1 packaging/check_package.sh ARCHIVE
 [ -z "${LR_HOLD:-}" ] || cp plain/*.hash "$root/packaging/hello.hash"
 same_hash() { [ "$(sort -u ./*/hello*.hash | wc -l)" = 1 ] && diff <(sort -u ./*/hello*.hash) "$root/packaging/hello.hash"; }
-check "the bits of packaging/hello.hash, whichever way" same_hash
+check "every way gives the hash in packaging/hello.hash" same_hash
 
-# The baker: the same bytes from the moved copy, in a folder with a name that is not ASCII, and faults with numbers.
+# The baker: equal bytes from the moved copy, in a folder with a non-ASCII name, and faults with numbers.
 mkdir "bäked 葉"
 bake() { (cd "$work" && env -i HOME="$HOME" PATH=/usr/bin:/bin WINEDEBUG="$WINEDEBUG" WINEPREFIX="${WINEPREFIX:-$HOME/.wine}" LC_ALL=C.UTF-8 "${runner[@]}" "$prefix/bin/lr_bake$exe" "$@"); }
 check "lr_bake bakes a mesh" bake mesh "moved there/assets/leaf.obj" -o "bäked 葉/葉.lrb" --density 350 --quiet
-check "the bytes that are in the package" cmp "bäked 葉/葉.lrb" "$prefix/assets/leaf.lrb"
+check "equal to the package's asset" cmp "bäked 葉/葉.lrb" "$prefix/assets/leaf.lrb"
 check "lr_bake reads it again" bake check "bäked 葉/葉.lrb"
 "$root/packaging/write_meshes.py" meshes
 draco=$root/build/sources/draco/testdata/Box/glTF_Binary/Box_Draco.glb
@@ -170,11 +170,11 @@ weighs() { # mesh of 1 m^3: 500 kg at 500 kg/m^3
         python3 -c 'import json, sys; m = json.load(sys.stdin)["mass"]; sys.exit(not abs(m - 500) < 1e-3)'
 }
 for mesh in meshes/*; do check "lr_bake reads $(basename "$mesh")" weighs "$(basename "$mesh")"; done
-wrong_usage() { local status=0; bake mesh || status=$?; [ "$status" -eq 2 ]; } # by exceptions, through the unwinder that it carries
+wrong_usage() { local status=0; bake mesh || status=$?; [ "$status" -eq 2 ]; } # throws through the bundled unwinder
 check "lr_bake ends wrong usage with 2" wrong_usage
 refuses() { ! bake mesh no_such.obj -o x.lrb --density 350 2>refused.txt && grep -q 101 refused.txt && [ ! -e x.lrb ]; }
-check "lr_bake says by number what is wrong" refuses
-# The bindings, with the library and the baker that are in the package.
+check "lr_bake reports a numbered fault" refuses
+# The bindings, with the library and baker of the package.
 held=$(cat "$root/packaging/hello.hash")
 for page in engines languages; do check "docs for $page" test -s "$prefix/docs/guide/$page.md"; done
 check "Unity's package" test -s "$prefix/bindings/unity/com.langevin.rigid/package.json"
@@ -184,15 +184,15 @@ check "Unreal's plugin" test -s "$(find "$prefix/bindings/unreal" -name Langevin
 if [ "$platform" != linux-arm64 ]; then
     addon=$prefix/bindings/godot/addons/langevin_rigid
     check "Godot's addon" test -s "$addon/langevin_rigid.gdextension"
-    godot_whole() { # all that the extension file names for this platform
+    godot_whole() { # all files that the extension names for this platform
         local key=linux file files
         [ "$platform" != windows-x64 ] || key=windows
         files=$(grep -ohE "bin/${key}_x86_64/[A-Za-z0-9_.]+" "$addon/langevin_rigid.gdextension" | sort -u)
         [ -n "$files" ] || return 1
         for file in $files; do [ -s "$addon/$file" ] || { echo "no $file"; return 1; }; done
     }
-    check "with what its .gdextension names" godot_whole
-    godot_demo() { # opens as it is: with the addon, what it shows, and the list without which a first start knows no extension
+    check "with all files that its .gdextension names" godot_whole
+    godot_demo() { # ready to open: has the addon, its assets, and the list without which the first start loads no extension
         local demo=$prefix/bindings/godot/demo
         diff -r "$prefix/bindings/godot/addons" "$demo/addons" && cmp "$demo/leaf.lrb" "$prefix/assets/leaf.lrb" &&
             [ -s "$demo/leaf.obj" ] && [ -s "$demo/leaf_maple.lrb" ] && grep -qx 'res://addons/.*\.gdextension' "$demo/.godot/extension_list.cfg"
@@ -209,7 +209,7 @@ if [ "$platform" = linux-x64 ]; then
         }
         check "Python's wheel, with the same bits" by_wheel
     else
-        echo "SKIPPED: the wheel, for want of python3-numpy and python3-pip"
+        echo "SKIPPED: the wheel: python3-numpy or python3-pip is not installed"
     fi
     if command -v mcs >/dev/null; then
         by_mono() {
@@ -219,7 +219,7 @@ if [ "$platform" = linux-x64 ]; then
         }
         check "C#, with the same bits" by_mono
     else
-        echo "SKIPPED: C#, for want of mono-mcs"
+        echo "SKIPPED: C#: mono-mcs is not installed"
     fi
 fi
 for asset in "$prefix"/assets/*.lrb; do check "$(basename "$asset") is sound" bake check "moved there/assets/$(basename "$asset")"; done

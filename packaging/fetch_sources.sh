@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Debian's sources of the libraries that a package carries, into build/sources. Fetched once; later runs need no network.
+# Fetches Debian's sources of the bundled libraries into build/sources, once; later runs need no network.
 #   packaging/fetch_sources.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,10 +1,10 @@
 /*
  * SPDX-License-Identifier: MIT
  *
- * What glibc gave new versions after 2.30, most when 2.34 took libpthread into libc, in terms of the old ones. A linker binds a name
- * to the version that its own glibc calls current, and what is so linked is refused by every glibc before that. All references,
- * also those of the static C++ runtime, come here by --wrap (cmake/self_contained.cmake). What is left is measured:
- * packaging/glibc_floor.sh.
+ * Redirects symbols that got new versions after glibc 2.30, most in 2.34, which merged libpthread into libc, to their old versions. A
+ * linker binds a name to the current version of its own glibc, and older systems refuse the result. --wrap redirects all
+ * references to this file, also those of the static C++ runtime (cmake/self_contained.cmake). packaging/glibc_floor.sh measures the
+ * result.
  */
 #define _GNU_SOURCE
 #include <link.h>
@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
-/* The version of each architecture's first port, and what its stat() calls itself. */
+/* The glibc version of each architecture's first port, and its version number of stat(). */
 #if defined(__x86_64__)
 #define FIRST "GLIBC_2.2.5"
 #define WITH_OPENAT "GLIBC_2.4"
@@ -26,15 +26,15 @@
 #define WITH_OPENAT FIRST
 #define STAT_VERSION 0
 #else
-#error "which glibc was this architecture's first?"
+#error "define FIRST as the first glibc version of this architecture"
 #endif
 
-/* Declares old_NAME, which is bound to that version. */
+/* Declares old_NAME, bound to the given version. */
 #define OLD(version, result, name, parameters)                                                                         \
     __asm__(".symver old_" #name "," #name "@" version);                                                               \
     extern result old_##name parameters
 
-/* Defines what every reference to NAME comes to, as a call of the old one. */
+/* Defines the target of every reference to NAME: a call of the old version. */
 #define AS_BEFORE(version, result, name, parameters, arguments)                                                        \
     OLD(version, result, name, parameters);                                                                            \
     result __wrap_##name parameters;                                                                                   \
@@ -64,7 +64,7 @@ AS_BEFORE("GLIBC_2.30", int, pthread_cond_clockwait,
           (pthread_cond_t * condition, pthread_mutex_t* mutex, clockid_t clock, const struct timespec* until),
           (condition, mutex, clock, until))
 
-/* Before 2.33 these took a version besides, and were called by functions that programs carried themselves. */
+/* Before 2.33 these had a version argument, and programs contained the functions that called them. */
 OLD(FIRST, int, __xstat, (int version, const char* path, struct stat* info));
 OLD(FIRST, int, __lxstat, (int version, const char* path, struct stat* info));
 OLD(FIRST, int, __fxstat, (int version, int file, struct stat* info));
@@ -82,7 +82,7 @@ int __wrap_fstat(int file, struct stat* info);
 int __wrap_fstat(int file, struct stat* info) {
     return old___fxstat(STAT_VERSION, file, info);
 }
-/* The same where a program asks for large files, which these systems' others are. */
+/* The same under the large file names; on these systems all files are large files. */
 int __wrap_stat64(const char* path, struct stat* info);
 int __wrap_stat64(const char* path, struct stat* info) {
     return old___xstat(STAT_VERSION, path, info);
@@ -96,11 +96,11 @@ int __wrap_fstatat(int folder, const char* path, struct stat* info, int flags) {
     return old___fxstatat(STAT_VERSION, folder, path, info, flags);
 }
 
-/* libstdc++ counts references without atomic operations while a process has one thread. Not knowing, it always uses them. */
+/* With one thread, libstdc++ counts references without atomic operations. This value makes it always use them. */
 extern char __wrap___libc_single_threaded;
 char __wrap___libc_single_threaded = 0;
 
-/* Before 2.34 the constructors of a program were called by itself, in a function that it handed to this one. */
+/* Before 2.34 a program called its own constructors, in a function that it passed to this one. */
 typedef void (*constructor)(int, char**, char**);
 typedef int (*program)(int, char**, char**);
 extern constructor __preinit_array_start[], __preinit_array_end[], __init_array_start[], __init_array_end[];
@@ -122,7 +122,7 @@ int __wrap___libc_start_main(program run, int count, char** arguments, construct
     return old___libc_start_main(run, count, arguments, construct, fini, linker, stack);
 }
 
-/* Where in memory the tables for unwinding are: GCC's unwinder asks for them at each exception. */
+/* Finds the unwind tables in memory: GCC's unwinder calls it for each exception. */
 struct search {
     uintptr_t address;
     struct dl_find_object* result;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The oldest glibc that has all that these files ask for: the highest version among their dynamic symbols.
+# Prints the oldest glibc that these files run on: the highest version of their dynamic symbols.
 #   packaging/glibc_floor.sh FILE...
 set -euo pipefail
 for file; do readelf --dyn-syms --wide "$file"; done |

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# One platform's archive, from what packaging/build_library.sh has built.
+# Makes the archive of one platform from the output of packaging/build_library.sh.
 #   packaging/make_bundle.sh PLATFORM OUT
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -20,7 +20,7 @@ for component in runtime bake; do
     cmake --install "$(platform_build "$platform")" --prefix "$stage" --component "$component" --strip >"$folder/install.log"
 done
 if [ "$platform" = windows-x64 ]; then
-    # For Microsoft's linker and LLVM's: an import library in their form, and what others can be made from.
+    # An import library for the linkers of Microsoft and LLVM, and the .def file, from which others can be made.
     {
         echo "LIBRARY langevin_rigid.dll"
         echo EXPORTS
@@ -34,7 +34,7 @@ fi
 mkdir -p "$stage/samples" "$stage/assets"
 cp samples/hello.c "$stage/samples/"
 cp packaging/sample.cmake "$stage/samples/CMakeLists.txt"
-# Baked by the very program in the package, as assets/README.md says.
+# Baked by the packaged lr_bake with the options in assets/README.md.
 export WINEDEBUG=${WINEDEBUG:--all}
 bake() { # asset, mesh, options
     "${runner[@]}" "$stage/bin/lr_bake$exe" mesh "assets/$2.obj" -o "$stage/assets/$1.lrb" "${@:3}" --quiet
@@ -47,12 +47,12 @@ bake paper_plane paper_plane_surface --sheet --thickness 0.0001 --areal-density 
 for mesh in leaf leaf_maple petal confetti paper_plane; do cp "assets/$mesh.obj" "$stage/assets/"; done
 cp assets/README.md "$stage/assets/"
 
-# Each binding in the form that its users install: what its own package.py makes, or its files without its tests.
+# Each binding in the form that users install: the output of its package.py, or its files without tests.
 mkdir -p "$stage/bindings"
 for binding in bindings/*/; do
     binding=$(basename "$binding")
     [ -d "bindings/$binding" ] || continue
-    case $binding in generator | web) continue ;; esac # a tool of this tree; a platform of its own
+    case $binding in generator | web) continue ;; esac # generator: internal; web: a separate platform
     if [ -f "bindings/$binding/package.py" ]; then
         python3 "bindings/$binding/package.py" --native "$stage" --out "$stage/bindings/$binding" >"$folder/$binding.log" 2>&1 ||
             { cat "$folder/$binding.log" >&2; echo "bindings/$binding could not be packaged" >&2; exit 1; }
@@ -61,14 +61,14 @@ for binding in bindings/*/; do
             xargs -0 -r cp --parents -t "$stage"
     fi
 done
-# Beside its sources, what has to be compiled: Godot's addon with the library, a wheel with library and baker.
+# Compiled bindings: Godot's addon with the library, a wheel with library and baker.
 case $platform in linux-x64 | windows-x64)
     { cmake -S bindings/godot -B "$folder/godot" -G Ninja "${toolchain[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=$stage" \
         "-DCMAKE_FIND_ROOT_PATH=$stage" "-DCMAKE_C_FLAGS=-ffile-prefix-map=$PWD=." \
         "-DLANGEVIN_GODOT_OUTPUT=$stage/bindings/godot/addons/langevin_rigid" && cmake --build "$folder/godot"; } >"$folder/godot.log" 2>&1 ||
         { cat "$folder/godot.log" >&2; exit 1; }
     find "$stage/bindings/godot/addons" \( -name '*.so*' -o -name '*.dll' \) -exec "$strip" --strip-unneeded {} +
-    # Its demo, ready to be opened; why the list: bindings/godot/demo.sh.
+    # Its demo, ready to open. bindings/godot/demo.sh explains extension_list.cfg.
     demo=$stage/bindings/godot/demo
     cp -R "$stage/bindings/godot/addons" "$demo/"
     cp "$stage"/assets/leaf{,_maple}.{lrb,obj} "$demo/"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 #
-# What is known of each platform. Sourced by the other scripts of packages.
+# Properties of each platform. Sourced by the other packaging scripts.
 
-# Sets how a platform's programs are made and run, from the top of the tree; fails where a tool is missing and says which.
+# Sets the tools that build and run a platform's programs; call in the tree's root. Fails and names the tools that are missing.
 select_platform() { # platform
     platform=$1
     toolchain=() runner=() tools=(cmake ninja flatc)
@@ -21,7 +21,7 @@ select_platform() { # platform
         exe=.exe suffix=zip library=bin/langevin_rigid.dll strip=x86_64-w64-mingw32-strip
         ;;
     *)
-        echo "no such platform: $platform (linux-x64, windows-x64, linux-arm64, wasm)" >&2
+        echo "unknown platform: $platform; use linux-x64, windows-x64, linux-arm64 or wasm" >&2
         return 2
         ;;
     esac
@@ -30,7 +30,7 @@ select_platform() { # platform
     [ ${#missing[@]} -eq 0 ] || { echo "$platform needs ${missing[*]}: scripts/setup.sh package $(setup_word "$platform")" >&2; return 3; }
 }
 
-# Debian has it outside the path.
+# Debian installs it outside PATH.
 find_wine() {
     local candidate
     for candidate in wine64 /usr/lib/wine/wine64 wine; do command -v "$candidate" && return; done
@@ -42,5 +42,5 @@ setup_word() { # platform
 }
 
 platform_folder() { echo "$PWD/build/packaging/$1"; }
-# As deep as other builds: what the compiler is told of sources is then the same, and its cache has what the tests were built with.
+# At the same depth as other builds: relative source paths are then equal, so that the compiler cache can share objects with the tests.
 platform_build() { echo "$PWD/build/package-$1"; }

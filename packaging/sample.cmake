@@ -7,7 +7,7 @@ find_package(langevin_rigid 0.1 CONFIG REQUIRED)
 add_executable(hello hello.c)
 set_target_properties(hello PROPERTIES C_STANDARD 99)
 target_link_libraries(hello PRIVATE langevin_rigid::langevin_rigid)
-if(WIN32) # where a program looks for its DLLs is beside itself
+if(WIN32) # programs find DLLs in their own folder
     add_custom_command(TARGET hello POST_BUILD
         COMMAND ${CMAKE_COMMAND} -E copy_if_different $<TARGET_FILE:langevin_rigid::langevin_rigid> $<TARGET_FILE_DIR:hello>)
 endif()

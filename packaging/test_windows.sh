@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The tests of the tree, built by MinGW and run by Wine: of the insides, of the API against the DLL, all of determinism's with the
-# held hashes on each instruction set that this processor has, and the held snapshot. Longer than CI's step.
+# Runs the tree's tests, built by MinGW, under Wine: unit tests, API tests against the DLL, determinism tests with the held hashes on
+# each instruction set of this processor, and the held snapshot. Takes longer than CI's step.
 #   packaging/test_windows.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source packaging/platforms.sh
 if ! (select_platform windows-x64); then
-    echo "SKIPPED: windows-x64, for want of the tools above"
+    echo "SKIPPED: windows-x64: the tools above are not installed"
     exit 0
 fi
 select_platform windows-x64

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""THIRD_PARTY.md and licences/ of a package: what of others is inside its files, under which terms.
+"""Writes THIRD_PARTY.md and licences/ of a package: the bundled third-party software and its terms.
 
     third_party.py --platform linux-x64 --sources build/sources --out STAGE
 """
@@ -13,7 +13,7 @@ from pathlib import Path
 COMMON = Path("/usr/share/common-licenses")
 RUNTIME, BAKER, BOTH = "library", "lr_bake", "library, lr_bake"
 
-# Name, what of it is carried and under which terms, in which file, Debian source ("source:") or package.
+# Name, bundled part and terms, file that contains it, Debian source ("source:") or package.
 CARRIED = [
     ("Highway", "SIMD; Apache-2.0", BOTH, "source:highway"),
     ("libccd", "overlaps of convex bodies; BSD-3-Clause", RUNTIME, "source:libccd"),
@@ -45,7 +45,7 @@ def version_of_package(name: str) -> str:
 
 
 def find(entry: str, sources: Path, versions: dict) -> tuple[str, str, Path]:
-    """What Debian calls it, its version, and the file with its terms."""
+    """Debian's name, the version, and the file with the terms."""
     if entry.startswith("source:"):
         name = entry.removeprefix("source:")
         return name, versions[name], sources / name / "debian" / "copyright"
@@ -78,13 +78,13 @@ def main() -> None:
         (folder / f"{licence}.txt").write_bytes((COMMON / licence).resolve().read_bytes())
 
     lines = [
-        "# What of others is in this package", "",
-        "Langevin Rigid itself is under the MIT licence (`LICENSE`). Its files carry parts of the following, built from Debian's sources with",
+        "# Third-party software in this package", "",
+        "Langevin Rigid itself is under the MIT licence (`LICENSE`). Its files contain parts of the following, built from Debian's sources with",
         "Debian's patches. The versions are Debian's.", "",
-        "| what | version | what of it, under which terms | carried by | terms in full | Debian's name |",
+        "| name | version | bundled part; terms | contained in | full terms | Debian's name |",
         "|---|---|---|---|---|---|", *rows, "",
-        "The terms are as Debian collected them, for all files of a source, also those that are not carried. Licences to which they refer as",
-        "`/usr/share/common-licenses/NAME` are in `licences/NAME.txt`. The sources of all of them, the very versions, are at",
+        "The terms are those that Debian collected for all files of a source, bundled or not. Licences that they call",
+        "`/usr/share/common-licenses/NAME` are in `licences/NAME.txt`. The sources of these versions are at",
         "https://snapshot.debian.org under their Debian name (`apt-get source NAME`).", ""]
     (options.out / "THIRD_PARTY.md").write_text("\n".join(lines), encoding="utf-8")
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# FOLDER/NAME as an archive with SHA256SUMS in it, whose bytes depend on names and contents alone.
+# Writes FOLDER/NAME with SHA256SUMS as an archive. Its bytes depend only on names and contents.
 #   packaging/write_archive.sh FOLDER NAME FILE.tar.xz|FILE.zip
 set -euo pipefail
 folder=${1:?} name=${2:?} file=${3:?}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""One tetrahedron in each format that lr_bake reads, of 1 x 2 x 3 m and so of volume 1 m^3, to see that a packaged baker has every reader.
+"""Writes a tetrahedron of 1 x 2 x 3 m, volume 1 m^3, in each format of lr_bake, to test all readers of a packaged baker.
 
     write_meshes.py FOLDER
 """

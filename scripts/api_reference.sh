@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The API reference in HTML, from the public headers, into build/api/html. Any warning of Doxygen's is an error.
+# Writes the API reference as HTML from the public headers into build/api/html. Doxygen's warnings are errors.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 mkdir -p build/api

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# The runtime built by several compilers, at several levels of optimisation, for several instruction sets and cut into other
-# chunks: all must move bodies to the very hashes in tests/determinism/golden.txt, and save and restore the very snapshot in
-# tests/snapshot_travel. docs/maintainers/determinism.md has the results.
+# Builds the runtime with several compilers, optimisation levels, instruction sets and chunk sizes. All builds must give the
+# hashes in tests/determinism/golden.txt, and save and restore the snapshot in tests/snapshot_travel with equal bytes.
+# docs/maintainers/determinism.md has the results.
 #   scripts/check_determinism.sh             GCC and clang at -O1, -O2 and -O3
-#   scripts/check_determinism.sh clang-O2    the builds that are named
+#   scripts/check_determinism.sh clang-O2    the named builds
 #   scripts/check_determinism.sh arm64       64-bit ARM, run by qemu (scripts/setup.sh arm64)
 #   scripts/check_determinism.sh windows     64-bit Windows, run by Wine (scripts/setup.sh package windows)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Name, -O, chunk (0: the library's own), instruction sets left out. Plain C++ is in those without SSSE3 and SSE4; with GCC 12 it
-# has one lane, with clang four. Between them the six have every other at least twice.
+# Name, -O, chunk (0: default), omitted instruction sets. Builds without SSSE3 and SSE4 include plain C++, which has one lane with
+# GCC 12 and four with clang. Every other instruction set is in at least two of the six builds.
 builds=(
     "gcc-O1   1 64   HWY_SSE4;HWY_AVX3"
     "gcc-O2   2 256  HWY_SSSE3;HWY_AVX2"
@@ -30,7 +30,7 @@ find_program() { # candidates
     echo "none of these is installed: $*" >&2
     return 1
 }
-# Names of the instruction sets that the build has, as the library gives them.
+# Prints the names of the build's instruction sets.
 targets() { # directory, emulator
     "${@:2}" "$1/tests/tests_determinism$exe" --test-case="every instruction set is named" --success | tr -d '\r' |
         sed -n 's/.*instruction sets: //p'
@@ -40,7 +40,7 @@ failed=()
 for name in "${wanted[@]}"; do
     entry=
     for candidate in "${builds[@]}"; do [ "${candidate%% *}" != "$name" ] || entry=$candidate; done
-    [ -n "$entry" ] || { echo "no such build: $name" >&2; exit 2; }
+    [ -n "$entry" ] || { echo "unknown build: $name" >&2; exit 2; }
     read -r name level chunk disabled <<<"$entry"
     dir=build/determinism/$name
     emulator=() exe=
@@ -70,7 +70,7 @@ for name in "${wanted[@]}"; do
         "-DCMAKE_CXX_FLAGS_RELEASE=-O$level -DNDEBUG" -DLR_BUILD_BAKER=OFF -DLR_CHUNK_BODIES="$chunk" \
         "-DLR_DISABLED_TARGETS=$disabled" >"$dir/configure.log" 2>&1 || { cat "$dir/configure.log"; exit 1; }
     cmake --build "$dir" --target tests_determinism snapshot_file >"$dir/build.log" 2>&1 || { tail -n 60 "$dir/build.log"; exit 1; }
-    # An emulator is slow: all scenes once, and what is the processor's own.
+    # An emulator is slow: run all scenes once, and the tests that depend on the processor.
     cases=()
     [ ${#emulator[@]} -eq 0 ] || cases=(--test-case="held hashes,every instruction set is named,*rounding*,*flushed*,*sees*")
     built=$((SECONDS - start))

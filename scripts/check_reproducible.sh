@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The same sources give the same bytes: the runtime library built twice, in folders of other names and lengths, one of them outside
-# of the sources, at other times and in another environment, must be one and the same file. docs/maintainers/testing.md
-#   scripts/check_reproducible.sh [CMAKE_ARGUMENT...]    all of it, without a compiler cache: some 10 minutes of two cores
-#   scripts/check_reproducible.sh quick                  a few objects, those that could name where or when they were made
+# Checks that equal sources give equal bytes: builds the runtime library twice, in folders with different names and lengths, one outside
+# the sources, at different times and in different environments. docs/maintainers/testing.md
+#   scripts/check_reproducible.sh [CMAKE_ARGUMENT...]    the library, without a compiler cache: about 10 minutes on two cores
+#   scripts/check_reproducible.sh quick                  a few objects, those most likely to contain a path or time
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 arguments=("$@")
@@ -23,7 +23,7 @@ for copy in "${sources[@]}"; do
 done
 find "${sources[1]}" -exec touch -d '2001-02-03 04:05:06' {} +
 
-# The archive with its index, what includes a generated header, tables of functions, texts of errors.
+# Objects with an archive index, a generated header, tables of functions, texts of errors.
 targets=(--target langevin_rigid)
 if $quick; then
     targets=()
@@ -31,16 +31,16 @@ if $quick; then
         targets+=(--target "src/CMakeFiles/$object.o")
     done
 fi
-build() { # which
+build() { # 0 or 1
     cmake -S "${sources[$1]}" -B "${builds[$1]}" -G Ninja -DCMAKE_BUILD_TYPE=Release -DLR_BUILD_BAKER=OFF -DLR_BUILD_TESTS=OFF \
         "${arguments[@]}" >"$work/log" 2>&1 &&
         cmake --build "${builds[$1]}" -j "${LR_JOBS:-$(nproc)}" "${targets[@]}" >"$work/log" 2>&1 || { tail -n 30 "$work/log"; exit 1; }
 }
-sums() { # which
+sums() { # 0 or 1
     (cd "${builds[$1]}" && find . \( -name '*.o' -o -name '*.a' -o -name '*.so.*.*.*' \) -type f | LC_ALL=C sort | xargs -d '\n' sha256sum)
 }
 (export TZ=UTC LC_ALL=C && umask 022 && build 0)
-sleep 1 # another second
+sleep 1 # a different second
 (export TZ=Asia/Tokyo LC_ALL=C.UTF-8 USER=somebody SOURCE_DATE_EPOCH=1 && umask 077 && build 1)
 
 sums 0 >"$work/first"
@@ -51,16 +51,16 @@ if ! diff "$work/first" "$work/second" >"$work/diff"; then
     exit 1
 fi
 if grep -raqF "$work" "${builds[@]}" --include='*.o' --include='*.so.*'; then
-    echo "a file names the folder that it was built in"
+    echo "a file contains the path of its build folder"
     exit 1
 fi
-# That a difference would be seen: an object that names its folder.
+# Checks the check: an object that contains its path must differ.
 for which in 0 1; do
     echo 'const char* where() { return __FILE__; }' >"${sources[$which]}/where.cpp"
     "${CXX:-c++}" -c "${sources[$which]}/where.cpp" -o "${builds[$which]}/where.o"
 done
 if diff <(sums 0) <(sums 1) >/dev/null; then
-    echo "FAILED: a file that names its folder was not seen"
+    echo "FAILED: the check missed a file that contains its path"
     exit 1
 fi
-echo "reproducible: $(wc -l <"$work/first") files are the same, $(grep -c '\.so' "$work/first" || true) of them libraries"
+echo "reproducible: $(wc -l <"$work/first") files are equal, $(grep -c '\.so' "$work/first" || true) of them libraries"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Instructions a body and substep, counted by callgrind under AVX2 (it knows no AVX-512). Builds nothing.
-#   scripts/count_instructions.sh [BUILD [OUT.csv]]     initially build/release, build/release/bench/instructions.csv
+# Counts instructions per body and substep by callgrind under AVX2 (callgrind lacks AVX-512). Builds nothing.
+#   scripts/count_instructions.sh [BUILD [OUT.csv]]     default: build/release, build/release/bench/instructions.csv
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -15,7 +15,7 @@ mkdir -p "$(dirname "$out")"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-count() { # row, function, steps: instructions inside of the function; the profile stays in $work/profile
+count() { # row, function, steps: prints the instructions inside the function; leaves the profile in $work/profile
     valgrind --tool=callgrind --callgrind-out-file="$work/profile" --toggle-collect="$2" \
         "$bench" --one "$1" --steps "$3" >/dev/null 2>"$work/log" || { cat "$work/log" >&2; exit 1; }
     awk '/Collected :/ {print $4}' "$work/log"
@@ -26,7 +26,7 @@ profile() { # row, function, substeps
     local few many
     few=$(count "$1" "$2" 2)
     many=$(count "$1" "$2" 6)
-    # The difference, so that the first steps and what was set up before do not count.
+    # The difference excludes set-up and the first steps.
     callgrind_annotate --auto=no --threshold=99.9 "$work/profile" 2>/dev/null |
         awk -v row="$1" -v total="$many" -v each="$(((many - few)))" -v steps=$((4 * bodies * $3)) '
             function emit(name, share) { printf "%s,\"%s\",%.2f\n", row, name, share * each / steps }

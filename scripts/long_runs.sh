@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Long runs and large ones, at full length: 24 simulated hours of a storm, 4 million bodies, 1,000 worlds, 64 threads. docs/maintainers/testing.md
-# scripts/long_runs.sh [HOURS]: build/load has what was printed, the table of the storm (soak.csv), and its picture (soak.png).
+# Full-length load tests: 24 simulated hours of a storm, 4 million bodies, 1,000 worlds, 64 threads. docs/maintainers/testing.md
+# scripts/long_runs.sh [HOURS]: writes logs, the table of the storm (soak.csv) and its plot (soak.png) into build/load.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 hours=${1:-24}

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Packages for people who build nothing: library, header, baker, bindings, assets and licences in one archive for each platform.
+# Makes binary packages: library, header, baker, bindings, assets and licences in one archive per platform.
 #   scripts/package.sh [linux-x64|windows-x64|linux-arm64|wasm|all ...] [--out DIR]     default: linux-x64, into build/packages
-# What it needs is installed by scripts/setup.sh package [windows] [arm64]; sources of dependencies are fetched once, from Debian.
+# scripts/setup.sh package [windows] [arm64] installs the tools and fetches the sources of dependencies once, from Debian.
 # The same commit gives the same bytes. docs/maintainers/releases.md
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -24,7 +24,7 @@ done
 mkdir -p "$out"
 out=$(realpath "$out")
 
-# Of the last commit, not of the clock: it is in the archives.
+# Archives contain this time: the last commit's, for equal bytes.
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 0)} TZ=UTC LC_ALL=C
 umask 022
 
@@ -32,13 +32,13 @@ say() { printf '[%d:%02d] %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*"; }
 for name in "${wanted[@]}"; do
     start=$SECONDS
     if [ "$name" = wasm ]; then
-        say "$name: library for WebAssembly (the first time some 3 minutes)"
+        say "$name: library for WebAssembly (about 3 minutes the first time)"
         packaging/package_wasm.sh "$out"
     else
         select_platform "$name"
-        say "$name: the libraries that it carries (the first time some 4 minutes of two cores)"
+        say "$name: bundled libraries (about 4 minutes the first time on two cores)"
         packaging/build_dependencies.sh "$name"
-        say "$name: library and lr_bake (some 6)"
+        say "$name: library and lr_bake (about 6 minutes)"
         packaging/build_library.sh "$name"
         say "$name: bindings, assets, licences, archive"
         packaging/make_bundle.sh "$name" "$out"

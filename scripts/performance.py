@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes docs/maintainers/performance.md and docs/maintainers/performance.png from what the measurements left in a folder.
+"""Writes docs/maintainers/performance.md and docs/maintainers/performance.png from the measurements in a folder.
 
-    /usr/bin/python3 scripts/performance.py [FOLDER [DOCS]]      initially build/release/bench, docs/maintainers
+    /usr/bin/python3 scripts/performance.py [FOLDER [DOCS]]      default: build/release/bench, docs/maintainers
 
-rows.csv (lr_bench --csv) is needed; ports.csv, mix.csv (scripts/port_bound.py) and instructions.csv
-(scripts/count_instructions.sh) are taken when they are there. Every verdict is computed here, none is written by hand.
+Needs rows.csv (lr_bench --csv); ports.csv, mix.csv (scripts/port_bound.py) and instructions.csv
+(scripts/count_instructions.sh) are optional. Computes all verdicts.
 SPDX-License-Identifier: MIT"""
 import csv
 import os
@@ -61,7 +61,7 @@ def table(head, lines):
 
 
 def goals(rows, mix):
-    """(goal, measured, verdict) for each goal whose rows are there."""
+    """(goal, measured, verdict) for each goal whose rows exist."""
     out = []
 
     def add(goal, limit, value, text, at_least=False):
@@ -175,7 +175,7 @@ def plot(rows, path):
     axes.set_yscale("log")
     axes.set_xlim(0.8, 200 * max(end[1][0] for end in ends))
     axes.set_xticks([10 ** k for k in range(7)], ["1", "10", "100", "1,000", "10,000", "100,000", "1,000,000"])
-    # Labels at the lines' ends, pushed apart where ends of the same column would meet.
+    # Labels at the lines' ends, moved apart if they would overlap in a column.
     low, high = axes.get_ylim()
     gap = (high / low) ** 0.034
     for column in {end[1][0] for end in ends}:
@@ -196,7 +196,7 @@ def plot(rows, path):
 
 
 def time_table(rows, wanted, head):
-    """Lines of rows with all that a row has."""
+    """Table with all columns of the rows."""
     lines = []
     for row in wanted:
         ratio = row["speed_over_sketch"]
@@ -322,7 +322,7 @@ def main(folder="build/release/bench", docs="docs/maintainers"):
         text += f"\n## {title}\n\n{body}"
     plot(rows, os.path.join(docs, "performance.png"))
     page = os.path.join(docs, "performance.md")
-    if os.path.exists(page):  # the part that is written by hand stays
+    if os.path.exists(page):  # keeps the part written by hand
         with open(page, encoding="utf-8") as file:
             old = file.read()
         text += "\n" + old[old.index(BY_HAND):] if BY_HAND in old else ""

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures, and writes docs/maintainers/performance.md and docs/maintainers/performance.png. lr_bench must be built; nothing is built here.
-#   scripts/performance.sh [--quick] [BUILD [DOCS]]     initially build/release, docs/maintainers
+# Measures, and writes docs/maintainers/performance.md and docs/maintainers/performance.png. Needs a built lr_bench; builds nothing.
+#   scripts/performance.sh [--quick] [BUILD [DOCS]]     default: build/release, docs/maintainers
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -19,7 +19,7 @@ mkdir -p "$folder" "$docs"
 rm -f "$folder"/*.csv
 "$bench" --csv "$folder/rows.csv" "${quick[@]}"
 if [ ${#quick[@]} -eq 0 ]; then
-    # Both are extras: not every machine can.
+    # Both are optional, because not every machine supports them.
     scripts/port_bound.py "$build" "$folder" || true
     scripts/count_instructions.sh "$build" "$folder/instructions.csv" || true
 fi

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""What a substep asks of the processor's pipes, and how long they need for it at least.
+"""Lower bound of a substep's time from the processor's pipes.
 
-    scripts/port_bound.py [BUILD [FOLDER]]      initially build/release, build/release/bench
+    scripts/port_bound.py [BUILD [FOLDER]]      default: build/release, build/release/bench
 
-lr_bench --trace follows one step instruction by instruction; objdump says what they are; lr_bench --ports says how many
-cycles each kind takes when nothing waits. Writes FOLDER/ports.csv and FOLDER/mix.csv: for each row of VARIANTS, per vector
-of bodies and substep, the instructions of each kind, the cycles of the busiest pipes (the bound), and which these are.
+lr_bench --trace records the instructions of one step; objdump names them; lr_bench --ports measures the cycles of each kind
+without waiting. Writes FOLDER/ports.csv and FOLDER/mix.csv: for each row of VARIANTS, per vector of bodies and substep, the
+instructions of each kind, the busiest pipes, and their cycles (the bound).
 SPDX-License-Identifier: MIT"""
 import collections
 import csv
@@ -20,7 +20,7 @@ VARIANTS = [("langevin_rigid", model, "default", path, target, lanes) for target
             for model in ("none", "langevin-speed", "aerodynamic") for path in ("diagonal", "full")]
 VARIANTS += [("sketch", "langevin-speed", "rk4", "diagonal", "x86-64-v3", 8), ("sketch", "langevin-speed", "rk4", "diagonal", "native", 0)]
 
-# The first that matches: kind, how the mnemonic begins, the operation of ports.csv that it costs.
+# Kind, start of the mnemonic, operation of ports.csv. The first match counts.
 KINDS = [("fma", r"vfn?m(add|sub)", "fma"), ("multiply", r"vmul|vscalef", "mul"),
          ("divide", r"vdiv", "div"), ("root", r"vsqrt", "sqrt"),
          ("integer multiply", r"vpmul(u?dq|hu?w|l[wdq])", "vpmuludq"),
@@ -47,7 +47,7 @@ def instructions(library):
 
 
 def classify(mnemonic, operands):
-    """kind, operation it costs (or None), bits, whether it loads, whether it stores"""
+    """kind, operation (or None), bits, whether it loads, whether it stores"""
     bits = 512 if "%zmm" in operands else 256 if re.search("%[xy]mm", operands) else 0
     stores = operands.endswith(")") or re.search(r"\)\{%k\d\}$", operands) is not None
     memory = "(" in operands
@@ -101,7 +101,7 @@ def main(build="build/release", folder="build/release/bench"):
             name = f"{subject}/{model}/{integrator}/{path}/{target}/0/{BODIES}/{SUBSTEPS}"
             out = os.path.join(work, "trace.csv")
             if subprocess.run([bench, "--trace", name, "--out", out], check=False).returncode != 0:
-                print(f"port_bound: left out: {name}", file=sys.stderr)
+                print(f"port_bound: not available: {name}", file=sys.stderr)
                 continue
             with open(out, newline="", encoding="ascii") as file:
                 trace = {int(row["address"], 16): int(row["count"]) for row in csv.DictReader(file)}

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Installs what the project needs on Debian 12, and the sources of libccd into build/sources; nothing when it is all there. Later steps
-# need no network.
-#   scripts/setup.sh [build|test|bench|battery] [WORD...]   build: library, baker, samples; test: that and what only tests use;
-#                                     battery: build and what scripts/noise_battery.sh runs. Words add to it:
+# Installs the project's dependencies on Debian 12, and the sources of libccd into build/sources. Does nothing if all are present. Later
+# steps need no network.
+#   scripts/setup.sh [build|test|bench|battery] [WORD...]   build: library, baker, samples; test: build, plus tools of the tests;
+#                                     bench: test, plus peers; battery: build, plus tools of scripts/noise_battery.sh. Words add:
 #       arm64     a cross compiler and an emulator of 64-bit ARM
 #       windows   MinGW and Wine
-#       package   what scripts/package.sh needs, with the sources of what packages carry
+#       package   tools of scripts/package.sh, with the sources of bundled libraries
 #       browser   Chromium, for the page of bindings/web
 #       blender   Blender, for bindings/python
 set -euo pipefail
@@ -22,25 +22,25 @@ packages=(
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
     libglfw3-dev                                 # the viewer's window
 )
-if [ "${1:-build}" = bench ]; then               # test, and what docs/maintainers/performance.md is made with
+if [ "${1:-build}" = bench ]; then               # test, plus the tools for docs/maintainers/performance.md
     packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers of lr_bench, each optional
-    packages+=(valgrind python3-matplotlib)              # instructions; the plot
+    packages+=(valgrind python3-matplotlib)              # counts of instructions; the plot
     set -- test "${@:2}"
 fi
 if [ "${1:-build}" = test ]; then
     packages+=(
         doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
-        ccache                                       # the second run is a third of the first: scripts/compiler_cache.sh
+        ccache                                       # cuts the second run to a third: scripts/compiler_cache.sh
         python3-clang-14                             # generators of bindings
         mono-mcs mono-runtime libmono-corlib4.5-cil libmono-system-core4.0-cil libmono-system4.0-cil   # C#, Unity, Unreal's rules
         python3-numpy python3-pip python3-setuptools python3-wheel python3-matplotlib mypy             # Python
         nodejs lld-14 wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 llvm-14   # WebAssembly
-        node-typescript                              # its types
-        xvfb xdotool                                 # the viewer in a window, without a screen
+        node-typescript                              # types of bindings/web
+        xvfb xdotool                                 # tests the viewer's window without a screen
         valgrind                                     # scripts/valgrind.sh
-        patchelf                                     # libraries that find each other beside them, in packages
+        patchelf                                     # run paths of libraries in packages
         abigail-tools                                # ABI: tests/abi/check.py
-        strace                                       # what the runtime asks of the system: tests/security
+        strace                                       # system calls of the runtime: tests/security
     )
 fi
 mode=${1:-build}
@@ -48,7 +48,7 @@ if [ "$mode" = battery ]; then
     packages+=(dieharder)
 fi
 if [[ " $* " == *" package "* ]]; then
-    packages+=(xz-utils zip unzip binutils)            # archives; what is in them
+    packages+=(xz-utils zip unzip binutils)            # archives and their checks
     packages+=(libutfcpp-dev doctest-dev)              # headers, for assimp and tests
     packages+=(python3-pip python3-setuptools python3-wheel)   # the wheel
 fi
@@ -82,7 +82,7 @@ fi
 sudo=()
 if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
-        echo "set-up: not root and no sudo. Install these by hand: ${missing[*]}" >&2
+        echo "set-up: needs root or sudo. Install these packages: ${missing[*]}" >&2
         exit 1
     fi
     sudo=(sudo)

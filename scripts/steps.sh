@@ -1,37 +1,37 @@
-# To be sourced in the project's root, by test.sh, demo.sh, scripts/verify.sh and .ci/run: steps, their times and what they found.
+# Sourced in the project's root by test.sh, demo.sh, scripts/verify.sh and .ci/run: runs steps, records their times and results.
 # build/results has a log of each step, build/times.txt a line for each step and run:
 #   date, what, cold|cached|warm, seconds, seconds of processor time, cores
 jobs=$(nproc)
 results=build/results
-left_to_verify='long|load|scorecard|bench|corpus' # labels of tests (tests/CMakeLists.txt) that ./test.sh does without
+left_to_verify='long|load|scorecard|bench|corpus' # labels of tests (tests/CMakeLists.txt) that ./test.sh omits
 mkdir -p "$results"
 
-configure() { # directory, arguments of cmake: silent where it goes well
+configure() { # directory, arguments of cmake; silent on success
     local dir=$1 log=$results/configure-${1##*/}.txt
     shift
     cmake -B "$dir" "$@" >"$log" 2>&1 || { cat "$log"; return 1; }
 }
 run_ctest() { ctest --test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error "${@:2}"; } # directory, arguments
-skip() { # why: ends the step that says it
+skip() { # reason; ends the calling step
     echo "SKIPPED: $*"
     exit 77
 }
 
-# Sets `cpu`: seconds of all programs that have ended. Not in $(...), which is a shell of its own and has had none.
+# Sets `cpu`: processor time of all finished programs, s. Not for $(...): a subshell has no finished programs.
 read_cpu() {
     times >"$results/times.txt"
     cpu=$(awk 'NR == 2 { gsub("s", ""); split($1, u, "m"); split($2, s, "m"); printf "%d", 60 * (u[1] + s[1]) + u[2] + s[2] }' "$results/times.txt")
 }
-cache_counts() { # hits and misses of the compiler's cache
+cache_counts() { # hits and misses of the compiler cache
     { ccache --print-stats 2>/dev/null || true; } |
         awk '/^(direct|preprocessed)_cache_hit/ { hits += $2 } /^cache_miss/ { misses = $2 } END { print hits + 0, misses + 0 }'
 }
-# Cold: built from nothing. Cached: no build folder, but most objects come from the compiler's cache. Warm: built before.
-start_clock() { # folder of the build
+# cold: built from nothing; cached: no build folder, but most objects are in the compiler cache; warm: built before.
+start_clock() { # build folder
     built_before=$([ -e "$1/build.ninja" ] && echo yes || echo no)
     cache_before=$(cache_counts)
 }
-note_time() { # what, seconds, seconds of processor time
+note_time() { # name, seconds, seconds of processor time
     local kind=cold hits misses hits_before misses_before
     read -r hits misses <<<"$(cache_counts)"
     read -r hits_before misses_before <<<"$cache_before"
@@ -40,7 +40,7 @@ note_time() { # what, seconds, seconds of processor time
     printf '%s %s %s %d %d %d\n' "$(date +%FT%T)" "$1" $kind "$2" "$3" "$jobs" >>build/times.txt
 }
 
-# Runs the function step_NAME in a shell of its own, where the first failure ends it; `outcome` is then passed, failed or skipped.
+# Runs the function step_NAME in a subshell that ends at the first failure. Sets `outcome`: passed, failed or skipped.
 run_step() { # script, name, title
     local log=$results/$1-$2.log start=$SECONDS status cpu cpu_before
     read_cpu
@@ -56,7 +56,7 @@ run_step() { # script, name, title
     printf -- '-- %s: %s (%d s, %d s of processor time)\n' "$2" $outcome $((SECONDS - start)) $cpu | tee -a "$log"
     note_time "$1/$2" $((SECONDS - start)) $cpu
 }
-# `N passed, N failed, N skipped`: tests of CTest and of bindings, and each step that has none of those. Fails where one failed.
+# Prints `N passed, N failed, N skipped` for tests of CTest and bindings, and for steps without tests. Fails if any failed.
 closing_line() { # logs
     cat /dev/null "$@" | awk '
         /tests passed, [0-9]+ tests failed out of/ { f += $4; p += $NF - $4 }

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# All that ./test.sh leaves out: other architectures and compilers, the other sanitizers, fuzzing, packages, long tests.
-#   scripts/verify.sh [STEP...]         those steps, or all
-#   scripts/verify.sh --minutes N       what fits into N minutes by the estimates: cheap steps first, then dear ones, another one first each day
-#   scripts/verify.sh --list            steps, and minutes that each takes on two cores
-# A step whose tools are not installed is skipped and says what installs them: scripts/setup.sh test package arm64 windows.
+# All tests that ./test.sh omits: other architectures and compilers, the other sanitizers, fuzzing, packages, long tests.
+#   scripts/verify.sh [STEP...]         these steps; default: all
+#   scripts/verify.sh --minutes N       steps that fit into N minutes by the estimates: short ones first, then long ones, rotated by the day
+#   scripts/verify.sh --list            lists the steps with their minutes on two cores
+# A step without its tools is skipped and names the command that installs them: scripts/setup.sh test package arm64 windows.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source scripts/steps.sh
@@ -14,9 +14,9 @@ library=build/release/src/liblangevin_rigid.so
 
 steps=( # name, minutes on two cores, title
     "tidy          2 clang-tidy on the runtime"
-    "abi           1 ABI of the library; targets that are refused"
+    "abi           1 ABI of the library; refused targets"
     "security      1 Hardening, imports and system calls of the library"
-    "doxygen       1 API reference without a warning"
+    "doxygen       1 API reference without warnings"
     "bench         2 lr_bench: its columns, and equal hashes"
     "long          5 Long tests, and load"
     "scorecard     5 Scorecard: every row"
@@ -28,23 +28,23 @@ steps=( # name, minutes on two cores, title
     "levels       15 Held hashes: GCC and clang at -O1, -O2 and -O3"
     "arm64         8 Held hashes: 64-bit ARM, emulated"
     "windows      10 Held hashes: 64-bit Windows, by Wine"
-    "package      12 Package for Linux, used as a new user would"
+    "package      12 Package for Linux, as a new user uses it"
     "packages     30 Packages for Windows, 64-bit ARM and the web"
-    "reproducible 10 The library twice, in other folders: the same bytes"
+    "reproducible 10 The library built twice in different folders: equal bytes"
 )
 
-release() { # with the present sources
+release() { # builds the present sources
     configure build/release --preset release
     cmake --build build/release >"$results/build-release.txt" || { tail -n 60 "$results/build-release.txt"; return 1; }
 }
-need() { # program, words for scripts/setup.sh
-    command -v "$1" >/dev/null || skip "for want of $1: scripts/setup.sh ${*:2}"
+need() { # program, arguments of scripts/setup.sh
+    command -v "$1" >/dev/null || skip "$1 is not installed: scripts/setup.sh ${*:2}"
 }
 
 step_tidy() {
     need clang-tidy test
     configure build/release --preset release
-    # Not on what is compiled for each target: Highway's macros are not written for it, and each would be read again.
+    # Not on files compiled for each target: clang-tidy rejects Highway's macros and would read each file several times.
     find src -name '*.cpp' -not -path 'src/baker/*' -not -path 'src/tools/*' |
         xargs grep -L 'HWY_TARGET_INCLUDE\|foreach_target' |
         xargs -P "$jobs" -n 6 clang-tidy -p build/release --quiet 2>/dev/null
@@ -68,12 +68,12 @@ step_bench() { release; run_ctest build/release -L bench; }
 step_long() { release; run_ctest build/release -L 'long|load'; }
 step_scorecard() { release; run_ctest build/release -L scorecard; }
 step_valgrind() { need valgrind test; release; scripts/valgrind.sh; }
-step_tsan() { # of the files of tests only those that say something of threads
+step_tsan() { # only test files that concern threads
     configure build/tsan --preset tsan -DLR_BUILD_BAKER=OFF
     cmake --build build/tsan
     run_ctest build/tsan -LE 'long|exact'
 }
-step_asan() { # what ./test.sh leaves out of it
+step_asan() { # the part that ./test.sh omits
     configure build/asan --preset asan -DLR_BUILD_BAKER=ON -DLR_DISABLED_TARGETS=HWY_AVX3
     cmake --build build/asan
     run_ctest build/asan -L 'long|corpus' -LE exact
@@ -88,7 +88,7 @@ step_fuzz() {
     for run in asset:20 api:60 mesh:60 card:60; do
         target=${run%:*}
         mkdir -p "build/fuzz/corpus-$target"
-        # assimp loses memory on some damaged files; nothing of ours can give it back.
+        # assimp leaks memory on some damaged files; our code cannot free it.
         ASAN_OPTIONS=detect_leaks=$([ "$target" = mesh ] && echo 0 || echo 1) \
             "build/fuzz/tests/fuzz/fuzz_$target" -max_total_time="${run#*:}" -max_len=40000 -verbosity=0 -print_final_stats=1 \
             "build/fuzz/corpus-$target" "tests/fuzz/corpus/$target" >"build/fuzz/$target.log" 2>&1 &
@@ -107,12 +107,12 @@ step_arm64() {
     need qemu-aarch64-static test arm64
     scripts/check_determinism.sh arm64
 }
-on_platform() ( # whether its tools are here
+on_platform() ( # whether its tools are installed
     source packaging/platforms.sh
     select_platform "$1"
 )
 step_windows() {
-    on_platform windows-x64 || skip "for want of the tools above"
+    on_platform windows-x64 || skip "the tools above are not installed"
     scripts/check_determinism.sh windows
 }
 make_package() { # platform
@@ -120,12 +120,12 @@ make_package() { # platform
     packaging/check_package.sh build/packages/langevin_rigid-*-"$1".*[xi][zp]
 }
 step_package() {
-    on_platform linux-x64 || skip "for want of the tools above"
+    on_platform linux-x64 || skip "the tools above are not installed"
     make_package linux-x64
 }
 step_packages() {
     local platform
-    for platform in windows-x64 linux-arm64; do on_platform $platform || skip "for want of the tools above"; done
+    for platform in windows-x64 linux-arm64; do on_platform $platform || skip "the tools above are not installed"; done
     for platform in windows-x64 linux-arm64; do make_package $platform; done
     scripts/package.sh wasm
 }
@@ -143,9 +143,9 @@ for entry in "${steps[@]}"; do
     read -r name number text <<<"$entry"
     all+=("$name") estimate[$name]=$number title[$name]=$text
 done
-for name in "${names[@]}"; do [ -n "${title[$name]:-}" ] || { echo "verify: no step $name; those there are: ${all[*]}" >&2; exit 2; }; done
+for name in "${names[@]}"; do [ -n "${title[$name]:-}" ] || { echo "verify: unknown step $name; steps: ${all[*]}" >&2; exit 2; }; done
 [ ${#names[@]} -gt 0 ] || names=("${all[@]}")
-if [ -n "$minutes" ]; then # the cheap ones, and the dear ones from the day's on
+if [ -n "$minutes" ]; then # short steps, then long ones, starting at a different one each day
     names=() dear=()
     for name in "${all[@]}"; do if [ "${estimate[$name]}" -le 2 ]; then names+=("$name"); else dear+=("$name"); fi; done
     first=$((10#$(date +%j) % ${#dear[@]}))
@@ -165,6 +165,6 @@ for name in "${names[@]}"; do
     [ $outcome != failed ] || bad+=("$name")
 done
 echo
-[ ${#left[@]} -eq 0 ] || echo "Left out for want of time: ${left[*]}. By hand: scripts/verify.sh STEP..."
+[ ${#left[@]} -eq 0 ] || echo "Omitted for lack of time: ${left[*]}. To run them: scripts/verify.sh STEP..."
 [ ${#bad[@]} -eq 0 ] || echo "Failed: ${bad[*]}; logs: $results/verify-*.log"
 closing_line "$results"/verify-*.log

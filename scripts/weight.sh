@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# The weight of this tree beside what is wanted of it; ! marks what is missed. Builds the library where no build has it.
+# Compares the size of this tree with its goals; ! marks a missed goal. Builds the library if no build has it.
 #   scripts/weight.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -18,17 +18,17 @@ stripped=$(mktemp)
 trap 'rm -f "$stripped"' EXIT
 strip -o "$stripped" "$library"
 
-row() { # what, number, unit, goal: `-` where there is none
+row() { # name, number, unit, goal (-: none)
     local goal=
     [ "$4" = - ] || goal="at most $4"
     [ "$4" = - ] || [ "$2" = - ] || ! awk "BEGIN { exit !($2 > $4) }" || goal+=' !'
     printf '%-58s %9s %-3s %s\n' "$1" "$2" "$3" "$goal"
 }
-lines() { # folder, more arguments of find
+lines() { # folder, other arguments of find
     find "$@" \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' -o -name '*.fbs' -o -name '*.inc' -o -name '*.map' \) -print0 |
         xargs -0 cat | wc -l
 }
-last() { # script, cold or warm, 4: minutes; 5: minutes of processor time
+last() { # script, cold or warm, 4 (minutes) or 5 (minutes of processor time)
     [ ! -e build/times.txt ] || awk -v what="$1" -v kind="$2" -v column="$3" '
         $2 == what && $3 == kind && $6 <= 2 { t = sprintf("%.1f", $column / 60) }
         END { print t == "" ? "-" : t }' build/times.txt

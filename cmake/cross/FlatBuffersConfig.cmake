@@ -1,4 +1,4 @@
-# Headers, and the compiler of the machine that builds.
+# Headers, and flatc of the build machine.
 find_program(LR_FLATC flatc REQUIRED)
 add_library(flatbuffers::flatbuffers INTERFACE IMPORTED)
 add_executable(flatbuffers::flatc IMPORTED)

@@ -1,4 +1,4 @@
-# Headers without the library: enough for one instruction set, which is then chosen when compiled.
+# Headers without the library: sufficient for one instruction set, chosen at compile time.
 add_library(hwy::hwy INTERFACE IMPORTED)
 if(WASI)
     include("${CMAKE_CURRENT_LIST_DIR}/wasi/host_headers.cmake")

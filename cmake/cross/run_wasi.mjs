@@ -1,8 +1,8 @@
-// node run_wasi.mjs program.wasm [arguments]: runs a WASI program with the working folder's files, read only in spirit.
+// node run_wasi.mjs program.wasm [arguments]: runs a WASI program with access to all files.
 import { readFile } from 'node:fs/promises';
 import { WASI } from 'node:wasi';
 
-process.removeAllListeners('warning'); // that node calls its WASI experimental
+process.removeAllListeners('warning'); // hides the warning that node's WASI is experimental
 process.on('warning', (warning) => { if (warning.name !== 'ExperimentalWarning') console.error(warning); });
 
 const [program, ...rest] = process.argv.slice(2);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# As Debian's: assimp links what DRACO_LIBRARIES names.
+# Like Debian's: assimp links DRACO_LIBRARIES.
 get_filename_component(prefix_of_this "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 if(NOT TARGET draco::draco)
     add_library(draco::draco STATIC IMPORTED)

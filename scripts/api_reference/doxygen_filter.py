@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Turns the header's plain comments into what Doxygen reads. Usage: doxygen_filter.py FILE, to standard output.
+"""Turns the header's plain comments into Doxygen's form. Usage: doxygen_filter.py FILE, writes to standard output.
 
-The header stays as it is read in an editor. Here comments before a declaration and behind a member become its documentation,
-banners become groups, a text's "name: ..." about a parameter becomes @param, and its list of statuses @returns. The baker's
-header, in C++, has line comments.
+The header keeps plain comments for editors. Comments before a declaration and after a member become its documentation, banners
+become groups, "name: ..." of a parameter becomes @param, the list of statuses @returns. The baker's header, in C++, has line
+comments.
 """
 import pathlib
 import re
@@ -28,7 +28,7 @@ def parameters(declaration):
 
 
 def sections(text, names):
-    """@param for what is said of parameters, @returns for the statuses."""
+    """@param for parameters, @returns for statuses."""
     if names:
         text = re.sub(parameter_start(names), lambda m: "\n@param " + re.sub(r", | and ", ",", m.group(1)) + " ", text)
         text = re.sub(STATUSES_START, r"\n@returns \1", text, count=1)
@@ -37,7 +37,7 @@ def sections(text, names):
 
 
 def indented_as_code(lines):
-    """Lists that are laid out by hand stay so."""
+    """Keeps the layout of indented lists."""
     out, code = [], False
     for line in lines:
         starts = line.startswith("  ") and not line.startswith("  - ")
@@ -58,7 +58,7 @@ def documented(source):
         at = match.end()
         line_start = source.rfind("\n", 0, match.start()) + 1
         code_before = source[line_start:match.start()].strip()
-        if comment.startswith("/**"):  # made by a banner
+        if comment.startswith("/**"):  # from a banner
             out.append(comment)
             continue
         lines = text_of(comment)
@@ -84,7 +84,7 @@ def documented(source):
 
 
 def line_comments(source):
-    """The baker's header, in C++: `//` before a declaration, and behind a member."""
+    """The baker's header, in C++: `//` before a declaration and after a member."""
     out = []
     for line in source.split("\n"):
         match = re.match(r"^(.*?)//\s?(.*)$", line)
@@ -96,7 +96,7 @@ def line_comments(source):
 
 
 def grouped(source):
-    """Banners as groups, each to the next one's beginning."""
+    """Turns banners into groups; each ends at the next banner."""
     count = 0
 
     def group(match):

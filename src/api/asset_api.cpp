@@ -31,7 +31,7 @@ lr_status status_of(const Faults& faults) {
     return LR_OK;
 }
 
-// A function that makes an asset of what is given, which is not null. The first fault that it finds says why it refuses.
+// Runs `make` if `given` and `out` are not null. The reason of a refusal is the first fault of severity error.
 template <class Make> lr_status make_asset(const char* function, const void* given, lr_asset** out, const Make& make) {
     const FloatMode mode;
     if (out) *out = nullptr;
@@ -49,7 +49,7 @@ lr_status load(const void* bytes, uint64_t size, lr_asset*& out, Faults& faults)
     return LR_OK;
 }
 
-// Without a file: from numbers, with a table of turbulence of this intensity.
+// For assets without a file: adds a turbulence table for this intensity and checks the asset.
 lr_status finish(AssetData&& data, double intensity, const std::array<double, 3>& extents, lr_asset*& out,
                  Faults& faults) {
     data.turbulence = shape::decay_table(data, intensity);
@@ -105,7 +105,7 @@ lr_status create(const lr_rigid_desc& d, lr_asset*& out, Faults& faults) {
     std::array<double, 3> semi_axes{}, along{};
     for (size_t i = 0; i < 3; ++i) {
         semi_axes[i] = 0.5 * d.extents[i];
-        // Without any added mass the fluid displaced is what turbulence acts on.
+        // Turbulence acts on the added mass, or on the displaced fluid if that is more.
         along[i] = std::max(data.added_mass[i * 7], d.volume);
     }
     shape::set_scales(semi_axes, along, data);
@@ -132,7 +132,7 @@ lr_asset_info info_of(const lr_asset& asset) {
     const AssetData& d = asset.data;
     lr_asset_info out{};
     out.flags = asset.diagonal ? LR_ASSET_DIAGONAL : 0;
-    // Cut before the last whole character that does not fit.
+    // Truncate at a whole UTF-8 character.
     size_t length = std::min(d.name.size(), sizeof out.name - 1);
     if (length < d.name.size())
         while (length > 0 && (static_cast<unsigned char>(d.name[length]) & 0xc0) == 0x80) --length;

@@ -1,4 +1,4 @@
-// Batches: their making, turbulence, loads, pace, views, and the births and ends of their bodies.
+// Batches: creation, turbulence, loads, divisor, views, rules and emitters.
 #include "api/checked_call.h"
 #include "api/struct_conversion.h"
 #include "kernel/write_transforms.h"
@@ -11,7 +11,7 @@ bool one_of(int32_t value, int32_t last) {
     return value >= 0 && value <= last;
 }
 
-// Null when fine, else what is wrong.
+// Null if valid, else the reason.
 const char* wrong_in(const lr_batch_desc& d) {
     if (d.capacity == 0 || d.capacity > max_capacity) return "capacity is not 1 to 2^26";
     if (!one_of(d.load_model, LR_LOADS_AERODYNAMIC)) return "unknown load_model";

@@ -1,4 +1,4 @@
-// Bodies, and the forces on them.
+// Bodies and the forces on them.
 #include "api/checked_call.h"
 
 #include <iterator>
@@ -6,7 +6,7 @@
 namespace lr::api {
 namespace {
 
-// Desc and state have the same physical fields.
+// For descs and states, which have the same physical fields.
 template <class T> const char* wrong_in(const T& s) {
     if (!within(s.position, most_place)) return "position is over 1e9 m";
     if (!within(s.linear_velocity, most_speed)) return "linear_velocity is over 1e6 m/s";
@@ -21,7 +21,7 @@ template <class T> const char* wrong_in(const T& s) {
 template <class T> BodyState to_storage(const T& s) {
     const Rotation given = rotation_of(s.orientation);
     const double n = std::sqrt(dot(to_double(given), to_double(given)));
-    // A quaternion that is a unit one already keeps its bits.
+    // A unit quaternion keeps its bits.
     const Rotation kept = std::abs(n - 1.0) < 1e-7 ? given : unit_of(to_double(given));
     const Quaternion<double> to_body = 1.0 / n * inverse(to_double(given));
     BodyState out{};
@@ -61,7 +61,7 @@ const char* unknown_in(int32_t mode, int32_t frame) {
     return nullptr;
 }
 
-// The effect of an impulse or of a change of velocity, in the body frame.
+// The change of velocity and spin by an impulse or velocity, in the body frame.
 Kick kick_of(const Batch& batch, const BodyState& body, const Push& p) {
     Kick kick{p.force, p.torque};
     if (p.frame == LR_FRAME_WORLD) {
@@ -76,7 +76,7 @@ bool within(Double3 v, double most) {
     return in_range(v.x, -most, most) && in_range(v.y, -most, most) && in_range(v.z, -most, most);
 }
 
-// In kernel units a force is what it does to the reference mass, which no body's inertia is far below.
+// The kernel divides a force by the reference mass, a lower bound of every body's inertia up to a small factor.
 const char* too_large(const Batch& batch, uint32_t index, const Push& p) {
     if (!continuous(p.mode)) {
         const Kick kick = kick_of(batch, batch.read(index), p);
@@ -93,7 +93,7 @@ const char* too_large(const Batch& batch, uint32_t index, const Push& p) {
                : "a force or acceleration gives more than 1e9 m/s^2";
 }
 
-// Wakes the body where there is anything to apply: it then changes places with one before it.
+// Wakes the body unless force and torque are zero. A body that wakes moves to a lower index.
 void apply(Batch& batch, uint32_t index, const Push& p) {
     if (batch.rests(index)) {
         if (dot(p.force, p.force) == 0.0 && dot(p.torque, p.torque) == 0.0) return;
@@ -131,7 +131,7 @@ const char* wrong_in(const lr_body_force& f) {
     return nullptr;
 }
 
-// Three arrays of equal stride, or none.
+// The x, y, z arrays of an optional vector.
 struct Arrays {
     const unsigned char* at[3];
     uint64_t stride;
@@ -161,7 +161,7 @@ bool misaligned(const float* const (&from)[3]) {
                        [](const float* p) { return reinterpret_cast<uintptr_t>(p) % alignof(float) != 0; });
 }
 
-// Calls each(vector, its place among the components) for those of an lr_batch_force.
+// Calls each(vector, index of its first component) for the vectors of an lr_batch_force.
 template <class Force, class Each> void each_force(Force& f, const Each& each) {
     each(f.force, force_component(LR_FRAME_WORLD, force_newton));
     each(f.torque, force_component(LR_FRAME_WORLD, force_torque));
@@ -175,7 +175,7 @@ template <class Force, class Each> void each_force(Force& f, const Each& each) {
 
 } // namespace
 
-// Arrays without gaps.
+// For arrays without gaps.
 static void tell(Call& call, const lr_force_arrays* arrays) {
     lr_force_arrays a{};
     if (!call.structure(arrays, a)) return;
@@ -260,7 +260,7 @@ lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* 
 lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest) {
     const auto set = [](lr_world& w, int32_t to, const Handles<lr_body>& all) -> Outcome {
         if (to != LR_SLEEP_AWAKE && to != LR_SLEEP_ASLEEP)
-            return invalid("rest is neither LR_SLEEP_AWAKE nor LR_SLEEP_ASLEEP");
+            return invalid("sleep_state is neither LR_SLEEP_AWAKE nor LR_SLEEP_ASLEEP");
         return w.set_rest(all.first, all.count, to == LR_SLEEP_ASLEEP);
     };
     return change(world, __func__, args(rest, Handles{bodies, count}), set);
@@ -327,7 +327,7 @@ lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_ar
             if (const char* why = too_large(b, a.first + i, p)) return invalid(why);
         }
         if (!accepted(w) || (continuous(a.mode) && !b.reserve_forces())) return LR_ERROR_OUT_OF_MEMORY;
-        // From the first to the last: a body that changes places with one that wakes has been served.
+        // In ascending order: waking body i swaps it with a body below i, whose force has been applied.
         for (uint32_t i = 0; i < a.count; ++i) apply(b, a.first + i, push(i));
         return {};
     };
@@ -343,7 +343,7 @@ lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_for
             if (f->reserved != 0) return invalid("reserved is not 0");
             if (const char* why = wrong_batch_force(values)) return invalid(why);
         }
-        // Compared as they are kept, without negative zeros.
+        // Compares the stored form, in which -0 is 0.
         if (!std::equal(values, values + force_components, b.external.batch())) b.wake_all();
         b.external.set_batch(values);
         return {};

@@ -1,4 +1,4 @@
-// Checks that every exported function shares.
+// Argument checks shared by all exported functions.
 #pragma once
 
 #include "base/allocator.h"
@@ -16,16 +16,16 @@
 
 namespace lr::api {
 
-// A refusal outside of worlds, which would log it.
+// Notes a refusal of a call without a world, hence without a log, for lr_last_error.
 inline lr_status told(const char* function, const Outcome& outcome) {
     if (outcome.refused()) note_error(function, outcome.why ? outcome.why : lr_status_string(outcome.status));
     return outcome.status;
 }
 
-// No struct of this API comes near it: a size above it is not a size.
+// Far above the size of any struct of this API: a larger struct_size is uninitialised memory.
 inline constexpr uint32_t max_struct_size = 65536;
 
-// Of this header or of a newer one, whose structs are larger.
+// The size of this header's struct, or the larger size of a newer header's.
 template <class T> bool is_struct_size(uint32_t size) {
     return size >= sizeof(T) && size <= max_struct_size;
 }
@@ -35,7 +35,7 @@ concept Sized = requires(T s) {
     s.struct_size;
 };
 
-// The tail of a larger struct must be zero: it would ask for what this library cannot do.
+// The tail of a newer, larger struct must be zero: a set field would request a feature that this library lacks.
 inline lr_status check_size(const void* given, size_t own) {
     if (!given) return LR_ERROR_NULL_ARGUMENT;
     uint32_t size = 0; // the first field
@@ -50,7 +50,7 @@ template <class T> lr_status check_size(const T* given) {
     return check_size(given, sizeof(T));
 }
 
-// Of one that check_size() has taken: with this header's size, whatever the caller's header has. Snapshots and recordings hold it.
+// After check_size(). The copy has this header's struct_size, because snapshots and recordings contain it.
 template <class T> void copy_struct(const T* given, T& out) {
     out = *given;
     out.struct_size = sizeof(T);
@@ -61,19 +61,19 @@ template <class T> lr_status read_struct(const T* given, T& out) {
     return status;
 }
 
-// An array of structs whose stride is the struct_size of the first, the same in all of them.
+// An array of structs. The stride is the struct_size of the first; all elements must have the same.
 template <class T> class ArrayOf {
 public:
     explicit ArrayOf(const T* first) : first_(first), stride_(first->struct_size) {}
     lr_status read(uint32_t i, T& out) const {
         const auto* const bytes = reinterpret_cast<const unsigned char*>(first_) + uint64_t{stride_} * i;
-        // Before anything else is read: an element that says it is longer than the stride would be read past its end.
+        // Checked first: an element with a larger struct_size than the stride would be read past the array's end.
         uint32_t size = 0;
         std::memcpy(&size, bytes, sizeof size);
         if (size != stride_) return LR_ERROR_STRUCT_SIZE;
         return read_struct(reinterpret_cast<const T*>(bytes), out);
     }
-    // A struct that has been read before.
+    // An element that read() has accepted.
     void copy(uint32_t i, T& out) const {
         copy_struct(reinterpret_cast<const T*>(reinterpret_cast<const unsigned char*>(first_) + uint64_t{stride_} * i),
                     out);
@@ -84,14 +84,14 @@ private:
     uint32_t stride_;
 };
 
-// Writes a result and keeps the caller's size. check_size() has taken it.
+// After check_size(). Writes a result but keeps the caller's struct_size.
 template <class T> void write_struct(const T& from, T* to) {
     const uint32_t size = to->struct_size;
     *to = from;
     to->struct_size = size;
 }
 
-// Nothing that the library calls may throw across the ABI.
+// Keeps exceptions from crossing the ABI.
 template <class F> lr_status guarded(F&& body) noexcept {
 #if defined(__cpp_exceptions)
     try {

@@ -1,14 +1,14 @@
-// How a call on a world goes: its arguments are checked, other threads inside it are found, it is recorded where that was asked for, and the
-// log says why it is refused. A function gives args(...) as it has them, and a lambda that takes the world and the types that it wants:
+// The course of a call on a world: detect concurrent use, record the call if a recording runs, check the arguments, log a refusal. An exported
+// function passes args(...), its arguments unchanged, and a lambda. The lambda takes the world and the arguments converted to its own types:
 //
-//   const S&, S&, const S*            a struct with a struct_size: copied in, written back, or null
-//   Batch&, Body, Wind, ColliderSlot  what a handle stands for
+//   const S&, S&, const S*            a struct with a struct_size: input, output, optional input
+//   Batch&, Body, Wind, ColliderSlot  the object of a handle
 //   Structs<S>, Handles<H>            an array
 //   Triple                            three finite numbers
-//   T&                                of Required(T*): a number or handle that comes out
-//   T                                 all else, as it is
+//   T&                                Required(T*): an output number or handle
+//   T                                 any other type, passed through
 //
-// They are checked from left to right.
+// Arguments are checked from left to right.
 #pragma once
 
 #include "api/recorded_arguments.h"
@@ -19,8 +19,8 @@
 
 namespace lr::api {
 
-// A call has looked at all that it was given, and changes the world next: a recording may read it as well. False where there is no memory to
-// record it, and the call must be refused.
+// A function calls this after its checks and before its first change to the world: from here on, a recording can read the arguments. False: out
+// of memory for the recording, so the function must refuse the call.
 inline bool accepted(const lr_world& world) {
     return !world.recorder || world.recorder->accepted();
 }
@@ -37,11 +37,11 @@ struct ColliderSlot {
 };
 using Triple = const float (&)[3];
 
-// An argument as it was given, as A, and as a lambda wants it, as P.
+// Given<A> holds an argument as passed. Taken<P, A> converts it to the lambda's parameter type P.
 template <class A> struct Given {
     A given;
     Outcome take(const lr_world&) { return {}; }
-    void finish() {} // after a call that was not refused
+    void finish() {} // after a successful call
 };
 template <class P, class A> struct Taken : Given<A> {
     P get() { return this->given; }
@@ -123,7 +123,7 @@ struct Taken<const Array&, Array> : Given<Array> {
     const Array& get() { return this->given; }
 };
 
-// The world is the caller's as long as this lives, if `status` is LR_OK.
+// Reserves the world for this thread during its lifetime, if `status` is LR_OK.
 class Entry {
 public:
     Entry(const lr_world& world, const char* function)
@@ -142,13 +142,13 @@ private:
     lr_status status_;
 };
 
-void end_recording(lr_world& world, const char* why); // why: null for no message
+void end_recording(lr_world& world, const char* why); // why: a warning for the log, or null
 
 template <class... A> std::tuple<A...> args(A... given) {
     return {given...};
 }
 
-// The parameters of a lambda behind the world.
+// The parameters of a lambda after the world.
 template <class F> struct Wants : Wants<decltype(&F::operator())> {};
 template <class F, class R, class W, class... P> struct Wants<R (F::*)(W&, P...) const> {
     template <class... A> static std::tuple<Taken<P, A>...> take(const A&... given) {
@@ -156,7 +156,7 @@ template <class F, class R, class W, class... P> struct Wants<R (F::*)(W&, P...)
     }
 };
 
-// Checks the arguments, and makes the call if they are fine. A lambda that returns nothing has succeeded.
+// Checks the arguments and calls the lambda if they are valid. A lambda that returns void cannot fail.
 template <class W, class F, class... A>
 lr_status carry_out(W& world, const char* function, const std::tuple<A...>& given, const F& f) {
     const FloatMode mode;
@@ -181,14 +181,14 @@ lr_status carry_out(W& world, const char* function, const std::tuple<A...>& give
     return status;
 }
 
-// Whether a handle stands for a T.
+// Whether a handle is valid.
 template <class T, class H> int32_t is_valid(const lr_world* world, const char* function, H handle) {
     if (!world) return 0;
     const Entry entry(*world, function);
     return entry.status() == LR_OK && Taken<T, H>{{handle}}.take(*world).status == LR_OK ? 1 : 0;
 }
 
-// A call that changes nothing.
+// A call that does not change the world; recordings omit it.
 template <class F, class... A>
 lr_status query(const lr_world* world, const char* function, const std::tuple<A...>& given, const F& f) {
     if (!world) return told(function, {LR_ERROR_NULL_ARGUMENT, "world is null"});
@@ -196,8 +196,8 @@ lr_status query(const lr_world* world, const char* function, const std::tuple<A.
     return entry.status() == LR_OK ? carry_out(*world, function, given, f) : entry.status();
 }
 
-// A call that may change the world. One that names none of the caller's memory is recorded at once; another when the function says accepted(),
-// or at the latest when it has succeeded: a call that is refused has perhaps read nothing, and is recorded without arguments.
+// A call that can change the world. Without pointer arguments it is recorded at once. With pointers it is recorded by accepted(), or at the latest
+// on success: if the call is refused, the pointers can be invalid, and it is recorded without arguments.
 template <class F, class... A>
 lr_status change(lr_world* world, const char* function, const std::tuple<A...>& given, const F& f) {
     if (!world) return told(function, {LR_ERROR_NULL_ARGUMENT, "world is null"});
@@ -217,7 +217,7 @@ lr_status change(lr_world* world, const char* function, const std::tuple<A...>& 
     recorder->wait_for_nothing();
     if (!call.recorded()) call.refused();
     call.result(tell_all, status, *world);
-    if (recorder->failed()) end_recording(*world, "the recording has ended: its `write` refused");
+    if (recorder->failed()) end_recording(*world, "the recording has ended: its `write` returned an error");
     return status;
 }
 

@@ -1,4 +1,4 @@
-// Colliders, how batches meet them and each other, and the events of it.
+// Colliders, contact of batches with them and with each other, and contact events.
 #include "api/checked_call.h"
 #include "api/struct_conversion.h"
 #include "collision/colliders.h"
@@ -81,7 +81,7 @@ Outcome check_desc(const lr_collider_desc& d, const lr_collider_desc& before) {
          {wrong_pose(d.position, d.orientation), wrong_velocity(d.linear_velocity, d.angular_velocity),
           wrong_material(d.friction, d.restitution)})
         if (why) return invalid(why);
-    // Descs often repeat the arrays of the one before, which need not be gone through again.
+    // Consecutive descs often share arrays; check them once.
     return d.kind >= LR_COLLIDER_HULL && same_arrays(d, before) ? Outcome{} : check_shape(d);
 }
 
@@ -115,7 +115,7 @@ lr_status lr_collider_create(lr_world* world, const lr_collider_desc* descs, uin
         if (!accepted(w) || !w.reserve_contact()) return LR_ERROR_OUT_OF_MEMORY;
         lr_status status = w.colliders.begin_create(all.count);
         all.visit([&](lr_collider_desc d) {
-            // Fields that a kind does not use are not checked, and made zero: equal colliders are to be equal.
+            // Zero the sizes that the kind does not use: they are unchecked, and must not make equal colliders differ.
             std::fill(d.size + sizes_of(d.kind), d.size + 3, 0.0f);
             if (status == LR_OK) status = w.colliders.create(d);
         });
@@ -131,7 +131,7 @@ lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uin
     const auto destroy = [](lr_world& w, const Handles<lr_collider>& all) -> Outcome {
         if (all.count == 0) return {};
         if (!w.colliders.can_destroy(all.first, all.count)) return LR_ERROR_STALE_COLLIDER;
-        // Bodies at rest on them would hang in the air.
+        // Sleeping bodies on them would hang in the air.
         uint32_t slot = 0;
         const bool resting = w.any_resting();
         for (uint32_t i = 0; i < all.count && resting; ++i)

@@ -1,4 +1,4 @@
-// Arguments of calls as they are recorded: of one that is made, and of one that sets up what was there when a recording began.
+// Argument types of calls, and how each is recorded: for calls of the host, and for the calls that set up a recording's initial state.
 #pragma once
 
 #include "api/recorded_call.h"
@@ -7,11 +7,11 @@
 
 namespace lr::api {
 
-// An array of structs that name their size. A call that takes some takes all or none: each is checked before the first is used.
+// An array of structs with a struct_size. A call accepts all elements or none: it checks each before it uses the first.
 template <Sized S> struct Structs {
     const S* first;
     uint32_t count;
-    template <class Check> Outcome check(Check&& each) const { // stops at the first that is refused
+    template <class Check> Outcome check(Check&& each) const { // stops at the first refused element
         S one{};
         for (uint32_t i = 0; i < count; ++i) {
             Outcome outcome = ArrayOf<S>(first).read(i, one);
@@ -27,13 +27,13 @@ template <Sized S> struct Structs {
         });
     }
 };
-template <Sized S> Structs(const S*, uint32_t) -> Structs<S>; // clang 14 asks for these
+template <Sized S> Structs(const S*, uint32_t) -> Structs<S>; // clang 14 needs these
 template <class H> struct Handles {
     const H* first;
     uint32_t count;
 };
 template <class H> Handles(const H*, uint32_t) -> Handles<H>;
-// Results, as many as there are; null where nobody wants them.
+// `count` results; null if the caller does not want them.
 template <class T> struct Out {
     T* first;
     uint32_t count = 1;
@@ -41,14 +41,14 @@ template <class T> struct Out {
 template <class T> Out(T*, uint32_t = 1) -> Out<T>;
 template <class T> struct Required {
     explicit Required(T* p) : out(p) {}
-    T* out; // as it was where the call is refused
+    T* out; // unchanged if the call is refused
 };
 struct Snapshot {
     const void* memory;
     uint64_t size;
 };
 
-// How arguments are recorded, and the results of a call. Structs that point to more have functions of their own.
+// Records arguments and results. Structs that contain pointers have overloads of their own.
 template <class T>
 requires std::is_arithmetic_v<T>
 void tell(Call& call, T v) {
@@ -103,7 +103,7 @@ inline void tell(Call& call, const SourceOf& given) {
     call.shared_array(d.samples, d.samples ? sizeof(float) * sample_count(d) : 0);
 }
 
-// With the arrays that a collider of its kind is made of.
+// With the arrays that each kind of collider uses.
 inline void tell(Call& call, const Structs<lr_collider_desc>& all) {
     call.structures(all.first, all.count, [&](const lr_collider_desc& d) {
         const bool mesh = d.kind == LR_COLLIDER_MESH, field = d.kind == LR_COLLIDER_HEIGHTFIELD;

@@ -1,4 +1,4 @@
-// A call as it goes into a recording: its arguments before it is carried out, if it is, and what came out after it.
+// Writes one call to a recording: its arguments before it runs, its outputs afterwards.
 #pragma once
 
 #include "api/check_arguments.h"
@@ -13,9 +13,9 @@ concept Handle = requires(T handle) {
     handle.id;
 };
 
-// What is recorded of a call is said once, by a function that takes a Call. It is gone through up to four times: to see whether anything is
-// named that would have to be read; for large arrays; to write the arguments; for what came out. The caller's memory is read in the middle two
-// alone, which come when the call has accepted what it was given: nobody has said before that it can be read.
+// One function, tell, lists the arguments of a call. It runs in up to four passes: ask (does the call pass pointers?), survey (write large arrays as
+// records of their own), write (the arguments), output (the results). Only survey and write read the caller's memory. They run after accepted(),
+// because pointers are not validated before.
 class Call {
 public:
     enum class Pass { ask, survey, write, output };
@@ -23,12 +23,12 @@ public:
     Call(recording::Recorder& recorder, const char* function, recording::Kind kind = recording::Kind::call)
         : recorder_(&recorder), op_(recording::op_of(function)), kind_(kind) {}
 
-    // Whether it names anything in the caller's memory.
+    // Whether the call passes non-null pointers.
     template <class Tell> bool names_memory(Tell&& tell) {
         tell(*this);
         return names_memory_;
     }
-    // False where there is no memory to record what they name: without it nobody could play what follows.
+    // False when out of memory for the data behind the pointers. The call must then be refused: a replay could not continue.
     template <class Tell> bool arguments(Tell&& tell) {
         pass_ = Pass::survey;
         tell(*this);
@@ -38,7 +38,7 @@ public:
         close();
         return !starved_;
     }
-    // It has accepted nothing, and is recorded without arguments.
+    // Records a refused call, without its arguments.
     void refused() {
         open(recording::call_cut);
         close();
@@ -54,20 +54,20 @@ public:
         static_assert(std::is_arithmetic_v<T>);
         if (pass_ == Pass::write) recorder_->value(v);
     }
-    // Whether what this points to may be read now. That there is nothing is recorded.
+    // Whether this pass reads through the pointer. Records a null pointer.
     bool reads(const void* from) {
         if (!from) value(static_cast<uint32_t>(recording::Where::null));
         if (from && pass_ == Pass::ask) names_memory_ = true;
         return from && (pass_ == Pass::survey || pass_ == Pass::write);
     }
-    // Bytes that the call reads whole, whatever they say. Null too.
+    // An array that the call reads completely; can be null.
     void array(const void* bytes, uint64_t size) {
         if (!reads(bytes) || pass_ != Pass::write) return;
         recorder_->value(recording::Where::here);
         recorder_->value(size);
         recorder_->put(bytes, size);
     }
-    // The same of what may be large, and given again.
+    // The same for an array that can be large and passed repeatedly: written once as a blob, then named by its hash.
     void shared_array(const void* bytes, uint64_t size) {
         if (size <= recording::most_here) return array(bytes, size);
         if (!reads(bytes)) return;
@@ -76,14 +76,14 @@ public:
             ++blob_count_;
             return;
         }
-        // Of colliders there may be many: those that were not kept are found again.
+        // One call can create many colliders; beyond most_blobs the hashes are computed again.
         const uint64_t hash =
             blob_count_ <= most_blobs ? blobs_[blobs_written_++] : recording::Recorder::blob_hash(bytes, size);
         recorder_->value(recording::Where::blob);
         recorder_->value(size);
         recorder_->value(hash);
     }
-    // A struct; false where there is none, or it is not read now.
+    // A struct. False if it is null or this pass does not read it.
     template <class T> bool structure(const T* given, T& out) {
         if (!reads(given)) return false;
         copy_struct(given, out);
@@ -95,7 +95,7 @@ public:
         T unused;
         return structure(given, unused);
     }
-    // `each` for what an element points to.
+    // `each` records the arrays that an element points to.
     template <class T, class Each> void structures(const T* given, uint32_t count, Each&& each) {
         value(count);
         if (!reads(count != 0 ? given : nullptr)) return;
@@ -111,7 +111,7 @@ public:
     template <class T> void structures(const T* given, uint32_t count) {
         structures(given, count, [](const T&) {});
     }
-    // Makes a record of its own where the asset is new.
+    // The number of an asset. A new asset becomes a record of its own.
     uint32_t asset(const lr_asset& asset) {
         uint32_t id = 0;
         if (!recorder_->asset(asset, id)) starved_ = true;
@@ -121,7 +121,7 @@ public:
         if (pass_ == Pass::write) recorder_->put(bytes, size);
     }
 
-    // After the call: a handle or number, or several.
+    // A result of the call: one handle or number, or an array as a hash.
     template <class T> void output(const T* out, uint32_t count = 1) {
         if (pass_ != Pass::output || !out || count == 0) return;
         if (count == 1) {

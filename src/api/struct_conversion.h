@@ -1,4 +1,4 @@
-// Structs of the ABI from what they are in the library, and back.
+// Conversion between structs of the ABI and of the library.
 #pragma once
 
 #include "api/check_arguments.h"
@@ -12,7 +12,7 @@
 
 namespace lr::api {
 
-// Calls `each` with every number of the one beside that of the other: pairs of scalars and of arrays.
+// Calls `each` for every pair of corresponding fields, scalars and arrays.
 template <class Data, class Struct, class Each> void pair_up(Data& data, Struct& at, Each each) {
     each(data.axes, at.axes);
 #define LR_PAIR(name, ...) each(data.name, at.name);
@@ -28,14 +28,14 @@ template <class From, class To> void copy_numbers(const From& from, To& to) {
         std::copy(std::begin(from), std::end(from), std::begin(to));
 }
 
-// All but struct_size, which is left to the caller.
+// The caller sets struct_size.
 inline lr_aerodynamics to_struct(const AerodynamicData& from) {
     lr_aerodynamics to{};
     pair_up(from, to, [](const auto& data, auto& at) { copy_numbers(data, at); });
     return to;
 }
 
-// Ranges are checked by wrong_in afterwards.
+// Does not check ranges; wrong_in does.
 inline lr_status read_loads(const lr_aerodynamics* from, AerodynamicData& out) {
     lr_aerodynamics a;
     const lr_status status = read_struct(from, a);
@@ -49,7 +49,7 @@ inline lr_status read_loads(const lr_aerodynamics* from, AerodynamicData& out) {
     return a.reserved == 0 ? LR_OK : LR_ERROR_INVALID_ARGUMENT;
 }
 
-// A setting that may not be there; in its place come initial values.
+// An optional setting. Without one, `out` gets the initial values.
 template <Sized S> void read_back(const S* from, lr_status (*init)(S*, uint32_t), S& out, int32_t& present) {
     present = from ? 1 : 0;
     if (from)

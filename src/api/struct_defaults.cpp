@@ -6,7 +6,7 @@
 namespace lr::api {
 namespace {
 
-// The caller's struct may be newer and larger.
+// The caller's struct is larger if its header is newer.
 template <Sized T> lr_status init(T* s, uint32_t struct_size, const T& initial) {
     if (!s) return LR_ERROR_NULL_ARGUMENT;
     if (!is_struct_size<T>(struct_size)) return LR_ERROR_STRUCT_SIZE;

@@ -1,4 +1,4 @@
-// Wind and water: the uniform wind, its sources, the surface, and the caller's own fields.
+// The uniform wind, wind sources, water, and the wind and water callbacks.
 #include "api/checked_call.h"
 #include "api/struct_conversion.h"
 #include "environment/water.h"
@@ -8,7 +8,7 @@
 namespace lr::api {
 namespace {
 
-// `kept`: samples need not be given.
+// `kept`: an update, where null samples keep the present ones.
 Outcome check(const SourceDesc& d, bool kept) {
     const Outcome outcome = check_wind_source(d);
     if (outcome.refused() || d.kind != SourceDesc::grid) return outcome;
@@ -55,7 +55,7 @@ lr_status get_source(const lr_world* world, const char* name, lr_wind_source sou
     return query(world, name, args(source), get);
 }
 
-// field(world): the one that the caller answers for.
+// field(world): the wind or the water.
 template <class Function, class Field>
 lr_status set_callback(lr_world* world, const char* function, Function callback, void* user, const Field& field) {
     const auto set = [&](lr_world& w, uint32_t) {

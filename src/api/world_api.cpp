@@ -1,4 +1,4 @@
-// Worlds: their making, steps, snapshots, recordings and queries.
+// Worlds: creation, steps, snapshots, recordings and queries.
 #include "api/checked_call.h"
 
 namespace lr::api {
@@ -6,7 +6,7 @@ namespace {
 
 static_assert(sizeof(lr_ray_hit) == 56);
 
-// Null when fine, else what is wrong. Of finite numbers only.
+// Null if valid, else the reason. The numbers are finite.
 const char* wrong_in(const lr_ray& r) {
     if (r.flags == 0 || (r.flags & ~uint32_t{LR_RAY_BODIES | LR_RAY_COLLIDERS}) != 0)
         return "flags are not bits LR_RAY_*";
@@ -31,19 +31,19 @@ bool known_simd(int32_t target) {
     return target >= LR_SIMD_AUTO && target <= LR_SIMD_PLAIN;
 }
 
-// Of finite numbers.
+// The numbers are finite.
 const char* wrong_in(const lr_world_desc& d) {
     if (d.worker_count > WorkerPool::max_workers) return "worker_count is over 64";
     if (!in_range(d.fluid_density, 0.0, 1e6)) return "fluid_density is not 0 to 1e6 kg/m^3";
     if (!in_range(d.fluid_viscosity, 0.0, 1e3)) return "fluid_viscosity is not 0 to 1e3 m^2/s";
     if (!known_simd(d.simd_target)) return "unknown simd_target";
-    if (!d.allocator.allocate != !d.allocator.release) return "one function of `allocator` is null, the other is not";
-    if (!d.jobs.enqueue != !d.jobs.finish) return "one function of `jobs` is null, the other is not";
+    if (!d.allocator.allocate != !d.allocator.release) return "`allocator` needs both functions or none";
+    if (!d.jobs.enqueue != !d.jobs.finish) return "`jobs` needs both functions or none";
     if ((d.checks & ~uint32_t{LR_CHECK_THREADS}) != 0) return "unknown checks";
     return d.reserved != 0 ? "reserved is not 0" : wrong_gravity(d.gravity);
 }
 
-// A call that makes again what was there. False when out of memory.
+// Records a call that recreates a part of the world. False when out of memory.
 template <class... A> bool set_up(recording::Recorder& recorder, const char* function, const A&... given) {
     Call call(recorder, function, recording::Kind::setup);
     return call.arguments([&](Call& c) { (tell(c, given), ...); });
@@ -66,7 +66,7 @@ lr_batch_desc desc_of(const Batch& batch) {
     return d;
 }
 
-// Samples of grids, and what hulls, heightfields and meshes are made of: snapshots name them by their hash alone.
+// Samples of wind grids, and the arrays of hulls, heightfields and meshes: snapshots contain only their hashes.
 bool set_up_geometry(recording::Recorder& recorder, const lr_world& world) {
     bool enough = true;
     world.wind.visit_grids([&](SourceDesc desc, uint64_t hash, const float* samples) {
@@ -84,7 +84,7 @@ bool set_up_geometry(recording::Recorder& recorder, const lr_world& world) {
     return enough;
 }
 
-// The present state: batches with their assets, geometry, and all else as a snapshot. LR_OK, or why it cannot be recorded.
+// Records the present state: batches with their assets, geometry, and a snapshot of everything else.
 lr_status begin_recording(recording::Recorder& recorder, lr_world& world) {
     recorder.begin(world);
     for (uint32_t i = 0; i < world.batch_slots; ++i) {
@@ -146,7 +146,7 @@ lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
 
 void lr_world_destroy(lr_world* world) {
     if (!world) return;
-    // Kept until the end: whoever calls from another thread, or from the allocator, is told.
+    // Never leaves the guard: calls from other threads or from the allocator are refused until the world is gone.
     if (world->call_guard.checked() && enter(*world, "lr_world_destroy") != LR_OK) return;
     if (world->recorder) end_recording(*world, nullptr);
     lr_world::destroy(world);
@@ -192,7 +192,7 @@ lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
 }
 
 lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
-    const FloatMode mode; // keeps the caller's, which is put back while its job system runs
+    const FloatMode mode; // saves the caller's float mode and restores it while the caller's job system runs
     const auto step = [&mode](lr_world& w, float t, uint32_t n) -> Outcome {
         if (!std::isfinite(t)) return LR_ERROR_TIMESTEP_NOT_FINITE;
         if (t == 0.0f) return LR_ERROR_TIMESTEP_ZERO;
@@ -200,7 +200,7 @@ lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
         if (n == 0 || n > LR_MAX_SUBSTEPS) return LR_ERROR_SUBSTEPS;
         if (static_cast<double>(t) / n > static_cast<double>(LR_MAX_SUBSTEP)) return LR_ERROR_TIMESTEP_TOO_LARGE;
         if (w.step(t, n, mode)) return {};
-        return {LR_ERROR_OUT_OF_MEMORY, "out of memory: the step was taken, but bodies may pass through each other"};
+        return {LR_ERROR_OUT_OF_MEMORY, "out of memory: the step was taken, but bodies can pass through each other"};
     };
     return change(world, __func__, args(dt, substeps), step);
 }
@@ -267,7 +267,7 @@ lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc) 
             return {};
         }
         recording::Recorder::destroy(recorder);
-        return {status, status == LR_ERROR_INVALID_ARGUMENT ? "`write` has refused" : nullptr};
+        return {status, status == LR_ERROR_INVALID_ARGUMENT ? "`write` returned an error" : nullptr};
     };
     return query(world, __func__, args(desc), start);
 }

@@ -48,7 +48,7 @@ Json make_json(const AssetData& a) {
     std::vector<double> chi = a.turbulence.chi, epsilon = a.turbulence.epsilon;
     for (double& v : chi) v *= rate;
     for (double& v : epsilon) v *= dissipation;
-    // Samples, and the time of one turn.
+    // The looped samples and the period.
     const Json loop = a.turbulence.loop_end > a.turbulence.loop_begin
                           ? Json{{"begin", a.turbulence.loop_begin},
                                  {"end", a.turbulence.loop_end},
@@ -89,7 +89,7 @@ Json make_json(const AssetData& a) {
     return j;
 }
 
-#if defined(__MINGW32__) // whose printf is Microsoft's by name, and C's with libstdc++
+#if defined(__MINGW32__) // "printf" means Microsoft's format there, but libstdc++ makes printf the C standard's
 #define LR_PRINTF gnu_printf
 #else
 #define LR_PRINTF printf
@@ -147,11 +147,11 @@ std::string summary(const AssetData& a) {
     line(text, "  inertia         %.5g %.5g %.5g kg m^2", a.inertia[0], a.inertia[4], a.inertia[8]);
     line(text, "  added mass      %.5g %.5g %.5g kg", added(0), added(1), added(2));
     line(text, "  added inertia   %.5g %.5g %.5g kg m^2", added(3), added(4), added(5));
-    line(text, "  coupling        %.2g of what it couples at most", largest_coupling(a));
+    line(text, "  coupling        at most %.2g of the entries it couples", largest_coupling(a));
     line(text, "  buoyancy        at %.4g %.4g %.4g m from the centre of mass", a.center_of_buoyancy[0],
          a.center_of_buoyancy[1], a.center_of_buoyancy[2]);
     if (a.turbulence.stationary < a.turbulence.chi.size())
-        line(text, "  turbulence      %zu samples, chi %.4g /s at first, C0 %.3g", a.turbulence.chi.size(),
+        line(text, "  turbulence      %zu samples, chi %.4g /s at the start, C0 %.3g", a.turbulence.chi.size(),
              a.turbulence.chi[0] * a.u0 / a.length_l, a.turbulence.c0);
     if (a.turbulence.wake)
         line(text, "  wake            %s; chi %.4g /s, epsilon %.4g m^2/s^3 at U0",
@@ -177,7 +177,7 @@ std::string summary(const BakeTimings& timings) {
         text += buffer;
         total += seconds;
     }
-    line(text, " in all %.2f s", total);
+    line(text, " total %.2f s", total);
     return text;
 }
 

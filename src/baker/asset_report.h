@@ -1,4 +1,4 @@
-// What an asset says, for people and for programs.
+// Reports of an asset, as text and as JSON.
 #pragma once
 
 #include "baker/bake.h"
@@ -9,13 +9,13 @@
 
 namespace lr::baker {
 
-// The JSON of `info --json`, SI units, the density of the asset's fluid included in the added mass. Reproducible.
+// The JSON of `info --json`, in SI units; added mass includes the density of the asset's fluid. Reproducible.
 std::string report_json(const AssetData& asset);
 
-// The same, with what happened on the way: "faults" and "timings".
+// The same with "faults" and "timings" of the bake.
 std::string report_json(const AssetData& asset, const Faults& faults, const BakeTimings& timings);
 
-// Was this report written with an asset of this provenance?
+// Whether the report belongs to an asset of this provenance.
 bool is_report_of(std::string_view json, const ProvenanceData& provenance);
 
 // 16 hexadecimal digits.

@@ -25,8 +25,8 @@
 namespace lr::baker {
 namespace {
 
-constexpr std::size_t max_name_bytes = 4096; // check_asset
-// Of a sheet, over its length: thicker ones need their edges, which the zero-thickness formulation has not.
+constexpr std::size_t max_name_bytes = 4096; // limit of check_asset
+// Largest thickness over length of a sheet: in a thicker sheet the edges matter, which the zero-thickness formulation omits.
 constexpr double max_thickness_share = 0.2;
 
 bool in_range(double value, double low, double high, const char* where, const char* unit, Faults& faults) {
@@ -36,12 +36,12 @@ bool in_range(double value, double low, double high, const char* where, const ch
                 "Give a number from " + shortest(low) + " to " + shortest(high) + unit + ".");
 }
 
-// The turbulence solver has the same limits, but would name them after minutes of work on the added mass.
+// The turbulence solver has the same limits, but would report them only after minutes of work on the added mass.
 bool check_options(const BakeOptions& o, Faults& faults) {
     bool good = in_range(o.density, 1e-3, 1e6, "density", " kg/m^3", faults);
     if (o.card && !o.sheet)
         good = fail(faults, FaultId::parameter_out_of_range, "thickness", "A card has no thickness of its own.",
-                    "Give it one.");
+                    "Give --thickness.");
     if (o.sheet) {
         const double thickness = o.sheet->thickness / units_per_metre(o.unit);
         good = in_range(thickness, 1e-8, 10.0, "thickness", " m", faults) && good;
@@ -59,18 +59,16 @@ bool check_options(const BakeOptions& o, Faults& faults) {
         (most != fewest && !in_range(most, 4.0, 512.0, "grid", " cells along each axis", faults)))
         good = false;
     else if (cells > 4194304.0)
-        good =
-            fail(faults, FaultId::parameter_out_of_range, "grid", "The grid has " + shortest(cells) + " cells in all.",
-                 "Give at most 4194304 cells in all, for instance 160,160,160.");
+        good = fail(faults, FaultId::parameter_out_of_range, "grid", "The grid has " + shortest(cells) + " cells.",
+                    "Give at most 4194304 cells, for instance 160,160,160.");
     if (o.center_of_mass)
         for (const double x : *o.center_of_mass) good = in_range(x, -1e9, 1e9, "center of mass", "", faults) && good;
     if (o.mass && (o.semi_axes || o.card))
-        good = fail(faults, FaultId::parameter_out_of_range, "mass", "Only a mesh can have its mass from another.",
+        good = fail(faults, FaultId::parameter_out_of_range, "mass", "Only a mesh can take its mass from another mesh.",
                     "Bake the body as a mesh.");
     if (o.mass && o.center_of_mass)
-        good =
-            fail(faults, FaultId::parameter_out_of_range, "mass",
-                 "The mesh of the mass says where its centre is, and so does the centre of mass.", "Give one of them.");
+        good = fail(faults, FaultId::parameter_out_of_range, "mass",
+                    "The mesh of the mass and --center-of-mass both define the centre of mass.", "Give one of them.");
     if (o.semi_axes)
         for (const double x : *o.semi_axes)
             good = in_range(x / units_per_metre(o.unit), 1e-6, 1e3, "semi-axes", " m", faults) && good;
@@ -116,7 +114,7 @@ private:
     void report(double fraction) const {
         if (progress_) progress_(phase_, fraction);
     }
-    // For solvers, which may say more than once that they are done; a phase ends once.
+    // Solvers can report completion several times; a phase ends once.
     void advance(double fraction) const { report(std::min(fraction, 0.999)); }
     std::array<double, 3> in_metres(const std::array<double, 3>& lengths) const {
         const double n = units_per_metre(options_.unit);
@@ -154,7 +152,7 @@ private:
         return is_sheet() ? compute_sheet_mass_properties(mesh, thickness_) : compute_mass_properties(mesh);
     }
 
-    // Of the mesh of the mass, or of the only one there is.
+    // Mass properties of the mass mesh if there is one, else of the mesh.
     bool read_mass(MassProperties& weighed) {
         weighed = solid_;
         if (!options_.mass) return true;
@@ -172,7 +170,7 @@ private:
         solid_ = properties_of(mesh_);
         MassProperties weighed;
         if (!read_mass(weighed)) return false;
-        // Layers displace what they are. They lie upon each other: on the mean the sheet is as thick as all of them.
+        // The layers lie on each other and displace their own volume: the sheet's mean thickness is that of all layers.
         if (is_sheet() && options_.mass) {
             thickness_ *= weighed.area / solid_.area;
             solid_.volume = weighed.volume;
@@ -181,11 +179,11 @@ private:
         const double size = solid_.extents.maxCoeff();
         if (!(size >= 1e-6 && size <= 1e3))
             return fail(faults_, FaultId::parameter_out_of_range, "unit",
-                        "The body is " + shortest(size) + " m long; 1e-6 to 1000 m can be baked.",
+                        "The body is " + shortest(size) + " m long; the limits are 1e-6 and 1000 m.",
                         "Check --unit against the unit that the mesh was exported in.");
         if (thickness_ > max_thickness_share * size)
             return fail(faults_, FaultId::parameter_out_of_range, "thickness",
-                        "A sheet " + shortest(thickness_) + " m thick and " + shortest(size) + " m long is no sheet.",
+                        "A sheet " + shortest(thickness_) + " m thick and " + shortest(size) + " m long is too thick.",
                         "Model it as a solid, or check --thickness and --unit.");
         center_ = weighed.centroid;
         if (options_.center_of_mass) {
@@ -203,7 +201,7 @@ private:
                     density_ * weighed.inertia(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
         out_.provenance.faces = static_cast<uint32_t>(mesh_.faces.size());
         out_.provenance.vertices = static_cast<uint32_t>(mesh_.vertices.size());
-        for (Eigen::Vector3d& v : mesh_.vertices) v -= center_; // body frame from here on
+        for (Eigen::Vector3d& v : mesh_.vertices) v -= center_; // now in the body frame
         if (hooks_.body) *hooks_.body = mesh_;
         return true;
     }
@@ -216,7 +214,7 @@ private:
             const Eigen::Vector3d normal = (hull.vertices[f[1]] - a).cross(hull.vertices[f[2]] - a);
             if (a.dot(normal) < -hull.slack * normal.norm())
                 return fail(faults_, FaultId::parameter_out_of_range, "center of mass",
-                            "It does not lie inside the convex hull of the body.",
+                            "It is outside the convex hull of the body.",
                             "Give it in the unit and the frame of the mesh.");
             for (const uint32_t i : f) out_.hull.triangles.push_back(i);
         }
@@ -226,7 +224,7 @@ private:
     }
 
     bool make_aerodynamics() {
-        // Of the surface, wherever the mass is.
+        // The axes follow the surface, not the mass.
         std::array<double, 9> inertia = out_.inertia;
         if (options_.mass)
             for (std::size_t i = 0; i < 9; ++i)
@@ -265,14 +263,14 @@ private:
     }
 
     bool make_added_mass() {
-        // Coarse meshes are refined on the way, and sheets to about twice as many.
+        // The solver refines coarse meshes, sheets to about twice as many faces.
         if (hooks_.before_solve)
             hooks_.before_solve(std::max<std::size_t>((is_sheet() ? 2 : 1) * mesh_.faces.size(), 5000));
         AddedMass added;
         if (!solve_added_mass(added)) return false;
         for (std::size_t i = 0; i < 36; ++i) {
             const auto row = static_cast<Eigen::Index>(i / 6), column = static_cast<Eigen::Index>(i % 6);
-            // Bit for bit symmetric, which scaled products are not.
+            // Exactly symmetric bits; scaled products differ in the last one.
             out_.added_mass[i] = 0.5 * (added.value(row, column) + added.value(column, row));
             out_.added_mass_error[i] = 0.5 * (added.error(row, column) + added.error(column, row));
         }
@@ -293,10 +291,10 @@ private:
         return true;
     }
 
-    // A body with three mirror planes has a diagonal matrix, and the runtime a fast path for it; the triangles rarely
-    // have those planes. The error of a Galerkin energy is itself an energy, so that off the diagonal it is at most the
-    // geometric mean of what it is on it: couplings within that, and too weak to be seen, are taken for noise. Only all
-    // of them together, which keeps the matrix positive.
+    // A body with three mirror planes has a diagonal matrix, for which the runtime has a fast path, but its triangles rarely have
+    // these planes. The error of a Galerkin energy is itself an energy: off the diagonal it is at most the geometric mean of the
+    // errors of the two diagonal entries. Couplings below that, and too weak to be visible, are noise. All or none are removed,
+    // which keeps the matrix positive.
     void drop_noise() {
         constexpr double visible = 2e-3;
         auto& m = out_.added_mass;
@@ -349,8 +347,8 @@ private:
         if (!table.settled)
             faults_.push_back(
                 {FaultId::wake_unsettled, Severity::warning, "turbulence",
-                 "The wake neither settled nor repeated itself in four passages of the stream.",
-                 "Nothing: the table ends with its mean over the last half; a higher --intensity settles."});
+                 "The wake neither settled nor became periodic in four passages of the stream.",
+                 "None needed: the table ends with its mean over the last half. A higher --intensity settles."});
         return true;
     }
 
@@ -364,9 +362,9 @@ private:
     bool finish() {
         if (out_.u0 <= 1e-6)
             faults_.push_back({FaultId::parameter_not_denser, Severity::warning, "density",
-                               "The body is as dense as its fluid: it has no fall speed to scale its turbulence by.",
-                               "Nothing, if it is to float; else check --density and --fluid."});
-        // No minus zeros, which people take for a message.
+                               "The body is as dense as its fluid: it has no fall speed, which scales the turbulence.",
+                               "None needed if it shall float; else check --density and --fluid."});
+        // Replaces -0 by 0, for readers of the report.
         for (double& c : out_.center_of_buoyancy) c += 0.0;
         for (double& c : out_.added_mass) c += 0.0;
         out_.name = asset_name(options_);

@@ -9,7 +9,7 @@
 namespace lr::baker {
 namespace {
 
-// Said before minutes go into checks and the hull, not after.
+// Checked before minutes of mesh checks and hull.
 constexpr std::size_t max_faces = 1'000'000;
 
 std::string utf8(const std::filesystem::path& path) {
@@ -42,7 +42,7 @@ void add_memory(const BakeOptions& o, InputFiles& input) {
     }
 }
 
-// These formats are read by readers that open no other file; of the rest only reading tells.
+// Readers of these formats open no other file. Readers of other formats can.
 bool stands_alone(const std::string& path) {
     std::string extension = to_path(path).extension().string();
     for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);

@@ -1,4 +1,4 @@
-// What a bake starts from: a mesh file with what it refers to, bytes, or arrays.
+// The input of a bake: a mesh file and the files that it refers to, bytes, or arrays.
 #pragma once
 
 #include "baker/bake.h"
@@ -9,16 +9,16 @@
 
 namespace lr::baker {
 
-// Of meshes, not of ellipsoids.
+// For meshes, not ellipsoids.
 bool read_input(const BakeOptions& options, Mesh& mesh, InputFiles& input, Faults& faults);
 
-// The mesh of options.mass, after read_input.
+// Reads the mesh of options.mass. Call after read_input.
 bool read_mass_input(const BakeOptions& options, Mesh& mesh, InputFiles& input, Faults& faults);
 
-// What the mesh of options.mass is called, without folders.
+// The file name of options.mass without folders.
 std::string mass_name(const BakeOptions& options);
 
-// As it stands in the asset. `options`: the canonical ones.
+// The hash stored in the asset. options: canonical_options().
 uint64_t input_hash(const InputFiles& input, const std::string& options);
 
 } // namespace lr::baker

@@ -1,9 +1,9 @@
-// How far a bake has come, by the time that its phases usually take.
+// Progress of a whole bake, weighted by the usual time of its phases.
 #pragma once
 
 namespace lr::baker {
 
-// Of the whole, for a phase and the part of it that is done.
+// Fraction of the whole bake, from a phase and its finished fraction.
 double overall_progress(const char* phase, double fraction);
 
 } // namespace lr::baker

@@ -1,4 +1,4 @@
-// The public C++ API: translates, and lets no exception out.
+// The public C++ API: converts types and catches all exceptions.
 #include "langevin_rigid_baker.hpp"
 
 #include "asset/asset_file.h"
@@ -19,21 +19,21 @@ namespace {
 
 namespace core = lr::baker;
 
-// Unwinds a bake; never leaves this file.
+// Thrown to cancel a bake; caught in this file.
 struct Cancelled {};
 
 class ProgressCall {
 public:
     explicit ProgressCall(const BakeProgress& progress) : progress_(progress) {}
 
-    // Solvers may report from threads of their own, where neither the caller's function nor an exception belongs.
+    // Solvers also report from their own threads, where the caller's function must not run and nothing can be thrown.
     void operator()(const char* phase, double fraction) {
         if (!progress_ || std::this_thread::get_id() != thread_) return;
         share_ = std::max(share_, core::overall_progress(phase, fraction));
         bool go_on = false;
         try {
             go_on = progress_(phase, share_);
-        } catch (...) { // as if cancelled
+        } catch (...) { // an exception of the caller cancels the bake
         }
         if (!go_on) throw Cancelled{};
     }
@@ -122,7 +122,7 @@ template <class Work> BakeResult guarded(const Work& work) noexcept {
             result.faults.push_back(error(lr::FaultId::mesh_unreadable, "baker", problem.what(),
                                           "Export the mesh again, as OBJ, STL, PLY or glTF."));
         }
-    } catch (...) { // no memory even for that
+    } catch (...) { // no memory for the fault
         result = {};
     }
     return result;
@@ -132,14 +132,15 @@ bool possible_mass(const core::BakeOptions& options, bool may_open, BakeResult& 
     if (!options.mass) return true;
     if (!may_open && !options.mass->arrays) {
         result.faults.push_back(error(lr::FaultId::parameter_out_of_range, "mass", "Only bake_file opens files.",
-                                      "Give the mesh of the mass as positions and indices."));
+                                      "Give the mass mesh as positions and indices."));
         return false;
     }
     if (!options.mass->arrays ||
         (options.mass->arrays->positions.size() % 3 == 0 && options.mass->arrays->indices.size() % 3 == 0))
         return true;
-    result.faults.push_back(error(lr::FaultId::mesh_bad_index, "mass", "An array does not hold whole triples.",
-                                  "Give three coordinates a vertex and three indices a triangle."));
+    result.faults.push_back(error(lr::FaultId::mesh_bad_index, "mass",
+                                  "The length of an array is not a multiple of three.",
+                                  "Give three coordinates per vertex and three indices per triangle."));
     return false;
 }
 
@@ -165,8 +166,7 @@ BakeResult bake_arrays(const Number* positions, std::size_t vertices, const std:
         if ((!positions && vertices > 0) || (!indices && triangles > 0) || vertices >= UINT32_MAX ||
             triangles > SIZE_MAX / 3) {
             result.faults.push_back(error(lr::FaultId::mesh_bad_index, "arrays",
-                                          "An array is null, or has more than it could hold.",
-                                          "Check pointers and counts."));
+                                          "An array is null or its count is too large.", "Check pointers and counts."));
             return;
         }
         const std::vector<double> copy(positions, positions + 3 * vertices);

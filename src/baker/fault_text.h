@@ -1,4 +1,4 @@
-// Faults of a bake: whether there is an error among them, and what a person reads of one.
+// Faults of a bake: search for errors, conversion to text.
 #pragma once
 
 #include "asset/input_faults.h"

@@ -56,7 +56,7 @@ bool write_all(int fd, std::span<const uint8_t> bytes) {
 
 enum class Target { absent, regular, direct, impossible };
 
-// Links are followed, so that the file they name is replaced and not they. Sets errno for impossible ones.
+// Follows symbolic links, so that their target is replaced and the links stay. Sets errno for invalid links.
 Target find_target(std::string& path, mode_t& mode) {
     struct stat info {};
     if (path.empty()) {
@@ -87,8 +87,8 @@ std::string folder_of(const std::string& path) {
 constexpr const char* aside_prefix = ".lr_bake-";
 constexpr const char* aside_suffix = ".part";
 
-// Held until the end of the process at the latest: who can lock a file aside knows that nobody needs it. False where it has been
-// removed before it was locked; file systems without locks keep what a kill leaves.
+// The lock ends with the process at the latest: a temporary file that can be locked is abandoned. False if the file was removed before
+// it was locked. On file systems without locks a killed process leaves its temporary files.
 bool lock(int fd) {
     while (::flock(fd, LOCK_EX) != 0 && errno == EINTR) {
     }
@@ -96,8 +96,8 @@ bool lock(int fd) {
     return ::fstat(fd, &info) == 0 && info.st_nlink != 0;
 }
 
-// A file beside its target, without a name as long as the file system can do that: then a kill leaves it only in the moment
-// between its name and its target's.
+// A temporary file in the target's folder, unnamed if the file system supports that: a kill then leaves it only in the moment
+// between linking and renaming.
 class AsideFile {
 public:
     AsideFile(std::string shown, std::string target, mode_t mode)
@@ -118,8 +118,8 @@ public:
     bool commit(Faults& faults) {
         if (::rename(name_.c_str(), target_.c_str()) != 0) return cannot_write(faults, shown_, errno);
         name_.clear();
-        file_.close(); // it has been flushed: there is nothing left to fail
-        // Without this a power cut could bring the old file back; some file systems refuse, which does no harm.
+        file_.close(); // already flushed, so closing cannot fail
+        // Without syncing the folder a power cut could restore the old file. File systems that refuse it are no problem.
         const Descriptor folder(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
         if (folder.get() >= 0) ::fsync(folder.get());
         return true;
@@ -141,7 +141,7 @@ private:
     bool open() {
         int fd = -1;
 #if defined(O_TMPFILE)
-        // Naming it later goes through /proc.
+        // An unnamed file is named through /proc.
         if (::access("/proc/self/fd", X_OK) == 0) fd = ::open(folder_.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
 #endif
         if (fd >= 0) {
@@ -171,7 +171,7 @@ private:
 };
 
 bool write_directly(const OutputFile& file, Faults& faults) {
-    // A pipe without a reader is an error, not a wait.
+    // O_NONBLOCK: a pipe without a reader is an error instead of a wait.
     Descriptor out(::open(file.path_utf8.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
     if (out.get() < 0) return cannot_write(faults, file.path_utf8, errno);
     const int flags = ::fcntl(out.get(), F_GETFL);
@@ -184,21 +184,21 @@ bool write_directly(const OutputFile& file, Faults& faults) {
 
 bool read_file(const std::string& path, std::size_t max_bytes, std::vector<uint8_t>& out, Faults& faults) {
     out.clear();
-    // Not to wait for a writer if this is a pipe.
+    // O_NONBLOCK: opening a pipe does not wait for a writer.
     Descriptor in(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
     if (in.get() < 0) {
         if (errno == ENOENT || errno == ENOTDIR) return no_such_file(faults, path);
-        return cannot_read(faults, path, errno, "Check that you may read it.");
+        return cannot_read(faults, path, errno, "Check that you have the right to read it.");
     }
     struct stat info {};
     if (::fstat(in.get(), &info) != 0 || !S_ISREG(info.st_mode)) return not_a_file(faults, path);
-    // The size may be a lie (/proc) or change: it is a hint.
+    // The size is only a hint: it can be wrong (/proc) or change.
     std::size_t size = 0;
     out.resize(std::clamp<std::size_t>(static_cast<std::size_t>(info.st_size), 4096, max_bytes) + 1);
     for (;;) {
         const ssize_t n = ::read(in.get(), out.data() + size, out.size() - size);
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return cannot_read(faults, path, errno, "Check that the disk is sound.");
+        if (n < 0) return cannot_read(faults, path, errno, "Check the disk for errors.");
         if (n == 0) break;
         size += static_cast<std::size_t>(n);
         if (size > max_bytes) return too_large(faults, path, max_bytes);
@@ -266,7 +266,7 @@ void clear_abandoned(const std::string& path) {
         if (file.get() < 0 || ::fstat(file.get(), &open_one) != 0 || !S_ISREG(open_one.st_mode) ||
             ::flock(file.get(), LOCK_EX | LOCK_NB) != 0)
             continue;
-        // It may have become its target since it was opened, and the name another's.
+        // The file can have been renamed to its target since it was opened, and another file can have its name.
         if (::fstatat(in, entry->d_name, &named_one, AT_SYMLINK_NOFOLLOW) == 0 && named_one.st_ino == open_one.st_ino)
             ::unlinkat(in, entry->d_name, 0);
     }
@@ -284,7 +284,7 @@ bool write_files(const std::vector<OutputFile>& files, Faults& faults) {
         else if (!write_directly(file, faults))
             return false;
     }
-    const SignalsHeld held; // one between creating a file aside and renaming it would leave the file behind
+    const SignalsHeld held; // a signal between creating and renaming a temporary file would leave it behind
     std::vector<AsideFile> staged;
     staged.reserve(aside.size());
     for (const OutputFile* file : aside) {

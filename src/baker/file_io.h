@@ -1,4 +1,4 @@
-// Whole files in and out. What is written appears complete under its name or not at all.
+// Reads and writes whole files. An output appears complete or not at all.
 #pragma once
 
 #include "asset/input_faults.h"
@@ -11,16 +11,16 @@
 
 namespace lr::baker {
 
-// Regular files only. Faults 101, 102, 104.
+// Reads a regular file. Faults 101, 102, 104.
 bool read_file(const std::string& path_utf8, std::size_t max_bytes, std::vector<uint8_t>& out, Faults& faults);
 
-// Can a file be written there, as far as one can tell without doing it? Asked before the work, not after. Fault 103.
+// Whether a file can probably be written there; call before a long bake. Fault 103.
 bool check_output(const std::string& path_utf8, Faults& faults);
 
-// One regular file, whatever the names, or one name for a file that does not exist yet.
+// Whether both paths name one regular file, or are equal if the file does not exist.
 bool is_same_file(const std::string& path_utf8, const std::string& other_utf8);
 
-// Makes the last folder of the path unless it is there, and says whether it did. Fault 103.
+// Creates the last folder of the path if it does not exist. made: whether it was created. Fault 103.
 bool make_folder(const std::string& path_utf8, Faults& faults, bool* made = nullptr);
 
 struct OutputFile {
@@ -28,12 +28,12 @@ struct OutputFile {
     std::span<const uint8_t> bytes;
 };
 
-// What killed bakes may have left aside in the folder of this output, or in this folder (with a slash at its end): removed, but
-// for what another process still writes.
+// Removes temporary files of killed bakes in the output's folder, or in this folder if the path ends with a slash. Files that another
+// process still writes stay.
 void clear_abandoned(const std::string& path_utf8);
 
-// All of them or none: each is written aside in the folder of its target, flushed to the disk, and then renamed over
-// the target. Signals wait until that is done. Devices and pipes are written directly. Fault 103.
+// Writes all files or none: each is written to a temporary file in its target's folder, flushed to disk, then renamed to
+// the target. Signals are blocked meanwhile. Devices and pipes are written directly. Fault 103.
 bool write_files(const std::vector<OutputFile>& files, Faults& faults);
 
 } // namespace lr::baker

@@ -70,7 +70,7 @@ private:
 constexpr DWORD share_all = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 
 HANDLE open_existing(const std::wstring& path, DWORD access) {
-    // With the second flag folders too: they are then told from files that may not be read.
+    // FILE_FLAG_BACKUP_SEMANTICS also opens folders, which distinguishes them from files without read permission.
     return CreateFileW(path.c_str(), access, share_all, nullptr, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr);
 }
 
@@ -95,7 +95,7 @@ bool write_all(HANDLE file, std::span<const uint8_t> bytes) {
 
 enum class Target { absent, regular, direct, impossible };
 
-// Links are followed, so that the file they name is replaced and not they. reason: of impossible ones.
+// Follows symbolic links, so that their target is replaced and the links stay. reason: set for invalid links.
 Target find_target(std::wstring& path, int& reason) {
     reason = ENOENT;
     if (path.empty()) return Target::impossible;
@@ -134,7 +134,7 @@ std::wstring folder_of(const std::wstring& path) {
     return slash == std::wstring::npos ? L"./" : path.substr(0, slash + 1);
 }
 
-// A file beside its target, removed unless it is renamed.
+// A temporary file in the target's folder, removed unless it is renamed.
 class AsideFile {
 public:
     AsideFile(std::string shown, std::wstring target) : shown_(std::move(shown)), target_(std::move(target)) {}
@@ -200,13 +200,13 @@ bool read_file(const std::string& path, std::size_t max_bytes, std::vector<uint8
     if (!in.good()) {
         const int reason = last_reason();
         if (reason == ENOENT || reason == ENOTDIR || reason == EINVAL) return no_such_file(faults, path);
-        return cannot_read(faults, path, reason, "Check that you may read it.");
+        return cannot_read(faults, path, reason, "Check that you have the right to read it.");
     }
     BY_HANDLE_FILE_INFORMATION info{};
     if (GetFileType(in.get()) != FILE_TYPE_DISK || GetFileInformationByHandle(in.get(), &info) == 0 ||
         (info.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0)
         return not_a_file(faults, path);
-    // The size may change: it is a hint.
+    // The size is only a hint: it can change.
     const uint64_t hint = uint64_t{info.nFileSizeHigh} << 32 | info.nFileSizeLow;
     std::size_t size = 0;
     out.resize(std::clamp<std::size_t>(hint, 4096, max_bytes) + 1);
@@ -214,7 +214,7 @@ bool read_file(const std::string& path, std::size_t max_bytes, std::vector<uint8
         const auto room = static_cast<DWORD>(std::min<std::size_t>(out.size() - size, std::size_t{1} << 24));
         DWORD n = 0;
         if (ReadFile(in.get(), out.data() + size, room, &n, nullptr) == 0)
-            return cannot_read(faults, path, last_reason(), "Check that the disk is sound.");
+            return cannot_read(faults, path, last_reason(), "Check the disk for errors.");
         if (n == 0) break;
         size += n;
         if (size > max_bytes) return too_large(faults, path, max_bytes);
@@ -260,7 +260,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
     return !error && CompareStringOrdinal(p.c_str(), -1, q.c_str(), -1, TRUE) == CSTR_EQUAL;
 }
 
-// Who writes one shares it with nobody until all are written; the hour is for the moments after that.
+// A writer opens its file exclusively until all are written; the hour covers the time between that and renaming.
 void clear_abandoned(const std::string& path) {
     const std::wstring folder = folder_of(to_wide(path));
     WIN32_FIND_DATAW found{};
@@ -281,7 +281,7 @@ void clear_abandoned(const std::string& path) {
 }
 
 bool write_files(const std::vector<OutputFile>& files, Faults& faults) {
-    const SignalsHeld held; // one between creating a file aside and renaming it would leave the file behind
+    const SignalsHeld held; // a signal between creating and renaming a temporary file would leave it behind
     std::vector<AsideFile> staged;
     staged.reserve(files.size());
     for (const OutputFile& file : files) {

@@ -1,5 +1,5 @@
-// Signals that end the program wait in this thread while an object of this class lives; on Windows, whose consoles end programs
-// from threads of their own, while any lives.
+// Blocks signals that end the program during the object's lifetime: in this thread; on Windows, whose console events run in a thread of
+// their own, in the process.
 #pragma once
 
 #if defined(_WIN32)
@@ -33,7 +33,7 @@ private:
     }
     static BOOL WINAPI wait(DWORD) {
         while (held() > 0) Sleep(1);
-        return FALSE; // to the next handler, which ends the program
+        return FALSE; // the next handler ends the program
     }
 };
 

@@ -1,4 +1,4 @@
-// Work on several threads. Each index has its own result, so that no result depends on the number of threads.
+// Work on several threads. Each index has its own result, so results do not depend on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,11 @@
 
 namespace lr::baker {
 
-// 0: as many as the machine runs at once.
+// 0: one per processor.
 unsigned thread_count(unsigned wanted);
 
-// Calls work(index, thread) for each index below `count`, in no order; thread is below `threads`. An exception from any
-// call is thrown again here once all threads have ended.
+// Calls work(index, thread) for each index below `count`, in any order; thread is below `threads`. Rethrows an exception
+// of a call after all threads have ended.
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t, unsigned)>& work);
 
 } // namespace lr::baker

@@ -6,7 +6,7 @@
 namespace lr::baker {
 namespace {
 
-// Bytes of the UTF-8 character at the start of `text`, 0 if there is none: no overlong forms, no surrogates.
+// Length of the UTF-8 character at the start of `text` in bytes; 0 if invalid, also for overlong forms and surrogates.
 std::size_t character_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);

@@ -1,4 +1,4 @@
-// Text that comes from outside or goes to a terminal.
+// Makes text from files and file names safe for assets and terminals.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,10 @@
 
 namespace lr::baker {
 
-// Every byte that does not belong to a UTF-8 character becomes U+FFFD.
+// Replaces every byte outside a valid UTF-8 character by U+FFFD.
 std::string valid_utf8(std::string_view text);
 
-// Valid UTF-8 without control characters: a file name must not be able to drive the terminal.
+// Valid UTF-8 without control characters, so that a file name cannot send commands to the terminal.
 std::string printable(std::string_view text);
 
 inline std::filesystem::path to_path(std::string_view utf8) {

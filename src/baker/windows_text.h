@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Windows' own text is UTF-16. Included by sources for Windows alone.
+// Conversion from and to the UTF-16 of Windows. Only for Windows sources.
 #pragma once
 
 #include <string>

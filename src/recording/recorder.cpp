@@ -125,7 +125,7 @@ void Recorder::end(lr_world& world) {
 void Recorder::wind_asked(void* self, const lr_wind_query* query) {
     auto& recorder = *static_cast<Recorder*>(self);
     recorder.wind_.function(recorder.wind_.user, query);
-    if (!recorder.inside_) return; // lr_world_sample_wind, which changes nothing
+    if (!recorder.inside_) return; // called by lr_world_sample_wind, which is not recorded
     const float* values[wind_values];
     std::copy_n(query->velocity, 3, values);
     std::copy_n(query->rate, 3, values + 3);
@@ -160,13 +160,13 @@ void Recorder::begin(const lr_world& world) {
     whole(Kind::world, record);
 }
 
-// From any worker, in any order: the player finds answers by what was asked.
+// Called by all workers, in any order: the player looks up an answer by its query.
 void Recorder::answer(Kind kind, uint32_t count, uint32_t batch, double time, const float* const* positions,
                       const float* const* values, uint32_t value_count) {
     AnswerRecord record{count, batch, time, 0, 0};
     const uint64_t bytes = sizeof(float) * uint64_t{count};
     for (uint32_t v = 0; v < value_count; ++v) {
-        uint32_t any = 0, word = 0; // bits, so that a negative zero is kept
+        uint32_t any = 0, word = 0; // the bits, because a negative zero must be recorded
         for (uint32_t i = 0; i < count; ++i) {
             std::memcpy(&word, values[v] + i, sizeof word);
             any |= word;

@@ -1,4 +1,4 @@
-// Writes a recording: records cut into frames, each handed to the host when it is whole.
+// Writes a recording: splits records into frames and passes each complete frame to the host.
 #pragma once
 
 #include "base/allocator.h"
@@ -14,16 +14,16 @@ namespace lr::recording {
 
 class Recorder {
 public:
-    // Null when out of memory. The desc has been checked.
+    // Null when out of memory. desc: already checked.
     static Recorder* create(Allocator& allocator, const lr_recording_desc& desc);
     static void destroy(Recorder* recorder);
 
-    // The world's record: others follow that make what was there.
+    // Writes the file header and the world's record. Records of setup calls follow.
     void begin(const lr_world& world);
-    // The world's callbacks are its own again.
+    // Gives the world its own callbacks back.
     void end(lr_world& world);
 
-    // A record: opened, filled, closed. Nothing happens any more once the host has refused.
+    // A record: open(), put(), close(). No effect after the host's `write` has failed.
     void open(Kind kind);
     void put(const void* bytes, uint64_t size);
     template <class T> void value(const T& v) { put(&v, sizeof v); }
@@ -35,11 +35,11 @@ public:
     }
     bool failed() const { return failed_; }
 
-    // The number of an asset, whose record is written where it is new. False when out of memory.
+    // The number of an asset; writes a record if the asset is new. False when out of memory.
     bool asset(const lr_asset& asset, uint32_t& id);
-    // Whether it is among those remembered, as it is from now on.
+    // Whether the hash is remembered. Remembers it.
     bool seen(uint64_t hash);
-    // Bytes that calls name by the hash returned. Written once, or now and then again: few are remembered.
+    // Writes bytes that calls refer to by the returned hash. Writes them again if the hash has been forgotten.
     uint64_t blob(const void* bytes, uint64_t size);
     static uint64_t blob_hash(const void* bytes, uint64_t size) {
         Hash hash(size);
@@ -47,7 +47,7 @@ public:
         return hash.value();
     }
 
-    // A call whose arguments are written by `record` once it has accepted them.
+    // The next accepted() calls `record`, which writes the arguments of the current call.
     template <class Record> void wait_for(const Record& record) {
         waiting_ = &record;
         record_ = [](const void* self) { return (*static_cast<const Record*>(self))(); };
@@ -58,9 +58,9 @@ public:
         const auto record = std::exchange(record_, nullptr);
         return !record || record(waiting_);
     }
-    void enter() { inside_ = true; } // a call, which has been written
+    void enter() { inside_ = true; } // a recorded call runs
     void result(Op op, lr_status status, uint64_t output, const lr_world& world);
-    // After lr_world_set_wind_callback and its like: answers go through here.
+    // After a callback was set: replaces it by one that also records its answers.
     void listen(lr_world& world);
 
 private:
@@ -75,17 +75,17 @@ private:
 
     Allocator* allocator_;
     lr_recording_desc desc_;
-    Buffer<unsigned char> frame_; // with its header
-    uint32_t used_ = 0;           // bytes behind the header
+    Buffer<unsigned char> frame_; // header and payload
+    uint32_t used_ = 0;           // bytes of payload
     uint64_t frames_ = 0;
     Kind kind_{};
     bool failed_ = false, inside_ = false;
     const void* waiting_ = nullptr;
     bool (*record_)(const void* waiting) = nullptr;
-    uint32_t steps_ = 0; // since a hash
+    uint32_t steps_ = 0; // since the last hash
     static constexpr size_t most_seen = 4096;
-    Buffer<uint64_t> seen_;      // a place for each hash that it may be in, the last one that came there
-    Buffer<AssetRecord> assets_; // by id
+    Buffer<uint64_t> seen_;      // a direct-mapped cache: hash h is in slot h % most_seen
+    Buffer<AssetRecord> assets_; // index: id
     uint32_t asset_count_ = 0;
     template <class Function> struct Callers {
         Function function = nullptr;

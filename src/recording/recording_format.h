@@ -1,4 +1,4 @@
-// The format of a recording: what recorder and player agree on. docs/reference/snapshots.md
+// The format of a recording, shared by recorder and player: docs/reference/snapshots.md
 #pragma once
 
 #include "langevin_rigid_research.h"
@@ -9,7 +9,7 @@
 
 namespace lr::recording {
 
-// Little-endian throughout, as all that the library runs on.
+// Little-endian, like all supported processors.
 struct FileHeader {
     char magic[8];
     uint32_t format;
@@ -18,28 +18,28 @@ struct FileHeader {
 inline constexpr char magic[8] = {'L', 'R', 'R', 'E', 'C', 'O', 'R', 'D'};
 inline constexpr uint32_t format_version = 1;
 
-// Then frames. A record is one of them, or several of which all but the last say that there is more.
+// Frames follow. A record is one frame or several; all but its last have frame_continues.
 struct FrameHeader {
-    uint32_t size; // bytes that follow
+    uint32_t size; // bytes of payload
     uint16_t kind;
     uint16_t flags;
-    uint64_t checksum; // of these, of the frame's number, and of what follows
+    uint64_t checksum; // of the fields above, the frame's number and the payload
 };
 inline constexpr uint16_t frame_continues = 1;
-inline constexpr uint32_t most_frame = 65536; // with its header
+inline constexpr uint32_t most_frame = 65536; // bytes, with its header
 
 enum class Kind : uint16_t {
     world = 1, // WorldRecord, first
     asset,     // AssetRecord, then the bytes of an asset file
-    blob,      // its hash, then bytes that calls name by it
-    hole,      // a slot without a batch, between those that setups make
-    setup,     // a call that makes what there was, without result
-    begun,     // the world's hash: here the recording begins
-    call,      // Op, then arguments; before it is carried out
-    result,    // ResultRecord, of the call before
-    wind,      // answers of the wind callback within a call
-    surface,   // of the surface callback
-    geometry,  // the hash that the hull, heightfield or mesh of the setup before is known by
+    blob,      // a hash, then bytes that calls refer to by this hash
+    hole,      // an empty batch slot, between the batches of setup records
+    setup,     // a call that recreates the initial state, without result
+    begun,     // the world's hash when the setup ends and the recording begins
+    call,      // Op, then arguments; written before the call runs
+    result,    // ResultRecord of the call before
+    wind,      // answers of the wind callback during a call
+    surface,   // answers of the water callback
+    geometry,  // the hash of the hull, heightfield or mesh of the setup record before
 };
 
 struct WorldRecord {
@@ -63,10 +63,10 @@ struct ResultRecord {
     uint16_t op;
     uint16_t hashed;
     int32_t status;
-    uint64_t output; // a handle or number that came out, or the hash of several; 0 where nothing was asked for
-    uint64_t hash;   // of the world, where `hashed`
+    uint64_t output; // the resulting handle or number, or a hash of several; 0 if the caller passed null
+    uint64_t hash;   // of the world, if `hashed`
 };
-// Before `count` positions (x of all, then y, z) and a float of each for every bit of `given`.
+// Followed by `count` positions (x of all, then y, z), then `count` floats for each bit set in `given`.
 struct AnswerRecord {
     uint32_t count;
     uint32_t batch;
@@ -77,7 +77,7 @@ struct AnswerRecord {
 inline constexpr uint32_t wind_values = 15;    // velocity, rate, gradient
 inline constexpr uint32_t surface_values = 10; // height, normal, velocity, rate
 
-// A call is known by a hash of its function's name. lr_replay does not compile where two functions of the header have the same.
+// A call is identified by a hash of its function's name. If two functions had the same hash, lr_replay would not compile.
 using Op = uint16_t;
 constexpr Op op_of(const char* function) {
     uint32_t hash = 2166136261u;
@@ -85,32 +85,32 @@ constexpr Op op_of(const char* function) {
     return static_cast<Op>((hash >> 16 ^ hash) & 0xffffu);
 }
 
-// Behind the op: whether arguments follow. Those of a call that could not be read are not there.
+// Flag after the op: no arguments follow, because the call was refused before it read them.
 inline constexpr uint16_t call_cut = 1;
 
-// Of an array: not given, here, or in a blob.
+// Where the bytes of an array are: it is null, they follow here, or they are in a blob.
 enum class Where : uint32_t { null, here, blob };
 inline constexpr uint64_t most_here = 256; // bytes
 
-// Bytes of structs that are recorded: all but pointers, which come last or are written by themselves.
+// Recorded bytes of a struct: all before its pointers, which come last. The arrays are recorded separately.
 template <class T> inline constexpr uint32_t recorded_bytes = sizeof(T);
 template <> inline constexpr uint32_t recorded_bytes<lr_wind_grid_desc> = offsetof(lr_wind_grid_desc, samples);
 template <> inline constexpr uint32_t recorded_bytes<lr_collider_desc> = offsetof(lr_collider_desc, vertices);
 template <> inline constexpr uint32_t recorded_bytes<lr_force_arrays> = offsetof(lr_force_arrays, force);
 
-struct BatchRecord { // lr_batch_desc without what is not the same on every machine
+struct BatchRecord { // lr_batch_desc without pointers and padding, whose bytes differ between machines
     uint32_t asset;
     uint32_t capacity;
     int32_t load_model, clock, table_end, integrator;
     float damping_gain, noise_gain;
 };
-struct TableRecord { // lr_turbulence_table likewise
+struct TableRecord { // the same for lr_turbulence_table
     uint32_t count;
     float dt, u0, l, c0;
     uint32_t stationary, reserved;
 };
 
-// Each step is a bijection of the state.
+// Each add() is a bijection of the state.
 class Hash {
 public:
     explicit Hash(uint64_t start) : state_(start ^ 0x9e3779b97f4a7c15ull) {}

@@ -11,7 +11,7 @@ std::vector<std::string> utf8_arguments(int argc, char** argv) {
 }
 
 void set_up_console() {
-    // A file size limit is then not a death with a file left aside.
+    // Without SIGXFSZ a write beyond a file size limit fails, and the temporary file is removed.
     signal(SIGXFSZ, SIG_IGN);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What of the command line and the terminal differs between systems.
+// The parts of command line and terminal that differ between operating systems.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace lr::baker {
 
-// As UTF-8; patterns such as leaves/*.fbx become the files that they match where no shell has seen to that.
+// In UTF-8. On Windows, whose shells do not expand patterns such as leaves/*.fbx, replaces them by the matching files.
 std::vector<std::string> utf8_arguments(int argc, char** argv);
 
-// Makes printed UTF-8 appear as such, and a write beyond a limit an error of that write.
+// Makes the terminal show UTF-8, and lets a write beyond a file size limit fail instead of ending the program.
 void set_up_console();
 
-// Standard error is looked at by someone, and understands the sequences that erase a line.
+// Whether standard error is a terminal that can erase a line.
 bool shows_progress();
 
-// One spelling of folders' ends: slashes, which every system takes.
+// Replaces backslashes by slashes, which all systems accept.
 std::string with_slashes(std::string path);
 
 } // namespace lr::baker

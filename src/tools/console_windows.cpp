@@ -9,7 +9,7 @@
 namespace lr::baker {
 namespace {
 
-// The files that the last part of the path matches, in the order of their names; the argument itself if there are none.
+// The files that match the last component of the path, sorted by name; the argument itself if none matches.
 void append_matches(const std::wstring& argument, std::vector<std::string>& out) {
     const std::size_t slash = argument.find_last_of(L"/\\:");
     const std::wstring folder = slash == std::wstring::npos ? L"" : argument.substr(0, slash + 1);

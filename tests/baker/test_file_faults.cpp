@@ -405,7 +405,7 @@ TEST_CASE("files that are read in pieces are whole, and those that break or end 
     CHECK_FALSE(read_file(path, 1 << 20, bytes, faults));
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].id == FaultId::file_read);
-    CHECK(faults[0].remedy == "Check that the disk is sound.");
+    CHECK(faults[0].remedy == "Check the disk for errors.");
 }
 
 #endif

@@ -1,4 +1,4 @@
-# Programs can't be asked for their test cases while others are still built: one test each.
+# One CTest test per program: test cases cannot be listed before all programs are built.
 function(doctest_discover_tests target)
     add_test(NAME ${target} COMMAND ${target})
 endfunction()

@@ -1,4 +1,4 @@
-# Headers of this machine's packages that are headers alone, without those of its C library beside them in /usr/include.
+# Headers of this machine's header-only packages, without its C library's headers in the same /usr/include.
 function(lr_host_headers target folder)
     find_path(LR_HOST_${folder} "${folder}" PATHS /usr/include /usr/local/include REQUIRED NO_DEFAULT_PATH)
     set(links "${PROJECT_BINARY_DIR}/host_headers/${folder}")

@@ -17,34 +17,34 @@
 
 // The potential phi of a moving body, grad phi . n = q on its surface, from the hypersingular integral equation
 //   W phi = -(1/2 + K') q
-// with continuous linear elements, tested by the same elements (Galerkin). W goes over to integrals of 1/r between
-// surface curls (Maue 1949, Nedelec 1982), so that constant panels of closed form suffice, the matrix is symmetric and
-// positive, and the energy - the added mass, -integral phi q - converges twice as fast as phi. Unlike equations of the
-// second kind it stays well posed for a thin solid, where the doublets of both sides nearly cancel.
+// with continuous linear elements, tested by the same elements (Galerkin). W reduces to integrals of 1/r between surface curls
+// (Maue 1949, Nedelec 1982). Hence closed forms for constant panels suffice, the matrix is symmetric and positive, and the
+// energy, the added mass -integral phi q, converges twice as fast as phi. Unlike equations of the second kind it stays well
+// posed for a thin solid, where the doublets of both sides nearly cancel.
 
 namespace lr::baker {
 namespace {
 
-// A sphere of so many takes 4 GB.
+// A sphere with this many panels takes 4 GB.
 constexpr std::size_t max_panels = 1000000;
-// Of the matrix in near blocks: 4 GB, three times what the largest sphere needs.
+// Matrix entries in near blocks: 4 GB, three times the need of the largest sphere.
 constexpr std::size_t max_stored_entries = 1000000000;
-// Of the largest entry of its block. A solid whose estimate is above is solved again on finer panels, up to so many.
+// Error estimate over the largest entry of the block above which a solid is solved again, on finer panels up to this number.
 constexpr double good_estimate = 0.0025;
 constexpr std::size_t max_refined_panels = 5000;
-// A box of two triangles a side has its limit in the size of the panels, not in their strips.
+// The error of a box with two triangles per side comes from the size of the panels, not from the strips.
 constexpr std::size_t min_refined_panels = 1000;
 constexpr double refined_turn = 0.1; // of the normal along an edge, radians
-// Condition of the scaled matrix above which less than about six digits of phi are left.
+// Condition of the scaled matrix above which phi has less than about six digits.
 constexpr double max_condition = 1e10;
 
-// What the quadrature over neighbouring panels leaves on a sphere, whatever the number of panels.
+// Error of the quadrature over neighbouring panels on a sphere, independent of the number of panels.
 constexpr double quadrature_floor = 5e-4;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// Constant potentials carry no energy: W is singular in these directions. Adds a square of the mean of each, which
-// fixes the constant and changes no added mass.
+// Constant potentials have no energy: W is singular in these directions. Adds the square of the mean of each, which fixes the
+// constant and does not change the added mass.
 void fix_constants(const Mesh& mesh, const SurfaceBasis& basis, const std::vector<Panel>& panels,
                    Eigen::MatrixXd& matrix) {
     if (basis.constants.empty()) return;
@@ -66,7 +66,7 @@ void fix_constants(const Mesh& mesh, const SurfaceBasis& basis, const std::vecto
     }
 }
 
-using Currents = Eigen::Matrix<double, 3, 6>; // n x grad phi on one panel, one column for each mode
+using Currents = Eigen::Matrix<double, 3, 6>; // n x grad phi on one panel, one column per mode
 
 std::vector<Currents> surface_currents(const SurfaceBasis& basis, const std::vector<Panel>& panels,
                                        const RigidModes& phi) {
@@ -80,8 +80,8 @@ std::vector<Currents> surface_currents(const SurfaceBasis& basis, const std::vec
     return currents;
 }
 
-// Corners of panels over which the surface current is continuous: those at one vertex with the same unknowns. Front and
-// back may change places, which changes the sign of the jump and of the normal.
+// Groups the corners of panels over which the surface current is continuous: those at one vertex with the same unknowns. Front
+// and back can be swapped, which changes the sign of both the jump and the normal.
 std::vector<std::array<uint32_t, 3>> group_corners(const Mesh& mesh, const SurfaceBasis& basis, std::size_t& count) {
     struct Corner {
         uint32_t vertex;
@@ -111,9 +111,9 @@ std::vector<std::array<uint32_t, 3>> group_corners(const Mesh& mesh, const Surfa
     return groups;
 }
 
-// What linear elements miss: the energy of the difference between the surface current and its average at the vertices
-// (Zienkiewicz and Zhu 1987), each panel with its own inductance. Panels influence each other, hence a factor: on cubes
-// of 192 to 4800 triangles the error is 1.4 to 1.7 times the sum, on thin plates 0.3 times.
+// The error of linear elements: the energy of the difference between the surface current and its average at the vertices
+// (Zienkiewicz and Zhu 1987), each panel with its own inductance. The factor allows for the interaction of panels: on cubes of
+// 192 to 4800 triangles the error is 1.4 to 1.7 times the sum, on thin plates 0.3 times.
 Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const BoundaryOperators& op,
                              const std::vector<Currents>& currents) {
     constexpr double factor = 1.8;
@@ -143,12 +143,12 @@ Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const 
     return error;
 }
 
-// What flat panels miss of a curved surface. Moving the surface out by d changes the energy by d times the square of
-// the velocity along it, seen from the body (Hadamard); the part of the gap that restore_curved_volume cannot know is
-// of second order in the turn of the normal over a panel.
+// The error of flat panels on a curved surface. Moving the surface out by d changes the energy by d times the square of the
+// tangential velocity relative to the body (Hadamard); the part of the gap unknown to restore_curved_volume is of second order
+// in the turn of the normal over a panel.
 Matrix6 geometry_error(const BoundaryOperators& op, const std::vector<Currents>& currents,
                        const CurvedSurface& surface) {
-    constexpr double factor = 0.5; // from ellipsoids up to 1:20 and 10:1
+    constexpr double factor = 0.5; // measured on ellipsoids up to 1:20 and 10:1
     Matrix6 error = Matrix6::Zero();
     for (std::size_t t = 0; t < op.panels.size(); ++t) {
         const Panel& panel = op.panels[t];
@@ -164,7 +164,7 @@ Matrix6 geometry_error(const BoundaryOperators& op, const std::vector<Currents>&
     return error;
 }
 
-// Nearest matrix without negative eigenvalues; returns the largest one removed.
+// Replaces the matrix by the nearest one without negative eigenvalues; returns the largest eigenvalue removed.
 double clamp_to_positive(Matrix6& matrix) {
     const Eigen::SelfAdjointEigenSolver<Matrix6> solver(matrix);
     const double lowest = solver.eigenvalues()[0];
@@ -175,8 +175,8 @@ double clamp_to_positive(Matrix6& matrix) {
     return -lowest;
 }
 
-// What an entry is to be compared with, for a body of size one: the largest of the diagonal of each block. The turning
-// of a round body has no added mass of its own; it is compared with a hundredth of the mass.
+// Reference scale of each entry for a body of size one: the largest diagonal entry of its block. The rotation of a round body
+// has no added inertia; its scale is a hundredth of the mass.
 Matrix6 entry_scale(const Matrix6& matrix) {
     const double mass = std::max(matrix.diagonal().head<3>().maxCoeff(), 1e-300);
     Eigen::Matrix<double, 6, 1> scale;
@@ -190,7 +190,7 @@ struct Solution {
     double condition = 0.0, residual = 0.0;
 };
 
-// Largest norm of a column of the inverse, from below and nearly always close (Hager 1984, SIAM J. Sci. Stat. Comput. 5).
+// A lower bound, nearly always close, of the 1-norm of the inverse (Hager 1984, SIAM J. Sci. Stat. Comput. 5).
 double inverse_norm(const SingleCholesky& factor, Eigen::Index size) {
     Eigen::MatrixXd x = Eigen::MatrixXd::Constant(size, 1, 1.0 / static_cast<double>(size));
     double norm = 0.0;
@@ -208,8 +208,8 @@ double inverse_norm(const SingleCholesky& factor, Eigen::Index size) {
     return norm;
 }
 
-// Iterative refinement: each round divides the residual by about 1e7 over the condition, until rounding in the residual
-// itself stops it.
+// Iterative refinement: each round divides the residual by about 1e7 over the condition, until the rounding of the residual
+// stops it.
 bool solve_refined(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, Solution& out) {
     constexpr int max_rounds = 8;
     constexpr double good = 1e-12, enough = 1e-10;
@@ -254,7 +254,7 @@ bool refuse_singular(Faults& faults) {
                 faults);
 }
 
-// Each of these leaves W times the positions in `image`.
+// This and the next function set `image` to W times the positions.
 bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position, const Progress& report,
                  BoundaryOperators& op, RigidModes& phi, Eigen::MatrixXd& image, AddedMass& out, Faults& faults) {
     op = assemble_boundary_operators(unit, basis, report);
@@ -284,8 +284,8 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
     };
     const auto refuse = [&] {
         return fail(FaultId::mesh_too_many_faces,
-                    "So many faces are close to so many others that the added mass needs too much memory.",
-                    "Remesh: long faces beside short ones are what makes them close.", faults);
+                    "Too many faces are close to too many others: the added mass needs too much memory.",
+                    "Remesh: avoid long faces beside short ones.", faults);
     };
     NearSingleLayer near;
     if (!assemble_without_matrix(unit, basis, threads, share(0.0, 0.5), op, near)) return refuse();
@@ -302,8 +302,8 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
     return true;
 }
 
-// A body of size one around the centre; what a closed one has lost to flat panels is in `curved`. The estimate of a closed
-// one begins with `geometry`, and leaves its own geometric part there.
+// Solves for a body of size one around the centre. Closed bodies: `curved` has the gap between flat panels and the curved
+// surface; the error estimate starts from `geometry`, which receives its geometric part.
 bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, Matrix6& geometry,
                    AddedMass& out, Faults& faults, const AddedMassOptions& options, const Progress& report) {
     Eigen::MatrixXd position, image;
@@ -335,8 +335,8 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
         error += geometry;
     }
     if (!basis.sheet) {
-        // For translations the interior potential is x itself, so W x = (1/2 - K') n up to quadrature: a check that is
-        // free.
+        // For translations the interior potential is x, so W x = (1/2 - K') n up to quadrature errors: a check without extra
+        // cost.
         const Eigen::MatrixXd defect = image - op.moments.leftCols(3) - op.right_side.leftCols(3);
         const Eigen::Matrix<double, 6, 3> quadrature = phi.transpose() * defect;
         error.leftCols<3>() += 0.5 * quadrature.cwiseAbs();
@@ -362,8 +362,8 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
 bool check_size(const Mesh& mesh, Faults& faults) {
     if (mesh.faces.size() > max_panels) {
         faults.push_back({FaultId::mesh_too_many_faces, Severity::error, "mesh",
-                          "The added mass is solved for at most " + std::to_string(max_panels) +
-                              " triangles, this has " + std::to_string(mesh.faces.size()) + ".",
+                          "The added mass is limited to " + std::to_string(max_panels) + " triangles; the mesh has " +
+                              std::to_string(mesh.faces.size()) + ".",
                           "Decimate the mesh."});
         return false;
     }
@@ -375,7 +375,7 @@ bool check_size(const Mesh& mesh, Faults& faults) {
     return true;
 }
 
-// Size one around the centre: the result is the same to the last digits whatever the unit and place.
+// Scales to size one around the centre, so that unit and position affect only the last digits.
 Mesh scale_to_unit(const Mesh& mesh, const Eigen::Vector3d& centre, double& size) {
     size = 0.0;
     for (const Eigen::Vector3d& v : mesh.vertices) size = std::max(size, (v - centre).norm());
@@ -392,7 +392,7 @@ void scale_to_size(double size, AddedMass& m) {
     Eigen::Matrix<double, 6, 1> units;
     units.head<3>().setConstant(std::pow(size, 1.5));
     units.tail<3>().setConstant(std::pow(size, 2.5));
-    const Matrix6 products = units * units.transpose(); // symmetric to the last bit, as the value is
+    const Matrix6 products = units * units.transpose(); // exactly symmetric, like the value
     m.value = m.value.cwiseProduct(products).eval();
     m.error = m.error.cwiseProduct(products).eval();
 }
@@ -401,7 +401,7 @@ bool is_good(const AddedMass& m) {
     return (m.error.array() <= good_estimate * entry_scale(m.value).array()).all();
 }
 
-// On finer panels where the surface is curved and at creases; no finer than the budget allows.
+// Refines where the surface is curved and at creases, within the budget.
 Mesh refine(const Mesh& unit) {
     const Mesh curved = refine_curved(unit, refined_turn, max_refined_panels);
     for (std::size_t strips = 3; strips > 1; --strips) {
@@ -433,7 +433,7 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
         const Mesh fine = refine(unit);
         AddedMass better;
         Faults found_then;
-        // What the vertices leave open about the shape between them, no refinement can tell.
+        // Refinement cannot reduce the uncertainty of the shape between the vertices.
         if (fine.faces.size() > unit.faces.size() &&
             solve_solid(fine, geometry, better, found_then, options,
                         [&](double f) { report(first_share + (1.0 - first_share) * f); })) {

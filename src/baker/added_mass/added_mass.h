@@ -13,25 +13,25 @@ namespace lr::baker {
 struct AddedMass {
     Eigen::Matrix<double, 6, 6> value;
     Eigen::Matrix<double, 6, 6> error; // estimated, per entry, same units
-    double condition_estimate = 0.0;   // of the linear system; with iterations, of the preconditioned one
+    double condition_estimate = 0.0;   // of the linear system; if iterative, of the preconditioned system
     double asymmetry = 0.0;            // largest |M - M^T| before symmetrising, over the scale of its entry
     double residual = 0.0;             // of the linear system, relative
-    std::size_t iterations = 0;        // of conjugate gradients; 0: solved by Cholesky
+    std::size_t iterations = 0;        // of conjugate gradients; 0: Cholesky
 };
 
 using Progress = std::function<void(double fraction)>;
 
 struct AddedMassOptions {
-    // Up to so many triangles with a dense matrix, beyond with expansions: time and memory then grow about linearly.
+    // Triangles up to which the matrix is dense. Above, expansions make time and memory grow about linearly.
     std::size_t max_dense = 8000;
-    unsigned threads = 0; // of the latter; 0: as many as the machine runs at once. The same bits for any number.
+    unsigned threads = 0; // with expansions; 0: one per processor. Does not affect the result.
 };
 
 // The mesh must be closed and outward (check_and_repair).
 bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                         const Progress& progress = {}, const AddedMassOptions& options = {});
 
-// Of a surface without thickness, open or closed, wound in any way (check_sheet). Coarse ones are refined first.
+// For a surface without thickness, open or closed, wound in any way (check_sheet). Refines coarse surfaces first.
 bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, const Refinement& refinement,
                               AddedMass& out, Faults& faults, const Progress& progress = {},
                               const AddedMassOptions& options = {});

@@ -16,7 +16,7 @@ namespace lr::baker {
 namespace {
 
 constexpr double four_pi = 4.0 * std::numbers::pi;
-// 2.5 GB; a sphere of a million panels has a quarter.
+// 2.5 GB; a sphere of a million panels needs a quarter of it.
 constexpr std::size_t most_near_pairs = 40000000;
 
 using Mode = Eigen::Matrix<double, 6, 1>;
@@ -94,7 +94,7 @@ private:
         return true;
     }
 
-    // The rule with nodes at the middles of the edges is exact to degree 2, and neighbours share its nodes.
+    // The quadrature rule with nodes at the edge midpoints is exact to degree 2, and neighbours share its nodes.
     void find_edges() {
         const std::vector<HalfEdge> halves = sorted_half_edges(mesh_);
         panel_edges_.resize(mesh_.faces.size());
@@ -109,7 +109,7 @@ private:
         }
     }
 
-    // Every pair of edge middles, also of near panels; integrate_near takes those out again.
+    // Sums over all pairs of edge midpoints, also of near panels; integrate_near subtracts the near pairs.
     void add_far_double_layer(const SumDoublets& sum_doublets) {
         const std::size_t n = edges_.size(), padded = (n + near_batch - 1) / near_batch * near_batch;
         DoubletArrays arrays;
@@ -135,7 +135,7 @@ private:
             for (std::size_t m = 0; m < 6; ++m) arrays.moment[m][e] = flux[e][static_cast<Eigen::Index>(m)];
         }
         sum_doublets(arrays, n, [&](double fraction) { progress_(0.2 * fraction); });
-        // Both hat functions of an edge are 1/2 in its middle, the third of the triangle is 0.
+        // Both hat functions of an edge are 1/2 at its midpoint; the third one of the triangle is 0.
         for (std::size_t e = 0; e < n; ++e)
             for (const uint32_t vertex : edges_[e])
                 for (std::size_t m = 0; m < 6; ++m)
@@ -146,14 +146,14 @@ private:
         uint32_t panel;
         std::array<Mode, 3> double_layer; // of each corner's hat function
     };
-    // Of one outer panel.
+    // Work arrays for one outer panel.
     struct NearWork {
         std::vector<NearPair*> batch, apart;
         std::vector<double> points, weights; // of the outer rule
         std::vector<NearLayer> layers;
     };
 
-    // On several threads a block of panels at a time; sums are taken in the order of the panels in any case.
+    // Threads take a block of panels at a time; the sums always follow the order of the panels.
     void integrate_all_near(unsigned threads) {
         constexpr std::size_t most_panels = 4096, most_pairs = 200000;
         const std::size_t n = out_.panels.size();
@@ -173,15 +173,15 @@ private:
         }
     }
 
-    // Outer quadrature on panel t, closed forms on the panels around it. One set of outer points for all that touch: the
-    // double layer of a single panel of a thin body is nearly a step, only the sum over neighbours is smooth.
-    // q is linear on a panel, so that all modes follow from integrals with the barycentric coordinates of t.
+    // Outer quadrature on panel t, closed forms on the panels around it. All touching panels use one set of outer points: on a thin
+    // body the double layer of a single panel is nearly a step, only the sum over neighbours is smooth. q is linear on a panel, so
+    // all modes follow from integrals with the barycentric coordinates of t.
     void integrate_near(std::size_t t, NearWork& work) {
         work.batch.clear();
         work.apart.clear();
         work.layers.clear();
         for (NearPair& pair : near_[t]) (pair.touching || level_[t] > 0 ? work.batch : work.apart).push_back(&pair);
-        // Lanes left over cost nothing.
+        // Unused lanes cost nothing.
         const std::size_t spare =
             std::min((near_batch - work.batch.size() % near_batch) % near_batch, work.apart.size());
         work.batch.insert(work.batch.end(), work.apart.end() - static_cast<std::ptrdiff_t>(spare), work.apart.end());
@@ -252,7 +252,7 @@ private:
         const Panel& inner = out_.panels[s];
         const double share = 0.5 * inner.area / 9.0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t edge = (k + 1) % 3; // opposite; the hat of k is 1/2 in the middle of edges k and k - 1
+            const std::size_t edge = (k + 1) % 3; // opposite; the hat of k is 1/2 at the midpoints of edges k and k - 1
             const double slope = inner.edge_length[edge] / (2.0 * inner.area);
             Mode sum = Mode::Zero();
             for (std::size_t a = 0; a < 3; ++a) {
@@ -268,7 +268,7 @@ private:
         return layer;
     }
 
-    // The value whose outer rule is on the smaller panel, where the inner potential varies least.
+    // The value with the outer rule on the smaller panel, where the inner potential varies least.
     double near_single_layer(std::size_t t, const NearPair& pair, const NearPair& mirror) const {
         const double ratio = out_.panels[t].radius / out_.panels[pair.panel].radius;
         if (ratio < 0.7) return pair.single_layer;
@@ -301,7 +301,7 @@ private:
         return fans;
     }
 
-    // The columns of the unknowns at the corners of the target panels. Some corners have two, some none.
+    // Adds to the columns of the unknowns at the corners of the target panels. A corner has up to two unknowns.
     void add_to_columns(const PanelFans& fans, const std::vector<double>& values,
                         const std::array<std::size_t, near_batch>& targets, std::size_t lanes) {
         for (const bool plus : {true, false}) {
@@ -324,7 +324,7 @@ private:
         }
     }
 
-    // near_batch columns of the single layer at a time: far panels by centroids and second moments, with an error of
+    // Computes near_batch columns of the single layer at a time; far panels by centroids and second moments, with an error of
     // third order in size over distance.
     void assemble_hypersingular() {
         const std::size_t n = out_.panels.size();
@@ -343,7 +343,7 @@ private:
         out_.hypersingular = Eigen::MatrixXd::Zero(unknowns, unknowns);
         unused_.assign(basis_.unknowns, 0.0);
         std::vector<double> values(n * near_batch);
-        std::vector<std::size_t> mirrors(n, 0); // lists are sorted: panels find themselves there in their own order
+        std::vector<std::size_t> mirrors(n, 0); // lists are sorted: each panel finds itself in ascending order
         for (std::size_t first = 0; first < n; first += near_batch) {
             const std::size_t lanes = std::min(near_batch, n - first);
             std::array<std::size_t, near_batch> targets;
@@ -371,10 +371,10 @@ private:
     std::vector<Eigen::Vector3d> middle_;
     std::vector<std::vector<NearPair>> near_;
     std::vector<std::size_t> level_;
-    std::vector<TriangleRule> rules_; // of panels that touch, by level
+    std::vector<TriangleRule> rules_; // for touching panels, by level
     TriangleRule apart_rule_ = six_point_rule();
     std::vector<std::array<double, NearFields::count>> fields_; // of each panel
-    std::vector<double> unused_;                                // column of corners without an unknown
+    std::vector<double> unused_;                                // column for corners without an unknown
 };
 
 } // namespace

@@ -25,23 +25,23 @@ struct BoundaryOperators {
 BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBasis& basis,
                                               const std::function<void(double)>& progress);
 
-// The single layer of panels that are close together: double integral of G for each pair, in both orders.
+// The single layer of near panels: double integral of G for each pair, in both orders.
 struct NearSingleLayer {
     std::vector<std::size_t> start; // of each panel's list
     std::vector<uint32_t> panel;    // ascending
     std::vector<double> value;
 };
 
-// All but the matrix, in time and memory that grow linearly: what the matrix needs of near panels goes to `near`, far
-// parts of the right side are expanded (fast_double_layer.h). False if so many panels are close to each other that the
-// near ones alone would fill the memory. threads 0: as many as the machine runs at once.
+// Assembles everything except the matrix, in linear time and memory: `near` receives the matrix's integrals of near panels;
+// far parts of the right side use expansions (fast_double_layer.h). False if the near pairs alone would exceed the memory
+// limit. threads 0: one per processor.
 bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsigned threads,
                              const std::function<void(double)>& progress, BoundaryOperators& out,
                              NearSingleLayer& near);
 
 // Surface curl n x grad psi of the hat functions at the corners of a panel.
 inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {
-    // n x gradient is the opposite edge over twice the area: no cross product, no rounding
+    // n x gradient is the opposite edge over twice the area, without the rounding of a cross product
     return (panel.corner[(corner + 2) % 3] - panel.corner[(corner + 1) % 3]) / (2.0 * panel.area);
 }
 

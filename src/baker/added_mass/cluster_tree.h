@@ -1,4 +1,4 @@
-// A binary tree of clusters of points, and which pairs of clusters are far enough apart for expansions.
+// A binary tree of clusters of points, with the pairs of clusters far enough apart for expansions.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 namespace lr::baker {
 
-// Items are clustered by position; support[start[i]] to support[start[i + 1]] are points that item i reaches to as well.
+// Items are clustered by position; item i extends to the points support[start[i]] to support[start[i + 1]].
 struct ClusterItems {
     std::vector<Eigen::Vector3d> position;
     std::vector<std::size_t> start; // empty: items are points
@@ -20,7 +20,7 @@ struct Cluster {
     uint32_t begin, end; // in ClusterTree::order
     int32_t parent = -1, first_child = -1, second_child = -1;
     Eigen::Vector3d centre;
-    double radius; // around the centre, holds all that the items reach
+    double radius; // around the centre, contains the supports of all items
     bool is_leaf() const { return first_child < 0; }
 };
 
@@ -33,8 +33,8 @@ struct ClusterTree {
     std::vector<Cluster> clusters; // parents before children
     std::vector<uint32_t> leaves;  // in the order of their items
     std::vector<std::vector<uint32_t>> levels;
-    // Every pair of items is in exactly one pair of clusters. near: leaves, first <= second. far: each cluster's list of
-    // others, both ways.
+    // Every pair of items is in exactly one pair of clusters. near: pairs of leaves, first <= second. far: for each cluster,
+    // its far clusters, in both directions.
     std::vector<ClusterPair> near;
     std::vector<std::size_t> far_start;
     std::vector<uint32_t> far;

@@ -1,4 +1,4 @@
-// The part of the preconditioner that acts across the whole body.
+// The global part of the preconditioner.
 #pragma once
 
 #include "baker/added_mass/fast_hypersingular.h"
@@ -9,7 +9,7 @@ namespace lr::baker {
 
 using ModeOperator = std::function<void(const ModeVectors&, ModeVectors&)>;
 
-// A partition of unity over some dozens of clusters, and the inverse of the matrix between its functions.
+// A partition of unity over a few dozen clusters, with the inverse of the matrix between its functions.
 class CoarseSpace {
 public:
     CoarseSpace(const FastHypersingular& matrix, const ModeOperator& apply,

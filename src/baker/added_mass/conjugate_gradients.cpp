@@ -73,7 +73,7 @@ bool solve_modes(const ModeOperator& matrix, const ModeOperator& preconditioner,
         const Modes pq = dot(p, q);
         Modes alpha{}, back{};
         for (std::size_t m = 0; m < mode_lanes; ++m) {
-            if (!(rz[m] > goal(m))) continue; // done: stands still
+            if (!(rz[m] > goal(m))) continue; // converged
             if (!(pq[m] > 0.0)) return false;
             alpha[m] = rz[m] / pq[m];
             back[m] = -alpha[m];

@@ -11,12 +11,12 @@ struct ModeSolution {
     ModeVectors value;
     std::size_t iterations = 0;
     double residual = 0.0;  // relative, of all modes together
-    double condition = 0.0; // of the preconditioned matrix, from the iteration itself
+    double condition = 0.0; // of the preconditioned matrix, estimated from the iteration
 };
 
-// Modes share products with the matrix, each has its own search. Stops once the error of every mode in the norm of the
-// preconditioner is `tolerance` times that of its right side - or of the millionth part of the largest, for a mode that
-// is nothing but noise. False if it does not get there, or the matrix is not positive.
+// All modes share the products with the matrix; each has its own search direction. Stops when every mode's error in the norm of
+// the preconditioner is at most `tolerance` times the norm of its right side, or of a millionth of the largest right side, for
+// modes that are only noise. False without convergence, or if the matrix is not positive.
 bool solve_modes(const ModeOperator& matrix, const ModeOperator& preconditioner, const ModeVectors& right,
                  double tolerance, std::size_t max_iterations, const std::function<void(double)>& progress,
                  ModeSolution& out);

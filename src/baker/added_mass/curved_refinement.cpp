@@ -13,10 +13,10 @@
 namespace lr::baker {
 namespace {
 
-// No middle leaves its edge by more than this share of its length: a limit for rough meshes.
+// Largest distance of a midpoint from its edge, over the edge's length: a limit for rough meshes.
 constexpr double max_sagitta = 0.15;
 
-// The middles of the edges that are to be split.
+// Midpoints of the edges to be split.
 class Middles {
 public:
     Middles(const Mesh& mesh, double turn) {
@@ -97,7 +97,7 @@ Mesh split(const Mesh& mesh, const Middles& middles) {
         } else {
             std::size_t whole = 0;
             while (middle[whole] != UINT32_MAX) ++whole;
-            // a b is the edge that stays; p on b c, q on c a
+            // a b is not split; p is on b c, q on c a
             const uint32_t a = f[whole], b = f[(whole + 1) % 3], c = f[(whole + 2) % 3];
             const uint32_t p = middle[(whole + 1) % 3], q = middle[(whole + 2) % 3];
             out.faces.push_back({p, c, q});

@@ -10,7 +10,7 @@ namespace {
 
 // Smaller leaves move work from the near blocks to the expansions.
 constexpr std::size_t vertices_of_leaf = 64;
-// With it and expansion_order the operator is right to about 1e-5 (docs/maintainers/numerics.md).
+// With this value and expansion_order the operator's error is about 1e-5 (docs/maintainers/numerics.md).
 constexpr double vertex_separation = 0.65;
 constexpr std::size_t moment_rows = 2 * expansion_terms;
 

@@ -9,17 +9,16 @@
 
 namespace lr::baker {
 
-// A value for each unknown, in the order of the tree, and rigid mode: value[i * mode_lanes + mode].
+// A value for each unknown (in the order of the tree) and rigid mode: value[i * mode_lanes + mode].
 using ModeVectors = std::vector<double>;
 
 class FastHypersingular {
 public:
-    // Unknowns in near clusters interact as in the dense matrix (blocks in single precision). Far ones as layers of
-    // doublets, which they are as long as the basis function of each unknown is continuous or ends in zero.
-    // Keeps references to panels and parts.
+    // Unknowns in near clusters interact as in the dense matrix (blocks in single precision), far ones as layers of doublets.
+    // The latter requires basis functions that are continuous or end in zero. Keeps references to panels and parts.
     FastHypersingular(const std::vector<Panel>& panels, const BasisParts& parts, unsigned threads);
 
-    // Entries kept in memory once assembled: of near blocks, and moments of all unknowns.
+    // Entries in memory after assembly: near blocks, and moments of all unknowns.
     std::size_t stored_entries() const;
 
     void assemble(const HypersingularBlocks& blocks, const std::function<void(double)>& progress);
@@ -49,11 +48,11 @@ private:
     ClusterItems items_;
     ClusterTree tree_;
     std::vector<std::size_t> block_start_;
-    std::vector<float> blocks_;             // of each near pair: rows of `second`, columns of `first`
-    std::vector<std::vector<Near>> near_;   // of each cluster that is a leaf
-    std::vector<std::size_t> moment_start_; // of each cluster that is a leaf
-    // Of n . grad R over the basis functions, with lengths in radii of the leaf: a row for each part of a term, a
-    // column for each unknown.
+    std::vector<float> blocks_;             // for each near pair: rows of `second`, columns of `first`
+    std::vector<std::vector<Near>> near_;   // for each leaf cluster
+    std::vector<std::size_t> moment_start_; // for each leaf cluster
+    // Moments of n . grad R over the basis functions, with lengths in radii of the leaf: one row for each part of a term,
+    // one column for each unknown.
     std::vector<float> moments_;
     std::vector<double> diagonal_;
     Expansions multipoles_, locals_;

@@ -8,10 +8,10 @@
 namespace lr::baker {
 namespace {
 
-// The energy, which is what is wanted, is right to the square of this.
+// The error of the energy, which gives the added mass, is the square of this.
 constexpr double tolerance = 1e-6;
 constexpr std::size_t max_iterations = 500;
-// Degrees of the expansions behind the coarse matrix: more change the number of iterations by one.
+// Degree of the expansions for the coarse matrix; higher degrees change the number of iterations by one.
 constexpr std::size_t coarse_order = 3;
 
 } // namespace

@@ -1,4 +1,4 @@
-// The equations of the added mass for meshes that are too large for a dense matrix.
+// The equations of the added mass for meshes too large for a dense matrix.
 #pragma once
 
 #include "baker/added_mass/boundary_operators.h"
@@ -11,17 +11,17 @@ namespace lr::baker {
 
 class FastSystem {
 public:
-    // Keeps references to `op` and `near` (assemble_without_matrix), of which it needs panels and self terms. The basis
-    // may be that of a closed surface or of a sheet. threads 0: as many as the machine runs at once.
+    // Keeps references to `op` and `near` (assemble_without_matrix); uses the panels and self terms of `op`. The basis can be
+    // that of a closed surface or of a sheet. threads 0: one per processor.
     FastSystem(const BoundaryOperators& op, const NearSingleLayer& near, const SurfaceBasis& basis, unsigned threads);
     FastSystem(const FastSystem&) = delete;
     FastSystem& operator=(const FastSystem&) = delete;
 
-    // Numbers that the matrix will keep in memory: linear in the panels, unless many are so long that they are close to
-    // a good part of the surface.
+    // Numbers that the matrix will keep in memory: linear in the number of panels, unless many panels are so long that they are
+    // close to much of the surface.
     std::size_t stored_entries() const { return matrix_.stored_entries(); }
 
-    // To be called once, before what follows.
+    // Call once, before multiply and solve.
     void assemble(const std::function<void(double)>& progress);
 
     // W x, for up to eight columns.
@@ -32,7 +32,7 @@ public:
         std::size_t iterations = 0;
         double residual = 0.0, condition = 0.0; // as in ModeSolution
     };
-    // W x = right, where closed parts have their constants fixed. False if the iteration does not converge.
+    // Solves W x = right with the constants of closed parts fixed. False if the iteration does not converge.
     bool solve(const RigidModes& right, const std::function<void(double)>& progress, Result& out);
 
 private:

@@ -11,14 +11,14 @@
 
 namespace lr::baker {
 
-// What the basis function of an unknown is made of.
+// One panel corner of an unknown's basis function.
 struct BasisPart {
     uint32_t panel;
     uint8_t corner;
     int8_t sign;
 };
 
-// The parts of each unknown.
+// The parts of all unknowns.
 struct BasisParts {
     std::vector<std::size_t> start;
     std::vector<BasisPart> part;
@@ -30,11 +30,11 @@ BasisParts find_basis_parts(const SurfaceBasis& basis);
 
 class HypersingularBlocks {
 public:
-    // Keeps references to all of these.
+    // Keeps references to all arguments.
     HypersingularBlocks(const std::vector<Panel>& panels, const std::vector<double>& self, const NearSingleLayer& near,
                         const SurfaceBasis& basis, const BasisParts& parts);
 
-    // Scratch of one thread, which may be used again and again.
+    // Reusable work arrays of one thread.
     class Workspace;
 
     // Panels as in the dense matrix: near ones from the list, others by centroids and second moments.

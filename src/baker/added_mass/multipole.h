@@ -12,15 +12,14 @@ namespace lr::baker {
 // One expansion for each cluster: cluster * expansion_size.
 using Expansions = std::vector<double>;
 
-// From the multipoles of the leaves, those of all clusters and the local expansions of the leaves: the potential 1/r of
-// all clusters that are far from a leaf or its parents, with degrees up to `order`. The same bits for any number of
-// threads.
+// Computes, from the multipoles of the leaves, those of all clusters and the local expansions of the leaves: the potential 1/r of
+// all clusters far from a leaf or its parents, with degrees up to `order`. The same bits for any number of threads.
 void evaluate_far(const ClusterTree& tree, unsigned threads, std::size_t order, Expansions& multipoles,
                   Expansions& locals);
 
 using Harmonics = std::array<std::complex<double>, expansion_terms>;
 
-// R_l^m at a place relative to the centre (multipole_kernels.h).
+// R_l^m at a position relative to the centre (multipole_kernels.h).
 Harmonics regular_harmonics(const Eigen::Vector3d& place);
 
 // n . grad R_l^m from R_l^m.

@@ -13,7 +13,7 @@
 #define LR_BAKER_HARMONIC_TABLE
 namespace lr::baker {
 
-// Solid harmonics of one point, orders -l to l, zero beyond; padded so that vectors may run over.
+// Solid harmonics of one point, orders -l to l, zero beyond; padded so that vectors can read past the end.
 template <std::size_t Degree> struct HarmonicTable {
     static constexpr std::size_t middle = 2 * expansion_order, stride = 2 * middle + 8;
     double re[(Degree + 1) * stride] = {}, im[(Degree + 1) * stride] = {};
@@ -99,7 +99,7 @@ HWY_INLINE void fill_irregular(const double* v, size_t top, IrregularTable& tabl
     table.mirror();
 }
 
-// What one degree of the source gives to a target term (u, v): u += p a + w b, v += r a + q b for each of its orders.
+// Contribution of one source degree to a target term (u, v): u += p a + w b, v += r a + q b for each order.
 struct Factors {
     static constexpr size_t stride = 2 * expansion_order;
     HWY_ALIGN double p[stride], w[stride], r[stride], q[stride];
@@ -115,7 +115,7 @@ HWY_INLINE void accumulate(const Factors& f, const double* source, size_t degree
     }
 }
 
-// For each term (j, i) of the target, from the degrees first(j) to last(j) of the source.
+// Computes each term (j, i) of the target from the degrees first(j) to last(j) of the source.
 template <class Range, class Fill>
 HWY_INLINE void translate(const double* source, double* target, size_t order, const Range& range, const Fill& fill) {
     const D d;
@@ -139,8 +139,8 @@ struct Degrees {
     size_t first, last;
 };
 
-// Greengard and Rokhlin 1997 (Acta Numerica 6) in real form: orders k and -k of the source, i and -i of the target are
-// taken together, with I_l^-m = (-1)^m conj I_l^m.
+// Greengard and Rokhlin 1997 (Acta Numerica 6) in real form: combines orders k and -k of the source, i and -i of the
+// target, with I_l^-m = (-1)^m conj I_l^m.
 HWY_NOINLINE void to_local(const double* multipole, const double* offset, size_t order, double* local) {
     IrregularTable table;
     fill_irregular(offset, 2 * order, table);
@@ -218,7 +218,7 @@ HWY_INLINE void widen(const float* from, size_t count, double* to) {
     for (; i < count; ++i) to[i] = static_cast<double>(from[i]);
 }
 
-// Four values of y at a time; step_y and step_x are the distances in the block of neighbours in y and x.
+// Four values of y at a time; step_y and step_x are the strides of y and x in the block.
 HWY_INLINE void multiply(const double* block, size_t size_y, size_t step_y, size_t size_x, size_t step_x,
                          const double* x, double* y) {
     const D d;
@@ -265,7 +265,7 @@ HWY_NOINLINE void transposed_product(const float* block, size_t rows, size_t col
 HWY_NOINLINE void normal_gradient(const double* charges, size_t count, const double* point, const double* normal,
                                   double* sum) {
     const D d;
-    // kernels of a batch of charges first, then all modes of each
+    // first the kernels of a batch of charges, then all modes of each
     constexpr size_t batch = 64;
     HWY_ALIGN double kernel[batch];
     const V px = hn::Set(d, point[0]), py = hn::Set(d, point[1]), pz = hn::Set(d, point[2]);

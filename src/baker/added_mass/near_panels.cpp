@@ -7,7 +7,7 @@
 namespace lr::baker {
 namespace {
 
-// Panels closer than this many times the sum of their radii are integrated analytically on the inner side.
+// Panels closer than this times the sum of their radii get a closed-form inner integral.
 constexpr double near_ratio = 1.5;
 
 struct Found {
@@ -45,7 +45,7 @@ private:
         if (found_.size() > most_) return;
         const Cluster &a = tree_.clusters[i], &b = tree_.clusters[j];
         const double reach = a.radius + b.radius + near_ratio * (largest_[i] + largest_[j]);
-        // a margin for the rounding of radii and distance
+        // with a margin for the rounding of radii and distance
         if (i != j && (a.centre - b.centre).squaredNorm() > (1.0 + 1e-9) * reach * reach) return;
         if (a.is_leaf() && b.is_leaf()) {
             compare(i, j);
@@ -80,7 +80,7 @@ private:
     const std::vector<Panel>& panels_;
     std::size_t most_;
     ClusterTree tree_;
-    std::vector<double> largest_; // radius of a panel, of each cluster
+    std::vector<double> largest_; // largest panel radius of each cluster
     std::vector<Found> found_;
 };
 

@@ -28,10 +28,10 @@ Panel make_panel(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen
     return panel;
 }
 
-// Wilton et al. 1984 (IEEE Trans. Antennas Propag. 32) and Newman 1986 (J. Eng. Math. 20) for the line integrals, the
-// solid angle after van Oosterom and Strackee 1983 (IEEE Trans. Biomed. Eng. 30). With x0 the foot of the point in the
-// plane, h its height, L_e the integral of 1/r along edge e, d_e the distance from x0 to the line of e (outward), Omega
-// the solid angle with the sign of h:
+// Line integrals: Wilton et al. 1984 (IEEE Trans. Antennas Propag. 32) and Newman 1986 (J. Eng. Math. 20). Solid angle: van
+// Oosterom and Strackee 1983 (IEEE Trans. Biomed. Eng. 30). With x0 the projection of the point onto the plane, h its height,
+// L_e the integral of 1/r along edge e, d_e the distance from x0 to the line of e (outward), Omega the solid angle with the
+// sign of h:
 //   integral 1/r = sum d_e L_e - h Omega
 //   integral lambda d/dn_y (1/r) = lambda(x0) Omega - h sum (grad lambda . m_e) L_e
 PanelPotential panel_potential(const Panel& panel, const Eigen::Vector3d& point) {
@@ -45,7 +45,7 @@ PanelPotential panel_potential(const Panel& panel, const Eigen::Vector3d& point)
     const double numerator = to[0].dot(to[1].cross(to[2]));
     const double denominator = distance[0] * distance[1] * distance[2] + to[0].dot(to[1]) * distance[2] +
                                to[1].dot(to[2]) * distance[0] + to[2].dot(to[0]) * distance[1];
-    // In the plane the sign of the height is rounding noise, and the mean of both sides is wanted.
+    // In the plane the sign of the height is rounding noise; use the mean of both sides.
     const bool in_plane = std::abs(height) < 1e-13 * panel.radius;
     const double solid_angle = in_plane ? 0.0 : -2.0 * std::atan2(numerator, denominator);
 
@@ -54,7 +54,7 @@ PanelPotential panel_potential(const Panel& panel, const Eigen::Vector3d& point)
     for (std::size_t k = 0; k < 3; ++k) {
         const double sum = distance[k] + distance[(k + 1) % 3];
         const double excess = sum - panel.edge_length[k];
-        // On the edge itself L is infinite, but d_e and h are zero there and win.
+        // On the edge L is infinite, but its factors d_e and h are zero and dominate.
         line[k] = excess > 1e-14 * sum ? std::log((sum + panel.edge_length[k]) / excess) : 0.0;
         result.single_layer += panel.edge_normal[k].dot(to[k]) * line[k];
     }

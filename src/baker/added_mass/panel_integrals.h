@@ -7,7 +7,7 @@
 
 namespace lr::baker {
 
-// A flat triangle with what the closed forms need. Edge k runs from corner k to corner k+1.
+// A flat triangle with the quantities of the closed forms. Edge k runs from corner k to corner k+1.
 struct Panel {
     std::array<Eigen::Vector3d, 3> corner;
     Eigen::Vector3d centroid;
@@ -16,7 +16,7 @@ struct Panel {
     std::array<double, 3> edge_length;
     std::array<Eigen::Vector3d, 3> gradient; // of the barycentric coordinate of corner k
     double area;
-    double radius; // of the circle around the centroid that holds the corners
+    double radius; // of the circle around the centroid that contains the corners
 };
 
 Panel make_panel(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
@@ -26,8 +26,8 @@ struct PanelPotential {
     std::array<double, 3> double_layer; // integral of lambda_k d/dn_y (1/r), lambda_k the barycentric coordinates
 };
 
-// Potentials at a point of unit source density and of linear doublet densities. On the panel itself the double layer
-// is the mean of its two sides, which is zero.
+// Potentials of unit source density and of linear doublet densities at a point. On the panel the double layer is the mean of
+// both sides, zero.
 PanelPotential panel_potential(const Panel& panel, const Eigen::Vector3d& point);
 
 // Integral of 1/r over a panel times itself, in closed form.

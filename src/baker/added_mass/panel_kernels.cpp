@@ -43,7 +43,7 @@ HWY_INLINE Vec3 mean(const Vec3& a, const Vec3& b) {
     return {hn::Mul(half, hn::Add(a.x, b.x)), hn::Mul(half, hn::Add(a.y, b.y)), hn::Mul(half, hn::Add(a.z, b.z))};
 }
 
-// p / q = 2^exponent (1 + s) / (1 - s) with the ratio without its exponent within sqrt(2) of one; s = over / under.
+// p / q = 2^exponent (1 + s) / (1 - s), with (1 + s) / (1 - s) within a factor sqrt(2) of one; s = over / under.
 struct Ratio {
     V exponent, over, under;
 };
@@ -52,7 +52,7 @@ HWY_INLINE Ratio reduce_ratio(V p, V q) {
     const DI di;
     const auto mantissa = hn::Set(di, 0x000fffffffffffffLL), one = hn::Set(di, 0x3ff0000000000000LL);
     const auto p_bits = hn::BitCast(di, p), q_bits = hn::BitCast(di, q);
-    // 3 2^51 + k as a double ends in the bits of k: exact, and no conversion from 64 bits, which few sets have.
+    // 3 2^51 + k as a double ends in the bits of k: exact, and avoids 64-bit conversions, which few instruction sets have.
     const V magic = constant(6755399441055744.0);
     const auto difference = hn::Sub(hn::ShiftRight<52>(p_bits), hn::ShiftRight<52>(q_bits));
     V exponent = hn::Sub(hn::BitCast(d, hn::Add(difference, hn::BitCast(di, magic))), magic);
@@ -66,7 +66,7 @@ HWY_INLINE Ratio reduce_ratio(V p, V q) {
     return {exponent, hn::Sub(a, b), hn::Add(a, b)};
 }
 
-// Its logarithm from s, to 1e-15: the series of 2 atanh(s) / s in s^2, interpolated at Chebyshev nodes.
+// The logarithm of the ratio from s, to 1e-15: the series of 2 atanh(s) / s in s^2, interpolated at Chebyshev nodes.
 HWY_INLINE V log_ratio(V exponent, V s) {
     const V z = hn::Mul(s, s);
     V y = constant(0.1480971294959388);
@@ -80,7 +80,7 @@ HWY_INLINE V log_ratio(V exponent, V s) {
     return mul_add(exponent, constant(0.69314718055994531), hn::Mul(s, y));
 }
 
-// Four-quadrant arc tangent, to 1e-15: the smaller over the larger, turned by 45 degrees where over tan(22.5 degrees).
+// Four-quadrant arc tangent, to 1e-15: the smaller over the larger argument, turned by 45 degrees if above tan(22.5 degrees).
 HWY_INLINE V arc_tangent(V y, V x) {
     const V ay = hn::Abs(y), ax = hn::Abs(x);
     const V least = hn::Min(ax, ay), most = hn::Max(hn::Max(ax, ay), constant(1e-300));
@@ -106,7 +106,7 @@ HWY_INLINE V arc_tangent(V y, V x) {
     return hn::CopySign(angle, y);
 }
 
-// The closed forms of panel_potential, with the sum over e of m_k . m_e L_e for the slope of lambda along edge normal k.
+// The closed forms of panel_potential; the slope of lambda along edge normal k needs the sum over e of m_k . m_e L_e.
 HWY_NOINLINE void near_panels(const OuterRule& outer, const double* sources, double* results) {
     const D d;
     using F = NearFields;
@@ -133,7 +133,7 @@ HWY_NOINLINE void near_panels(const OuterRule& outer, const double* sources, dou
                 hn::IfThenElseZero(out_of_plane, hn::Mul(constant(-2.0), arc_tangent(numerator, denominator)));
             const auto ratio = [&](V from, V to, V length) HWY_ATTR {
                 const V sum = hn::Add(from, to), excess = hn::Sub(sum, length);
-                // On the edge itself the integral is infinite, but e and height are zero there and win.
+                // On the edge the integral is infinite, but its factors e and height are zero and dominate.
                 const auto off = hn::Gt(excess, hn::Mul(constant(1e-14), sum));
                 const V above = hn::Add(sum, length);
                 return reduce_ratio(above, hn::IfThenElse(off, excess, above));
@@ -227,7 +227,7 @@ HWY_NOINLINE void far_panels(const double* panels, size_t count, const std::arra
                     dz = hn::Sub(t[2], constant(f[2]));
             const V dx2 = hn::Mul(dx, dx), dy2 = hn::Mul(dy, dy), dz2 = hn::Mul(dz, dz);
             const V square = hn::Add(dx2, hn::Add(dy2, dz2));
-            const V inverse2 = hn::Div(constant(1.0), square); // infinite for s = t, which the caller replaces
+            const V inverse2 = hn::Div(constant(1.0), square); // infinite for s = t; the caller replaces this value
             const V inverse = hn::Mul(hn::Sqrt(square), inverse2);
             const V xx = hn::Add(t[3], constant(f[3])), yy = hn::Add(t[4], constant(f[4])),
                     zz = hn::Add(t[5], constant(f[5]));
@@ -262,7 +262,7 @@ HWY_NOINLINE void currents(const PanelFans& fans, const double* values, const do
     size_t v = 0;
     HWY_ALIGN double lower[3 * near_batch];
 #if HWY_TARGET != HWY_SCALAR
-    // two vertices at a time, so that a column takes pairs
+    // two vertices at a time
     const hn::FixedTag<double, 2> pair;
     HWY_ALIGN double upper[3 * near_batch];
     for (; lanes == near_batch && v + 2 <= vertices; v += 2) {

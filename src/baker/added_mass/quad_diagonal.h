@@ -1,4 +1,4 @@
-// How four corners become two triangles.
+// Splits a quadrilateral into two triangles.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 
 namespace lr::baker {
 
-// Whether to cut from a to c rather than from b to d: the shorter one; of two that differ by rounding only, the one with the lowest
-// vertex, so that the choice changes neither when the body is turned nor when it is wound the other way.
+// Whether to cut from a to c instead of from b to d: the shorter diagonal or, if both are equal within rounding, the one with the lowest
+// vertex. The choice then does not change with the orientation or the winding of the body.
 inline bool prefers_diagonal(const std::vector<Eigen::Vector3d>& vertices, uint32_t a, uint32_t c, uint32_t b,
                              uint32_t d) {
     constexpr double tie = 1e-9;

@@ -15,7 +15,7 @@
 namespace lr::baker {
 namespace {
 
-// Height over longest side of a panel that is not cut.
+// Panels with a smaller height over longest side are not cut.
 constexpr double narrow = 0.25;
 
 class Refiner {
@@ -25,10 +25,10 @@ public:
             for (std::size_t k = 0; k < 3; ++k) faces_of_[side(t, k)].push_back(t);
     }
 
-    // Halves the longest edge of all, as long as there are too few panels.
+    // Halves the longest edge until there are enough panels.
     void halve_longest(std::size_t panels) {
         struct Candidate {
-            float square; // edges of one length stay so when the body is turned
+            float square; // single precision keeps equal edges equal when the body is turned
             Edge edge;
             bool operator<(const Candidate& other) const {
                 return square != other.square ? square < other.square : edge > other.edge;
@@ -47,8 +47,8 @@ public:
         }
     }
 
-    // A panel with all its corners on rims would be cut off from the jump of the potential: it gets a vertex inside.
-    // The narrow sides of a thin solid stay as they are.
+    // A panel with all corners on rims could not represent the jump of the potential: it gets a vertex inside. The narrow
+    // sides of a thin solid stay unchanged.
     void open_corners() {
         const std::vector<uint8_t> rim = find_rim();
         std::vector<Edge> chords;
@@ -70,11 +70,11 @@ public:
         }
     }
 
-    // Cuts along lines between the rim (0) and the next vertices (1), at (n/strips)^2.
+    // Cuts panels along lines at (n/strips)^2 between the rim (0) and the next vertices (1).
     void cut_strips(std::size_t strips) {
         const std::vector<uint8_t> rim = find_rim();
-        std::map<Edge, std::vector<uint32_t>> cuts; // of an edge from the rim inwards
-        // From the vertex on the rim to the one inside, both included.
+        std::map<Edge, std::vector<uint32_t>> cuts; // new vertices on an edge, from the rim inwards
+        // From the vertex on the rim to the inner vertex, both included.
         const auto line = [&](uint32_t from, uint32_t to) {
             auto [found, fresh] = cuts.try_emplace(make_edge(from, to));
             std::vector<uint32_t>& points = found->second;
@@ -97,7 +97,7 @@ public:
                 faces.push_back(f);
                 continue;
             }
-            // a is the corner that differs from the two others
+            // a is the only corner of its kind
             std::size_t k = 0;
             while ((rim[f[k]] != 0) != (on_rim == 1)) ++k;
             const uint32_t a = f[k], b = f[(k + 1) % 3], c = f[(k + 2) % 3];
@@ -113,7 +113,7 @@ public:
 private:
     Edge side(uint32_t t, std::size_t k) const { return make_edge(mesh_.faces[t][k], mesh_.faces[t][(k + 1) % 3]); }
 
-    // Between the lines n and n + 1; `left` precedes `right` around the panel when the lines start at one vertex.
+    // Panels between lines n and n + 1; `left` precedes `right` around the panel if the lines start at one vertex.
     void add_strip(const std::vector<uint32_t>& left, const std::vector<uint32_t>& right, std::size_t n, bool fan,
                    std::vector<Face>& faces) const {
         const uint32_t a = left[n], b = left[n + 1], c = right[n + 1], d = right[n];
@@ -130,7 +130,7 @@ private:
         }
     }
 
-    // Vertices at which the velocity has a singularity.
+    // Vertices where the velocity is singular.
     std::vector<uint8_t> find_rim() const {
         std::vector<uint8_t> rim(mesh_.vertices.size(), 0);
         for (const auto& [edge, faces] : faces_of_)
@@ -138,7 +138,7 @@ private:
         return rim;
     }
 
-    // A free edge of a sheet; of a solid, one that the flow has to turn around.
+    // A free edge of a sheet, or a convex crease of a solid.
     bool is_sharp(const Edge& edge, const std::vector<uint32_t>& faces) const {
         if (!closed_) return faces.size() == 1;
         const Eigen::Vector3d n = twice_area(faces[0]), m = twice_area(faces[1]);
@@ -164,7 +164,7 @@ private:
         return twice_area(t).norm() < narrow * longest;
     }
 
-    // Puts a vertex into the middle of an edge; returns the edges that are new.
+    // Splits an edge at its midpoint; returns the new edges.
     std::vector<Edge> split(const Edge& edge) {
         const std::vector<uint32_t> around = faces_of_.at(edge);
         faces_of_.erase(edge);

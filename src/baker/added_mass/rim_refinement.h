@@ -1,4 +1,4 @@
-// Smaller panels where the flow around a sharp edge asks for them.
+// Refines panels at sharp edges, where the velocity is singular.
 #pragma once
 
 #include "baker/mesh/mesh.h"
@@ -8,17 +8,16 @@
 namespace lr::baker {
 
 struct Refinement {
-    std::size_t panels = 2000; // at least so many, before the rims are cut into strips
-    std::size_t strips = 4;    // between a rim and the vertices next to it
+    std::size_t panels = 2000; // least number before rims are cut into strips
+    std::size_t strips = 4;    // between a rim and the adjacent vertices
 };
 
-// The same surface with more panels. Longest edges are halved until the panels are small and even enough. Then panels at a free rim are
-// cut into strips along it, each strip as far from the rim as the square of its number: the jump of the potential
-// grows as the square root of the distance, and linear elements on even panels would miss a share of it that falls only
-// as fast as their size.
+// Refines the surface: halves the longest edges until the panels are small and uniform, then cuts the panels at a free rim into
+// strips along it, at distances proportional to the square of their number. The jump of the potential grows as the square root
+// of the distance from the rim; with linear elements on uniform panels its error would only be proportional to their size.
 Mesh refine_sheet(const Mesh& mesh, const Refinement& how);
 
-// The same for a closed surface, with its convex creases for rims: the potential of a solid has a singularity there.
+// The same for a closed surface, with convex creases as rims: the potential of a solid is singular there.
 Mesh refine_solid(const Mesh& mesh, const Refinement& how);
 
 } // namespace lr::baker

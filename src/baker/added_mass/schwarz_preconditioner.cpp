@@ -11,7 +11,7 @@
 namespace lr::baker {
 namespace {
 
-// How far a patch reaches beyond its leaf, in diagonals of the leaf.
+// Overlap of a patch beyond its leaf, in diagonals of the leaf.
 constexpr double overlap = 0.2;
 constexpr std::size_t most_members = 384;
 
@@ -145,7 +145,7 @@ void Schwarz::invert(const HypersingularBlocks& blocks, const FastHypersingular&
     if (factor.info() == Eigen::Success)
         block = factor.solve(Eigen::MatrixXd::Identity(size, size));
     else
-        block.setIdentity(); // quadrature has spoilt the patch: it is left to the iteration
+        block.setIdentity(); // quadrature errors made the patch indefinite; the iteration solves it
     for (std::size_t j = 0; j < n; ++j) scale[static_cast<Eigen::Index>(j)] *= share_[patch.members[j]];
     patch.inverse.resize(n * n);
     for (Eigen::Index j = 0; j < size; ++j)

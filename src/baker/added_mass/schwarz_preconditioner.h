@@ -1,17 +1,17 @@
-// Preconditioner of FastHypersingular: exact inverses on overlapping patches, and a coarse space across them.
+// Preconditioner for FastHypersingular: exact inverses on overlapping patches, plus a global coarse space.
 #pragma once
 
 #include "baker/added_mass/fast_hypersingular.h"
 
 namespace lr::baker {
 
-// Rank-one terms that give the constant potentials c, which carry no energy in W, that of a single unknown:
+// Rank-one terms that give constant potentials c, which have no energy in W, the energy of a single unknown:
 // D c c^T D / c^T D c, D the diagonal of W.
 class ConstantTerms {
 public:
     ConstantTerms(const SurfaceBasis& basis, const FastHypersingular& matrix);
     void add(const ModeVectors& x, ModeVectors& y) const;
-    // To the matrix between some unknowns, in the order of the tree.
+    // Adds to the matrix between the given unknowns, in the order of the tree.
     void add(std::span<const uint32_t> unknowns, Eigen::MatrixXd& block) const;
 
 private:
@@ -35,7 +35,7 @@ private:
     struct Patch {
         std::vector<uint32_t> members; // in the order of the tree
         std::vector<float> inverse;
-        std::size_t start; // of its part of results_
+        std::size_t start; // offset in results_
     };
     void choose_members(const FastHypersingular& matrix);
     void invert(const HypersingularBlocks& blocks, const FastHypersingular& matrix, const ConstantTerms& constants,
@@ -45,7 +45,7 @@ private:
     std::vector<Patch> patches_;
     std::vector<std::size_t> use_start_; // of each unknown, places in results_
     std::vector<std::size_t> uses_;
-    std::vector<double> share_; // one over the root of the number of patches an unknown is in
+    std::vector<double> share_; // 1/sqrt(number of patches that contain the unknown)
     std::vector<double> results_;
 };
 

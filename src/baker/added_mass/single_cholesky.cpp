@@ -53,7 +53,7 @@ HWY_INLINE void multiply_tile(float* c, size_t stride, const float* a, const flo
         }
 }
 
-// C (m x n) -= A (m x k) B^T (n x k), columns `stride` apart; of C only tiles on or under the diagonal if `lower`.
+// C (m x n) -= A (m x k) B^T (n x k), columns `stride` apart; if `lower`, only tiles of C on or below the diagonal.
 HWY_NOINLINE void multiply(float* c, const float* a, const float* b, size_t m, size_t n, size_t k, size_t stride,
                            bool lower, Packed& packed) {
     const size_t step = 2 * hn::Lanes(D());
@@ -111,7 +111,7 @@ HWY_NOINLINE bool factorise(float* a, size_t n, size_t stride, Packed& packed) {
             float* const column = a + j * stride;
             for (size_t p = 0; p < j; ++p) {
                 const float factor = a[p * stride + j];
-                // from the start of a vector: what is above the diagonal is never read
+                // from the start of a vector: entries above the diagonal are never read
                 for (size_t i = j / hn::Lanes(d) * hn::Lanes(d); i < n; i += hn::Lanes(d))
                     hn::StoreU(hn::Sub(hn::LoadU(d, column + i),
                                        hn::Mul(hn::LoadU(d, a + p * stride + i), hn::Set(d, factor))),
@@ -132,12 +132,12 @@ HWY_NOINLINE bool factorise(float* a, size_t n, size_t stride, Packed& packed) {
     return factorise(a + half * stride + half, n - half, stride, packed);
 }
 
-// x holds right_sides values a row. Lanes are right sides; both sweeps read the factor along its columns.
+// x has right_sides values per row. Lanes are right sides; both sweeps read the factor along its columns.
 HWY_NOINLINE void substitute(const float* l, float* x, size_t n) {
     const hn::CappedTag<float, right_sides> d;
     for (size_t lane = 0; lane < right_sides; lane += hn::Lanes(d)) {
         float* const y = x + lane;
-        // four columns at a time: n is a multiple
+        // four columns at a time: n is a multiple of four
         for (size_t j = 0; j < n; j += 4) {
             const float* const column = l + j * n;
             hn::Vec<decltype(d)> value[4];
@@ -157,7 +157,7 @@ HWY_NOINLINE void substitute(const float* l, float* x, size_t n) {
         }
         for (size_t j = n; j-- > 0;) {
             const float* const column = l + j * n;
-            // four sums: an addition waits for the one before
+            // four sums, because each addition waits for the previous one
             auto s0 = hn::LoadU(d, y + j * right_sides), s1 = hn::Zero(d), s2 = s1, s3 = s1;
             size_t i = j + 1;
             const auto term = [&](size_t at) HWY_ATTR {

@@ -1,5 +1,5 @@
-// Cholesky factors in single precision: half the memory and twice the lanes. Good for solutions in double by iterative
-// refinement. Products and sums are never fused: each instruction set gives the same bits.
+// Cholesky factors in single precision: half the memory and twice the lanes; iterative refinement gives solutions in double
+// precision. No multiply-add is fused, so that each instruction set gives the same bits.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@ namespace lr::baker {
 
 class SingleCholesky {
 public:
-    // Of the lower triangle. False where a pivot is not positive.
+    // Reads the lower triangle. False if a pivot is not positive.
     bool factorise(const Eigen::MatrixXd& matrix);
 
     // Replaces right sides by solutions, to single precision.
@@ -19,7 +19,7 @@ public:
 private:
     Eigen::Index size_ = 0;
     std::size_t padded_ = 0;
-    std::vector<float> factor_; // columns of padded_, the padding is the unit matrix
+    std::vector<float> factor_; // columns of length padded_; the padding is the unit matrix
 };
 
 } // namespace lr::baker

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t front = 0, back = 1;
 
-// One face at an edge, seen along the edge from its lower to its higher vertex.
+// A face at an edge, viewed along the edge from its lower to its higher vertex.
 struct Flap {
     uint32_t low, high, face;
     uint32_t low_corner, high_corner;
-    double angle;       // about the edge, from any direction
-    std::size_t rising; // side that looks towards larger angles
+    double angle;       // about the edge, from an arbitrary direction
+    std::size_t rising; // the side that faces larger angles
 };
 
 class SheetBasis {
@@ -46,7 +46,7 @@ private:
                 const uint32_t next = (k + 1) % 3;
                 const bool up = mesh_.faces[t][k] < mesh_.faces[t][next];
                 const uint32_t low = up ? k : next, high = up ? next : k;
-                // Wound along the edge, the front looks to where the face would turn to, right-handed about the edge.
+                // If the face is wound along the edge, its front faces the direction of right-handed rotation about the edge.
                 flaps.push_back({mesh_.faces[t][low], mesh_.faces[t][high], t, low, high, 0.0, up ? front : back});
             }
         std::sort(flaps.begin(), flaps.end(), [](const Flap& a, const Flap& b) {
@@ -56,7 +56,7 @@ private:
         return flaps;
     }
 
-    // The space between two faces that follow each other around an edge has one potential at its vertices.
+    // The space between two consecutive faces around an edge has one potential at the edge's vertices.
     void join_sides_at_edges() {
         std::vector<Flap> flaps = find_flaps();
         for (std::size_t first = 0, last = 0; first < flaps.size(); first = last) {
@@ -97,7 +97,7 @@ private:
         });
     }
 
-    // Around a vertex only differences count: in each group of spaces that faces part from one another, one is zero.
+    // Around a vertex only differences matter: in each group of spaces separated by faces, one potential is zero.
     void number_spaces() {
         DisjointSets groups(6 * mesh_.faces.size());
         for (std::size_t t = 0; t < mesh_.faces.size(); ++t)
@@ -116,7 +116,7 @@ private:
                     return unknown_[space];
                 };
                 const CornerUnknowns corner{number(front), number(back)};
-                // Front and back are one space at a rim, whether it has a number or not.
+                // At a rim front and back are one space: no jump.
                 basis_.corners[t][k] = corner.plus == corner.minus ? CornerUnknowns{} : corner;
             }
         basis_.unknowns = static_cast<std::size_t>(count);
@@ -129,7 +129,7 @@ private:
             }
     }
 
-    // The potential may have another constant in each chamber; all but one of the chambers of a connected part.
+    // The potential of each chamber is free up to a constant: one constant for every chamber of a connected part but one.
     void find_constants() {
         DisjointSets parts(6 * mesh_.faces.size());
         for (std::size_t t = 0; t < mesh_.faces.size(); ++t)
@@ -149,10 +149,10 @@ private:
     }
 
     const Mesh& mesh_;
-    // Corner by corner, side by side: which sides see one space at their vertex, and which one chamber anywhere.
+    // Sets of corner sides: spaces_ joins sides in one space at their vertex, chambers_ joins sides in one chamber.
     DisjointSets spaces_, chambers_;
     std::vector<int32_t> unknown_;
-    std::vector<std::size_t> chamber_, zero_chamber_; // of each unknown, and of the space its group has as zero
+    std::vector<std::size_t> chamber_, zero_chamber_; // chamber of each unknown, and of the zero space of its group
     SurfaceBasis basis_;
 };
 
@@ -170,7 +170,7 @@ SurfaceBasis closed_basis(const Mesh& mesh) {
         }
     std::vector<std::size_t> number(mesh.vertices.size());
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        const std::size_t part = parts.find(v); // the lowest vertex of the part, seen first
+        const std::size_t part = parts.find(v); // the lowest vertex of the part comes first
         if (part == v) {
             number[v] = basis.constants.size();
             basis.constants.emplace_back();

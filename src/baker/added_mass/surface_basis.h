@@ -1,4 +1,4 @@
-// Continuous linear elements on a triangle mesh, and what their unknowns are.
+// Continuous linear elements on a triangle mesh and their unknowns.
 #pragma once
 
 #include "baker/mesh/mesh.h"
@@ -10,13 +10,13 @@
 
 namespace lr::baker {
 
-// The potential (or, on a sheet, its jump from the back to the front of a panel) at a corner of a panel is
-// unknown[plus] - unknown[minus]; -1 stands for zero. A closed surface has one unknown for each vertex and no minus.
+// The potential (on a sheet: its jump from the back to the front of a panel) at a corner of a panel is unknown[plus] -
+// unknown[minus]; index -1 is zero. A closed surface has one unknown for each vertex and no minus.
 struct CornerUnknowns {
     int32_t plus = -1, minus = -1;
 };
 
-// Unknowns that can grow together, with these signs, and leave the potential constant on each side of every panel.
+// A combination of unknowns that gives a constant potential on each side of every panel.
 struct ConstantPotential {
     std::vector<int32_t> unknowns;
     std::vector<double> signs;
@@ -32,9 +32,9 @@ struct SurfaceBasis {
 // One unknown for each vertex, which must belong to a face; one constant for each connected part.
 SurfaceBasis closed_basis(const Mesh& mesh);
 
-// Panels without thickness, open or closed, wound in any way, any number of them at an edge. The potential has a value
-// for each of the spaces that the panels around a vertex part; it has none at a free rim, where front and back meet.
-// One constant for each enclosed chamber. No two panels may lie on each other.
+// Panels without thickness, open or closed, wound in any way, any number at an edge. The potential has one value for each space
+// between the panels around a vertex; its jump is zero at a free rim. One constant for each enclosed chamber. Panels must not
+// coincide.
 SurfaceBasis sheet_basis(const Mesh& mesh);
 
 } // namespace lr::baker

@@ -10,7 +10,7 @@
 namespace lr::baker {
 namespace {
 
-// A vertex moves at most by this share of its shortest edge: a limit for meshes that are rough rather than curved.
+// Largest motion of a vertex over its shortest edge: a limit for meshes that are rough instead of curved.
 constexpr double max_share = 0.1;
 
 struct Corner {
@@ -54,7 +54,7 @@ public:
 private:
     const Eigen::Vector3d& at(uint32_t v) const { return mesh_.vertices[v]; }
 
-    // The corners around a vertex, parted at creases; each part gets its own normal.
+    // The corners around a vertex, separated at creases; each group gets its own normal.
     std::vector<std::vector<Corner>> smooth_groups(uint32_t vertex) {
         std::vector<Corner> left(corners_.begin() + static_cast<std::ptrdiff_t>(start_[vertex]),
                                  corners_.begin() + static_cast<std::ptrdiff_t>(start_[vertex + 1]));
@@ -94,8 +94,8 @@ private:
         return shared >= 2 && normal_[f].dot(normal_[g]) > crease_cosine;
     }
 
-    // A surface with second fundamental form II stands above its triangle by 1/2 sum lambda_a lambda_b II(e_ab, e_ab),
-    // on average 1/24 sum II(e, e); along an edge II(e, e) is the change of the normal along it, to second order.
+    // A surface with second fundamental form II is above its triangle by 1/2 sum lambda_a lambda_b II(e_ab, e_ab), on average
+    // 1/24 sum II(e, e). II(e, e) is the change of the normal along edge e, to second order.
     double mean_gap(std::size_t face) {
         double gap = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -107,7 +107,7 @@ private:
         return gap / 24.0;
     }
 
-    // On a crease each side asks for its own offset along its own normal: least squares, and no motion along the
+    // On a crease each side has its own offset along its own normal: least squares, without motion along the
     // crease.
     Eigen::Vector3d shift(uint32_t vertex, const std::vector<std::vector<Corner>>& groups) const {
         Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
@@ -152,7 +152,7 @@ Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::
 }
 
 double bend(const CornerNormal& from, const CornerNormal& to, const Eigen::Vector3d& along) {
-    // Enough for meshes graded by thirds; a long straight side between tight bends stays straight.
+    // Sufficient for meshes graded by thirds; a long straight side between tight bends stays straight.
     constexpr double most_broad = 1.5, most_other_end = 3.0;
     const auto limited = [](double x, double limit) {
         return x * limit <= 0.0 ? 0.0 : std::abs(x) < std::abs(limit) ? x : limit;

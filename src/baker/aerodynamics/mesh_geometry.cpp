@@ -42,7 +42,7 @@ std::vector<Skin> faces_of(const Mesh& mesh, double sides) {
     return skin;
 }
 
-// Where a face ends the sheet does, with a cut as high as the sheet is thick.
+// Adds the side faces along free edges, as high as the sheet is thick.
 void add_rim(const Mesh& mesh, double thickness, std::vector<Skin>& skin) {
     const std::vector<HalfEdge> halves = sorted_half_edges(mesh);
     for (std::size_t i = 0; i < halves.size();) {
@@ -63,13 +63,13 @@ void add_rim(const Mesh& mesh, double thickness, std::vector<Skin>& skin) {
 
 using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// Of the area: where nothing is hidden, half of what the surface projects to is exact, and the union is as good as its
-// lines.
+// Relative difference below which half of the projected surface, exact for bodies that hide nothing, replaces the union,
+// which is only as accurate as its lines.
 constexpr double accuracy = 1e-5;
 
 struct Seen {
     double area;              // of the union
-    Eigen::Vector3d centroid; // from `centre`, along the axes; zero along the line of sight
+    Eigen::Vector3d centroid; // relative to `centre`, along the axes; zero along the line of sight
 };
 
 Seen look(const std::vector<Skin>& skin, const Rows& axes, const Eigen::Vector3d& centre, Eigen::Index k) {
@@ -98,10 +98,10 @@ Seen look(const std::vector<Skin>& skin, const Rows& axes, const Eigen::Vector3d
     return {whole.area, placed(hides ? whole.centroid : moment / area)};
 }
 
-// A stream's load acts at the middle of the area that it meets: across the largest silhouette at its centroid, along its
-// normal at that of the next largest. As near to the centre of buoyancy as the noise of a mesh, it is there: an even body
-// shall not lose the kernel's fast path by it. A body that is uneven in one direction is believed in the others, for a
-// plane turns by what its sides differ in.
+// The load of a stream acts at the centroid of the silhouette: across the largest silhouette at its centroid, along its normal
+// at the centroid of the next largest. Offsets from the centre of buoyancy within the noise of a mesh are zeroed, or a symmetric
+// body would lose the kernel's fast path. If one component exceeds the noise, the others are kept too: a plane turns by the
+// difference of its sides.
 Eigen::Vector3d centre_of_loads(const std::array<Seen, 3>& seen, double size) {
     constexpr double noise = 5e-4, rounding = 1e-6;
     std::array<Eigen::Index, 3> order{0, 1, 2};

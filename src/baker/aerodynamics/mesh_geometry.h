@@ -1,4 +1,4 @@
-// What the quasi-steady loads need to know of a mesh; docs/maintainers/physics.md, "Aerodynamic measures of a shape".
+// Geometry of a mesh for the quasi-steady loads; docs/maintainers/physics.md, "Aerodynamic measures of a shape".
 #pragma once
 
 #include "asset/closed_forms/aerodynamic_coefficients.h"
@@ -10,13 +10,12 @@
 
 namespace lr::baker {
 
-// axes: rows, unit vectors (shape::principal_axes); centre: of buoyancy, in the frame of the mesh. Silhouettes are true
-// ones, also of bodies that hide parts of themselves. The volume is left to the caller.
-// The mesh must be closed.
+// The mesh must be closed. axes: rows, unit vectors (shape::principal_axes); centre: of buoyancy, in the frame of the mesh.
+// Silhouettes are exact also for bodies that hide parts of themselves. The caller sets the volume.
 shape::AerodynamicGeometry mesh_geometry(const Mesh& mesh, const std::array<double, 9>& axes,
                                          const Eigen::Vector3d& centre);
 
-// A sheet of this thickness about the mesh: both sides of its faces, and a rim along free edges.
+// For a sheet of this thickness: both sides of the faces, and a rim along free edges.
 shape::AerodynamicGeometry sheet_geometry(const Mesh& mesh, double thickness, const std::array<double, 9>& axes,
                                           const Eigen::Vector3d& centre);
 

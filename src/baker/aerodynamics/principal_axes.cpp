@@ -9,10 +9,10 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// Of the largest moment. Off-diagonal entries below it are rounding of a mesh in single precision: a body with a mirror
-// plane shall have an axis that is exactly square to it.
+// Relative to the largest moment. Smaller off-diagonal entries are rounding of a mesh in single precision: zeroing them gives
+// a body with a mirror plane an axis exactly perpendicular to it.
 constexpr double rounding = 1e-6;
-// Moments closer than this part of the largest count as equal.
+// Moments that differ by less than this fraction of the largest count as equal.
 constexpr double equal = 1e-2;
 
 constexpr std::array<double, 9> identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -26,7 +26,7 @@ void normalise(Vector& v) {
     for (double& x : v) x /= length;
 }
 
-// Cyclic Jacobi rotations (Golub & Van Loan, 8.5): `m` ends diagonal, rows of `v` are its eigenvectors.
+// Cyclic Jacobi rotations (Golub & Van Loan, 8.5): makes `m` diagonal and the rows of `v` its eigenvectors.
 void diagonalise(std::array<double, 9>& m, std::array<Vector, 3>& v) {
     for (int sweep = 0; sweep < 32; ++sweep)
         for (size_t p = 0; p < 2; ++p)
@@ -57,7 +57,7 @@ std::array<double, 9> rows(const std::array<Vector, 3>& v) {
     return out;
 }
 
-// The single axis goes to the body axis nearest to it, and the others as near to theirs as it lets them.
+// The single axis takes the place of the nearest body axis; the others are as close to theirs as possible.
 std::array<double, 9> about(Vector single) {
     size_t at = 0;
     for (size_t i = 1; i < 3; ++i)
@@ -73,7 +73,7 @@ std::array<double, 9> about(Vector single) {
     return rows(out);
 }
 
-// The order with the largest product of |cosines|; of several the first, which keeps cyclic order.
+// The order with the largest product of |cosines|; the first of equal ones, which keeps cyclic order.
 std::array<double, 9> in_body_order(const std::array<Vector, 3>& v) {
     constexpr size_t orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     const size_t* best = orders[0];
@@ -90,7 +90,7 @@ std::array<double, 9> in_body_order(const std::array<Vector, 3>& v) {
             for (double& x : out[i]) x = -x;
     }
     const Vector third = cross(out[0], out[1]);
-    // Nearest signs may be left-handed far from the body axes: then the last row gives way.
+    // Far from the body axes the nearest signs can be left-handed: then the last row changes sign.
     if (third[0] * out[2][0] + third[1] * out[2][1] + third[2] * out[2][2] < 0.0)
         for (double& x : out[2]) x = -x;
     return rows(out);

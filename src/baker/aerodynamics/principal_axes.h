@@ -1,15 +1,14 @@
-// The axes that the quasi-steady loads are taken along.
+// The axes of the quasi-steady loads.
 #pragma once
 
 #include <array>
 
 namespace lr::shape {
 
-// Principal axes of a symmetric positive matrix (row-major, an inertia): rows are unit vectors, right-handed, each the
-// one nearest to the body axis of its number. The body axes themselves, exactly, where they are principal within
-// rounding. Where two or three moments agree within a hundredth, the matrix does not say where the axes point (disc,
-// square, cube): then they follow the body axes as closely as the remaining one lets them, and not the noise of a mesh.
-// Portable: the same bits with every C library.
+// Principal axes of a symmetric positive matrix (row-major, an inertia): rows are unit vectors, right-handed, row i nearest to
+// body axis i; exactly the body axes if these are principal within rounding. If two or three moments agree within a hundredth
+// (disc, square, cube), the matrix does not define the axes: they then follow the body axes as closely as the remaining axis
+// allows, instead of the noise of a mesh. The same bits with every C library.
 std::array<double, 9> principal_axes(const std::array<double, 9>& inertia);
 
 } // namespace lr::shape

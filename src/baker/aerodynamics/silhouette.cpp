@@ -9,16 +9,16 @@ namespace lr::baker {
 namespace {
 
 constexpr std::size_t even_lines = 2048;
-// Above, corners are so close to each other that lines need not know them.
+// With more slabs, evenly spaced lines are as good as slabs between corners.
 constexpr std::size_t most_slabs = 8192;
-// Intervals in all; keeps a million long needles to seconds, with fewer lines.
+// Limit of all intervals: a million long needles then take seconds, with fewer lines.
 constexpr double most_intervals = 2e7;
 
 struct Slab {
     double at, width; // middle
 };
 
-// Slabs between the corners, cut to `step`; the same without regard to corners when they are too many.
+// Slabs between neighbouring corners, at most `step` wide; even slabs if there are too many corners.
 std::vector<Slab> make_slabs(std::vector<double> corners, double step) {
     const double low = corners.front(), high = corners.back();
     const double tiny = 1e-12 * (high - low);
@@ -37,7 +37,7 @@ std::vector<Slab> make_slabs(std::vector<double> corners, double step) {
     return slabs;
 }
 
-// Where the line at `x` cuts a triangle that it passes through; corners sorted by x.
+// The interval of a triangle on the line at `x`; its corners are sorted by x.
 std::pair<double, double> cut(const FlatTriangle& t, double x) {
     const auto on = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
         return b.x() > a.x() ? a.y() + (b.y() - a.y()) * ((x - a.x()) / (b.x() - a.x())) : a.y();
@@ -47,7 +47,7 @@ std::pair<double, double> cut(const FlatTriangle& t, double x) {
 }
 
 struct Covered {
-    double length = 0.0, moment = 0.0; // of first order, about 0
+    double length = 0.0, moment = 0.0; // moment: of first order, about 0
 };
 
 Covered union_of(std::vector<std::pair<double, double>>& intervals) {

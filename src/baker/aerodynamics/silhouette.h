@@ -1,4 +1,4 @@
-// What a body hides from a distant viewer: the union of its projected triangles.
+// The silhouette of a body: the union of its projected triangles.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,17 +10,17 @@ namespace lr::baker {
 
 using FlatTriangle = std::array<Eigen::Vector2d, 3>;
 
-// By lines along the shorter side of the bounding box, on each of which the union is exact, one in each slab between
-// neighbouring corners: exact but where edges cross within a slab, and there to about 1e-6 of the whole. Meshes with more
-// than a few thousand corners get evenly spaced lines. Winding does not matter, nor do triangles without area.
+// Sums over lines along the shorter side of the bounding box, one in each slab between neighbouring corners; the union is exact
+// on each line. The result is exact unless edges cross within a slab, where the error is about 1e-6 of the whole. Meshes with
+// more than a few thousand corners get evenly spaced lines. Winding and triangles without area have no effect.
 double union_area(std::vector<FlatTriangle> triangles);
 
 struct Silhouette {
     double area = 0.0;
-    Eigen::Vector2d centroid = Eigen::Vector2d::Zero(); // of a union without area: zero
+    Eigen::Vector2d centroid = Eigen::Vector2d::Zero(); // zero for a union without area
 };
 
-// The same with its centroid, which between two lines is good to their distance squared: 1e-7 of the extent.
+// The same with the centroid, whose error is the square of the line spacing: 1e-7 of the extent.
 Silhouette union_silhouette(std::vector<FlatTriangle> triangles);
 
 } // namespace lr::baker

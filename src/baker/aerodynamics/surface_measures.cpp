@@ -21,7 +21,7 @@ Point middle(const Point& a, const Point& b) {
     return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
 }
 
-// Means over a triangle of c^2 and |c|^3, c linear with these values at the corners. The mean of c^n is 2/((n+1)(n+2))
+// Means over a triangle of c^2 and |c|^3, with c linear and these values at the corners. The mean of c^n is 2/((n+1)(n+2))
 // times the complete homogeneous polynomial of degree n.
 double mean_square(const Point& c) {
     return (c[0] * c[0] + c[1] * c[1] + c[2] * c[2] + c[0] * c[1] + c[1] * c[2] + c[2] * c[0]) / 6.0;
@@ -32,8 +32,7 @@ double mean_cube(Point c) {
         const double pairs = c[0] * c[0] * (c[1] + c[2]) + c[1] * c[1] * (c[2] + c[0]) + c[2] * c[2] * (c[0] + c[1]);
         return c[0] * c[0] * c[0] + c[1] * c[1] * c[1] + c[2] * c[2] * c[2] + pairs + c[0] * c[1] * c[2];
     };
-    // The corner that lies on the other side of c = 0 than both others comes first; the zero line cuts off from it a
-    // triangle with the values (c0, 0, 0).
+    // The corner alone on its side of c = 0 comes first; the zero line cuts off a triangle with the values (c0, 0, 0).
     const auto apart = [&](size_t i) { return c[i] * c[(i + 1) % 3] < 0.0 && c[i] * c[(i + 2) % 3] < 0.0; };
     for (size_t i = 0; i < 3; ++i)
         if (apart(i)) {
@@ -41,7 +40,7 @@ double mean_cube(Point c) {
             const double corner = c[0] / (c[0] - c[1]) * (c[0] / (c[0] - c[2])) * c[0] * c[0] * c[0];
             return std::abs(2.0 * corner - h3()) / 10.0;
         }
-    // One corner on the line, the others on either side of it: the line halves the integral into two such triangles.
+    // One corner is on the line, the others on either side of it: the line splits the integral into two such triangles.
     for (size_t i = 0; i < 3; ++i) {
         const double p = c[(i + 1) % 3], q = c[(i + 2) % 3];
         if (c[i] == 0.0 && p * q < 0.0) {
@@ -53,8 +52,8 @@ double mean_cube(Point c) {
 }
 
 // Mean over a triangle of the cube of the distance to axis k, by a seven-point rule of degree five (Radon 1948) on parts
-// no longer than half their distance from the axis. The integrand is smooth but on the axis itself, where it is so small
-// that ten halvings leave 1e-6 of the whole.
+// no longer than half their distance from the axis. The integrand is smooth except on the axis, where it is so small
+// that ten halvings leave an error of 1e-6 of the whole.
 double mean_reach_cubed(const Point& a, const Point& b, const Point& c, size_t k, int halvings) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
     const auto square = [&](double x, double y) { return x * x + y * y; };

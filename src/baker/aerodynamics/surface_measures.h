@@ -12,13 +12,13 @@ class SurfaceMeasures {
 public:
     using Point = std::array<double, 3>;
 
-    // axes: rows, unit vectors; centre: of the loads, in the frame of the points; size: m, about the largest extent.
+    // axes: rows, unit vectors; centre: of the loads, in the frame of the points; size: approximate largest extent, m.
     SurfaceMeasures(const std::array<double, 9>& axes, const Point& centre, double size);
 
-    // `sides`: 2 for a face of a sheet, which the fluid touches on both. Winding does not matter.
+    // sides: 2 for a face of a sheet, which has fluid on both sides. Winding has no effect.
     void add(const Point& a, const Point& b, const Point& c, double sides);
 
-    // A silhouette here is half of what the surface projects to, which is exact for convex bodies.
+    // Silhouettes are half of the projected surface, exact for convex bodies.
     AerodynamicGeometry geometry() const;
 
 private:

@@ -57,7 +57,7 @@ uint16_t sample(const png_byte* at, bool wide) {
     return wide ? static_cast<uint16_t>(at[0] << 8 | at[1]) : static_cast<uint16_t>(at[0] * 257);
 }
 
-// Weights of Rec. 709, in integers: every machine gets the same mask.
+// Weights of Rec. 709 as integers, so that every machine gets the same mask.
 uint16_t luminance(uint32_t r, uint32_t g, uint32_t b) {
     return static_cast<uint16_t>((2126 * r + 7152 * g + 722 * b + 5000) / 10000);
 }
@@ -78,7 +78,7 @@ void take_row(Rows& rows, MaskChannel channel, png_byte channels, bool wide, png
     }
 }
 
-// libpng leaves by longjmp: nothing with a destructor may live in here.
+// libpng exits by longjmp: no local object in here can have a destructor.
 bool decode(png_structp png, png_infop info, MaskChannel channel, Rows& rows) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_user_limits(png, max_image_side, max_image_side);
@@ -91,7 +91,7 @@ bool decode(png_structp png, png_infop info, MaskChannel channel, Rows& rows) {
     rows.has_alpha = transparent_color || (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0;
     if (channel == MaskChannel::alpha && !rows.has_alpha) return true;
     png_set_expand(png);
-    // Without interlace handling libpng hands over the pixels of each pass: no second copy of the image is needed.
+    // Without interlace handling libpng delivers the pixels of each pass: no second copy of the image is needed.
     const bool interlaced = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
     png_read_update_info(png, info);
     const png_byte channels = png_get_channels(png, info);
@@ -124,7 +124,7 @@ bool read_alpha_mask(const void* bytes, std::size_t size, MaskChannel channel, c
                      Faults& faults) {
     out = AlphaMask{};
     if (size < 8 || png_sig_cmp(static_cast<png_const_bytep>(bytes), 0, 8) != 0)
-        return fail(faults, FaultId::image_unreadable, where, "This is not a PNG image.",
+        return fail(faults, FaultId::image_unreadable, where, "It is not a PNG image.",
                     "Save the texture as PNG with its transparency.");
     Input input{static_cast<const png_byte*>(bytes), size, {}};
     Rows rows;

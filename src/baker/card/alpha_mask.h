@@ -1,4 +1,4 @@
-// The opacity of an image: what a leaf texture cuts out of its card.
+// The opacity of an image, which cuts a leaf out of its card.
 #pragma once
 
 #include "asset/input_faults.h"
@@ -10,14 +10,14 @@
 
 namespace lr::baker {
 
-// luminance: a black-and-white mask kept in an image of its own.
+// luminance: for a black-and-white mask in an image of its own.
 enum class MaskChannel { alpha, luminance };
 
 struct AlphaMask {
     std::size_t width = 0, height = 0;
-    std::vector<uint16_t> opacity; // 0 to 65535, row by row from the bottom, so that y runs up
+    std::vector<uint16_t> opacity; // 0 to 65535, row by row from the bottom: y points up
 
-    // Transparent outside: the border of the image closes every outline.
+    // Transparent outside the image, so that its border closes every outline.
     double at(std::ptrdiff_t x, std::ptrdiff_t y) const {
         const bool outside =
             x < 0 || y < 0 || x >= static_cast<std::ptrdiff_t>(width) || y >= static_cast<std::ptrdiff_t>(height);
@@ -27,7 +27,7 @@ struct AlphaMask {
 
 constexpr std::size_t max_image_side = 16384;
 
-// PNG of any kind: 1 to 16 bits, palette, interlaced. Faults 221 and, without an alpha channel, 222.
+// Reads any PNG: 1 to 16 bits, palette, interlaced. Faults 221 and, without an alpha channel, 222.
 bool read_alpha_mask(const void* png, std::size_t size, MaskChannel channel, const std::string& where, AlphaMask& out,
                      Faults& faults);
 

@@ -18,11 +18,11 @@ namespace {
 constexpr std::size_t max_file_bytes = std::size_t{1} << 30;
 constexpr std::size_t max_triangles = 200000;
 constexpr int most_listed = 8;
-// How far simplifying may move an outline, in pixels. The stairs of a mask without grey levels are half a pixel off the line that
-// they stand for, and grey levels place a line to about a tenth.
+// Largest displacement of an outline by simplification, in pixels. The stairs of a mask without grey levels deviate by half a pixel
+// from the intended line; grey levels place a line within about a tenth.
 constexpr double stairs_tolerance = 0.7;
 constexpr double grey_tolerance = 0.2;
-// Likewise, in edge lengths: a mesh has little use for finer detail.
+// The same in edge lengths: a mesh cannot represent finer detail.
 constexpr double edge_tolerance = 0.02;
 constexpr double short_edge = 0.25; // in edge lengths: see simplify_outlines
 
@@ -74,13 +74,13 @@ private:
         const char* const remedy = "Clean the alpha channel, or give a lower --speck to keep them.";
         if (outlines.specks > 0)
             faults_.push_back({FaultId::image_specks, Severity::warning, where_,
-                               sentence(outlines.specks, outlines.speck_area, " specks", "were left out"), remedy});
+                               sentence(outlines.specks, outlines.speck_area, " specks", "were ignored"), remedy});
         if (outlines.pinholes > 0)
             faults_.push_back({FaultId::image_specks, Severity::warning, where_,
                                sentence(outlines.pinholes, outlines.pinhole_area, " pinholes", "were closed"), remedy});
     }
 
-    // "1 at 120,88 (61 %), 2 at 300,90 (39 %)": centres in pixels from the top left, as image editors count.
+    // "1 at 120,88 (61 %), 2 at 300,90 (39 %)": centres in pixels from the top left, as in image editors.
     std::string name_pieces(const std::vector<Piece>& pieces) const {
         double total = 0.0;
         for (const Piece& piece : pieces) total += piece.area;
@@ -112,9 +112,9 @@ private:
             faults_.push_back({FaultId::image_several_pieces, Severity::warning, where_,
                                "The image has " + std::to_string(pieces.size()) +
                                    " separate regions: " + name_pieces(pieces) + "; " +
-                                   (options_.all_pieces ? "all were taken as one body." : "the largest was taken."),
+                                   (options_.all_pieces ? "all were baked as one body." : "the largest was baked."),
                                options_.all_pieces ? "Choose one with --piece N if they are separate bodies."
-                                                   : "Choose another with --piece N, or take all with --piece all."});
+                                                   : "Choose another with --piece N, or bake all with --piece all."});
         for (std::size_t i = first; i < end; ++i) {
             report_.holes += pieces[i].loops.size() - 1;
             area_ += pieces[i].area;
@@ -130,7 +130,7 @@ private:
         PlanarMesh best;
         std::vector<Loop> outline;
         double best_miss = HUGE_VAL;
-        // The number of triangles falls with the edge length to the power of two or, in stems, one.
+        // The number of triangles is proportional to edge length^-2 or, in stems, ^-1.
         for (int attempt = 0; attempt < 5 && best_miss > 1.05; ++attempt) {
             std::vector<Loop> loops = loops_;
             simplify_outlines(loops, std::max(stairs_ ? stairs_tolerance : grey_tolerance, edge_tolerance * edge),
@@ -154,7 +154,7 @@ private:
         if (static_cast<double>(best.faces.size()) > 1.5 * wanted)
             faults_.push_back({FaultId::image_too_ragged, Severity::warning, where_,
                                "The outline needs " + std::to_string(best.faces.size()) + " triangles; " +
-                                   std::to_string(options_.triangles) + " were asked for.",
+                                   std::to_string(options_.triangles) + " were requested.",
                                "Smooth the mask, or reduce the image, for fewer."});
         write(best, outline);
         return true;

@@ -16,7 +16,7 @@ template <> struct boost::polygon::point_traits<lr::baker::GridPoint> {
 namespace lr::baker {
 namespace {
 
-// Points on one circle share a Voronoi vertex. The ears of their polygon, from the smallest number on.
+// Points on one circle share a Voronoi vertex. Cuts the ears of their polygon, starting at the smallest index.
 void cut_ears(const std::vector<GridPoint>& points, std::vector<uint32_t>& polygon, std::vector<Face>& faces) {
     std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
     while (polygon.size() > 2) {

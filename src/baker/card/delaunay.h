@@ -18,7 +18,7 @@ constexpr int32_t max_grid_coordinate = 1 << 29;
 // Twice the signed area of a triangle.
 int64_t doubled_area(const GridPoint& a, const GridPoint& b, const GridPoint& c);
 
-// Distinct points, not all on one line. Counter-clockwise faces that fill the convex hull, up to slivers of three points on one line.
+// points: distinct, not all on one line. Returns counter-clockwise faces that fill the convex hull, except for slivers of collinear points.
 std::vector<Face> delaunay(const std::vector<GridPoint>& points);
 
 } // namespace lr::baker

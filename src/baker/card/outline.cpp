@@ -13,12 +13,12 @@
 namespace lr::baker {
 namespace {
 
-// A crossing nearer than this to a pixel centre is moved away from it: loops through one pixel then never touch.
+// A crossing closer to a pixel centre is moved away from it, so that loops through one pixel never touch.
 constexpr double clearance = 1.0 / 256.0;
-// Beyond, the mask is noise: 16 bytes each.
+// A mask with more points is noise; 16 bytes each.
 constexpr std::size_t max_points = 1 << 24;
 
-// Cell (x, y) has the centres of the pixels (x-1, y-1), (x, y-1), (x, y), (x-1, y) as its corners 0 to 3; edge k runs from
+// The corners 0 to 3 of cell (x, y) are the centres of the pixels (x-1, y-1), (x, y-1), (x, y), (x-1, y); edge k runs from
 // corner k to k + 1.
 class Tracer {
 public:
@@ -44,7 +44,7 @@ public:
 private:
     bool opaque(std::ptrdiff_t x, std::ptrdiff_t y) const { return mask_.at(x, y) >= level_; }
 
-    // Enters the cell upwards with the opaque side to its left, and goes round.
+    // Follows a loop; enters the cell upwards with the opaque side on the left.
     bool follow(std::ptrdiff_t x, std::ptrdiff_t y) {
         static constexpr std::ptrdiff_t dx[4] = {-1, 0, 0, -1}, dy[4] = {-1, -1, 0, 0};
         static constexpr std::ptrdiff_t to_x[4] = {0, 1, 0, -1}, to_y[4] = {-1, 0, 1, 0};
@@ -62,7 +62,7 @@ private:
             loop_.push_back(crossing(x + dx[entry], y + dy[entry], value[entry], entry, value[(entry + 1) % 4]));
             std::size_t exit = entry;
             if (in(entry + 2) && !in(entry + 3)) {
-                // In a saddle the way out on the right joins the opaque corners, the one on the left parts them.
+                // In a saddle, leaving on the right joins the opaque corners, leaving on the left separates them.
                 const double determinant = value[0] * value[2] - value[1] * value[3];
                 const double twist = value[0] + value[2] - value[1] - value[3];
                 const bool joined = twist > 0.0 ? determinant > level_ * twist : determinant < level_ * twist;
@@ -118,7 +118,7 @@ private:
     std::size_t points_ = 0, crossings_ = 0, abrupt_ = 0;
 };
 
-// Even-odd; points of different loops never coincide.
+// Even-odd rule; points of different loops never coincide.
 bool encloses(const Loop& loop, const Eigen::Vector2d& p) {
     bool inside = false;
     for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
@@ -129,7 +129,7 @@ bool encloses(const Loop& loop, const Eigen::Vector2d& p) {
     return inside;
 }
 
-// A hole belongs to the smallest region around it.
+// Assigns each hole to the smallest region around it.
 void nest(Tracer& traced, double speck, Outlines& out) {
     std::vector<std::size_t> order(traced.outer.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -137,7 +137,7 @@ void nest(Tracer& traced, double speck, Outlines& out) {
                      [&](std::size_t a, std::size_t b) { return traced.outer_area[a] > traced.outer_area[b]; });
     std::vector<Eigen::AlignedBox2d> boxes;
     for (const std::size_t i : order) {
-        if (traced.outer_area[i] < speck * traced.largest) { // when it was found, no larger one was known
+        if (traced.outer_area[i] < speck * traced.largest) { // the largest was not known during tracing
             traced.drop(false, traced.outer_area[i]);
             continue;
         }
@@ -201,7 +201,7 @@ bool trace_outlines(const AlphaMask& mask, double threshold, double speck, const
     if (!traced.run())
         return fail(faults, FaultId::image_too_ragged, where,
                     "The outline of the mask has more than 16 million points.",
-                    "Blur the mask or reduce the image: it looks like noise.");
+                    "It looks like noise: blur the mask or reduce the image.");
     nest(traced, speck, out);
     CornerRestorer corners(mask, level);
     for (Piece& piece : out.pieces) {

@@ -10,7 +10,7 @@
 
 namespace lr::baker {
 
-using Loop = std::vector<Eigen::Vector2d>; // pixels, y up; the opaque side lies to the left
+using Loop = std::vector<Eigen::Vector2d>; // pixels, y up; the opaque side is on the left
 
 // Positive for an outer outline, negative for a hole.
 double signed_area(const Loop& loop);
@@ -24,15 +24,15 @@ struct Piece {
 
 struct Outlines {
     std::vector<Piece> pieces;            // largest first
-    std::size_t specks = 0, pinholes = 0; // left out
-    bool stairs = false; // most of the outline runs between fully opaque and transparent pixels, without greys
-    double speck_area = 0.0, pinhole_area = 0.0; // pixels^2, of all of them
+    std::size_t specks = 0, pinholes = 0; // number of ignored regions and closed holes
+    bool stairs = false;                  // most of the outline is between fully opaque and fully transparent pixels
+    double speck_area = 0.0, pinhole_area = 0.0; // total, pixels^2
 };
 
 // Marching squares with linear interpolation between pixel centres; at a saddle the opaque corners are joined if the bilinear
 // interpolant is opaque at its saddle point (Nielson and Hamann 1991, The asymptotic decider). Loops never touch.
-// threshold: of the opacity, above 0 and below 1. What is smaller than `speck` times the largest region is left out:
-// regions, and holes, which are closed. Corners that the pixel grid cut off are put back. Faults 222 and 224.
+// threshold: of the opacity, above 0 and below 1. Ignores regions and closes holes smaller than `speck` times the largest
+// region. Restores corners that the pixel grid has cut off. Faults 222 and 224.
 bool trace_outlines(const AlphaMask& mask, double threshold, double speck, const std::string& where, Outlines& out,
                     Faults& faults);
 

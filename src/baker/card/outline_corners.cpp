@@ -8,17 +8,17 @@ namespace lr::baker {
 namespace {
 
 constexpr double run_length = 3.0;  // pixels of straight outline on both sides; stairs of a slope have shorter runs
-constexpr double straight = 0.06;   // pixels; an anti-aliased slope is reproduced to this
+constexpr double straight = 0.06;   // pixels; deviation of an anti-aliased slope from a line
 constexpr double longest_cut = 1.5; // pixels along the outline
-constexpr double nearest_end = 1.0 / 64.0; // pixels from the ends of the cut to the corner
-constexpr double farthest = 1.5;           // likewise
+constexpr double nearest_end = 1.0 / 64.0; // pixels from the corner to the ends of the cut, at least
+constexpr double farthest = 1.5;           // the same, at most
 constexpr double least_turn = 0.5;         // sine of the angle between the runs
 
 double signed_area(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// Unit direction from loop[i] along `step` (1 or n - 1) if the outline is straight for long enough.
+// Unit direction from loop[i] along `step` (1 or n - 1) if the outline is straight for run_length.
 std::optional<Eigen::Vector2d> straight_run(const Loop& loop, std::size_t i, std::size_t step) {
     const std::size_t n = loop.size();
     std::size_t end = i;
@@ -36,7 +36,7 @@ std::optional<Eigen::Vector2d> straight_run(const Loop& loop, std::size_t i, std
     return direction;
 }
 
-// The corner that may have been cut off between loop[i] and loop[j].
+// The corner, if any, that was cut off between loop[i] and loop[j].
 std::optional<Eigen::Vector2d> find_corner(const Loop& loop, std::size_t i, std::size_t j) {
     const auto before = straight_run(loop, i, loop.size() - 1), after = straight_run(loop, j, 1);
     if (!before || !after) return std::nullopt;
@@ -55,7 +55,7 @@ std::ptrdiff_t cell_of(double x) {
 
 } // namespace
 
-// Edges of the cell that outlines cross: 0, 2, or 4 in a saddle.
+// Number of cell edges that outlines cross: 0, 2, or 4 in a saddle.
 int CornerRestorer::crossings(const Cell& cell) const {
     const auto [x, y] = cell;
     const bool in[4] = {mask_.at(x - 1, y - 1) >= level_, mask_.at(x, y - 1) >= level_, mask_.at(x, y) >= level_,
@@ -63,7 +63,7 @@ int CornerRestorer::crossings(const Cell& cell) const {
     return (in[0] != in[1]) + (in[1] != in[2]) + (in[2] != in[3]) + (in[3] != in[0]);
 }
 
-// The triangle to be added may reach into cells of this stretch of the outline alone, and into empty ones.
+// Whether the triangle to be added only overlaps cells of this part of the outline and empty cells.
 bool CornerRestorer::is_free(const Loop& loop, std::size_t i, std::size_t j, const Eigen::Vector2d& corner) {
     const std::size_t n = loop.size();
     std::set<Cell> own, empty;
@@ -87,7 +87,7 @@ void CornerRestorer::restore(Loop& loop) {
     const std::size_t n = loop.size();
     if (n < 8) return;
     Loop with_corners;
-    std::size_t skip_first = 0; // points at the start that a cut across the end took
+    std::size_t skip_first = 0; // points at the start that belong to a cut across the end
     for (std::size_t i = 0; i < n; ++i) {
         with_corners.push_back(loop[i]);
         double cut = 0.0;

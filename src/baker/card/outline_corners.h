@@ -1,4 +1,4 @@
-// Corners of an outline that its pixels have rounded.
+// Restores corners of an outline that the pixels have rounded.
 #pragma once
 
 #include "baker/card/outline.h"
@@ -9,12 +9,12 @@
 
 namespace lr::baker {
 
-// Marching squares cut a corner between two straight runs off along a diagonal. Extends the runs until they meet, where no
-// other outline is near.
+// Marching squares replace a corner between two straight runs by a diagonal. Extends the runs until they meet, if no other
+// outline is near.
 class CornerRestorer {
 public:
     CornerRestorer(const AlphaMask& mask, double level) : mask_(mask), level_(level) {}
-    void restore(Loop& loop); // as traced from the mask at the level
+    void restore(Loop& loop); // loop: as traced from the mask
 
 private:
     using Cell = std::pair<std::ptrdiff_t, std::ptrdiff_t>; // between four pixel centres
@@ -24,7 +24,7 @@ private:
 
     const AlphaMask& mask_;
     const double level_;
-    std::set<Cell> taken_; // cells without an outline that corners were put into
+    std::set<Cell> taken_; // cells that restored corners have occupied
 };
 
 } // namespace lr::baker

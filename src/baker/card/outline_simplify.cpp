@@ -37,7 +37,7 @@ double segment_distance(const Point& a, const Point& b, const Point& c, const Po
                      distance_to_segment(d, a, b)});
 }
 
-// Edges by the cells they pass. An edge is named by its first vertex and may be stale: readers look at the vertex.
+// Edges by the cells that they cross. An edge is named by its first vertex; readers check the vertex, as entries can be stale.
 class EdgeGrid {
 public:
     EdgeGrid(const Point& low, const Point& high, double cell) : low_(low), cell_(cell) {
@@ -62,7 +62,7 @@ public:
 private:
     std::size_t index(double x) const { return static_cast<std::size_t>(std::max(0.0, x / cell_)); }
 
-    // The cells that a segment passes, row by row, and those within reach.
+    // The cells within reach of a segment, row by row.
     template <class Work> void for_cells(const Point& a, const Point& b, double reach, const Work& work) {
         const Point &bottom = a.y() <= b.y() ? a : b, &top = a.y() <= b.y() ? b : a;
         const double slack = reach + 1e-6 * cell_;
@@ -91,9 +91,9 @@ private:
 
 struct Vertex {
     Point position;
-    Point traced; // where the outline was
+    Point traced; // position on the traced outline
     uint32_t before, after, loop;
-    uint32_t stands_for; // the traced vertex that is nearest
+    uint32_t stands_for; // the nearest traced vertex
     bool alive = true;
 };
 
@@ -104,7 +104,7 @@ struct Collapse {
     uint32_t version;
     uint32_t stands_for;
     Point to;
-    bool operator<(const Collapse& other) const { // the best on top of the queue
+    bool operator<(const Collapse& other) const { // best on top of the queue
         return moved != other.moved ? moved > other.moved : first > other.first;
     }
 };
@@ -174,7 +174,7 @@ private:
             best.to = p;
             best.stands_for = nearest;
         };
-        // Where that line crosses the line a b or c d, which keeps corners sharp, or nearest to the edge, which smooths stairs.
+        // Its intersection with the line a b or c d keeps corners sharp; its point nearest to the edge smooths stairs.
         const double base = ad.norm();
         const auto on_line = [&](const Point& from, const Point& direction) {
             const double slope = cross(ad, direction);
@@ -212,7 +212,7 @@ private:
                         distance_to_segment(p, middle, vertices_[next(nearest)].traced));
     }
 
-    // Largest distance of the traced outline between two vertices from the edge that is to replace it.
+    // Largest distance of the traced outline between two vertices from the edge that replaces it.
     double deviation(uint32_t from, uint32_t to, const Point& a, const Point& b, double limit) const {
         double most = 0.0;
         for (uint32_t i = next(from); i != to && most <= limit; i = next(i))
@@ -220,12 +220,12 @@ private:
         return most;
     }
 
-    // Other parts of the outlines must be farther away than a few times the change, and not be crossed.
+    // Other parts of the outlines must be farther away than a few times the displacement, and must not be crossed.
     bool is_clear(const Collapse& c) {
         const uint32_t b = c.first, d2 = vertices_[b].after, a = vertices_[b].before, d = vertices_[d2].after;
         const Point &pa = position(a), &pd = position(d);
         const double reach = c.moved / part_of_gap;
-        // The same outline a little further on is always near: it must only not be crossed.
+        // The adjacent parts of the same outline are always near; they must only not be crossed.
         std::vector<uint32_t> along;
         double length = 0.0;
         for (uint32_t v = a; length <= 4.0 * reach && vertices_[v].before != d; v = vertices_[v].before) {
@@ -281,7 +281,7 @@ private:
     void write() {
         for (Loop& loop : loops_) loop.clear();
         for (const Vertex& v : vertices_)
-            if (v.alive) loops_[v.loop].push_back(v.position); // in order, as the survivor keeps its place
+            if (v.alive) loops_[v.loop].push_back(v.position); // in order, because the surviving vertex keeps its place
     }
 
     std::vector<Loop>& loops_;

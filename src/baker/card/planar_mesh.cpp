@@ -15,13 +15,12 @@ namespace {
 constexpr uint32_t none = UINT32_MAX;
 constexpr double too_large = 0.75;     // circumradius over edge length; 0.577 in an equilateral triangle
 constexpr double seed_clearance = 0.7; // of lattice points to the outline, in edge lengths
-constexpr double finest = 0.03;        // no triangle is split for its shape below this part of the edge length
-// Of wanted_angle: 1/2 over its sine, and over the tangent of its half. Literals, as the library's own functions differ between
-// machines.
+constexpr double finest = 0.03;        // triangles below this fraction of the edge length are not split for their shape
+// 1/2 over sin(wanted_angle), and 1/2 over tan(wanted_angle/2). Literals, because sin and tan differ between machines.
 constexpr double best_ratio = 1.1831007915762493, height = 2.2553542518310286;
 constexpr int max_flip_rounds = 80;
 constexpr int smoothing_rounds = 12;
-constexpr double sharp = 0.5; // cosine of the angle between sides below which their splits must match
+constexpr double sharp = 0.5; // cosine of the angle between sides; at sharper corners their splits must match
 
 int64_t dot(const GridPoint& o, const GridPoint& a, const GridPoint& b) {
     return (int64_t{a.x} - o.x) * (int64_t{b.x} - o.x) + (int64_t{a.y} - o.y) * (int64_t{b.y} - o.y);
@@ -32,8 +31,8 @@ double distance(const GridPoint& a, const GridPoint& b) {
 }
 
 struct Segment {
-    uint32_t from, to; // the region lies to the left
-    uint32_t side;     // of the outline, that it is a part of
+    uint32_t from, to; // the region is on the left
+    uint32_t side;     // its side of the outline
 };
 
 struct Circle {
@@ -58,7 +57,7 @@ double shape(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
     return circle.shortest / (2.0 * circle.radius);
 }
 
-// Numbers by square cells of the grid, for what lies within one cell width.
+// Indices in square cells, to find neighbours within one cell width.
 class Bins {
 public:
     explicit Bins(double width) : width_(width) {}
@@ -83,13 +82,13 @@ private:
     std::map<std::pair<int64_t, int64_t>, std::vector<uint32_t>> bins_;
 };
 
-// Delaunay refinement (Ruppert 1995, A Delaunay refinement algorithm for quality 2-dimensional mesh generation), many points a
-// round, with the off-centres of Ungor 2004 and, at sharp corners, splits on concentric shells. Starts from a hexagonal lattice.
+// Delaunay refinement (Ruppert 1995, A Delaunay refinement algorithm for quality 2-dimensional mesh generation), many points
+// per round, with the off-centres of Ungor 2004 and, at sharp corners, splits on concentric shells. Starts from a hexagonal lattice.
 class PlanarRefiner {
 public:
     PlanarRefiner(double edge, std::size_t max_faces) : edge_(edge), max_points_(max_faces + 100) {}
 
-    // Coordinates on the grid.
+    // loops: in grid coordinates.
     bool run(const std::vector<std::vector<GridPoint>>& loops) {
         for (const std::vector<GridPoint>& loop : loops) add_loop(loop);
         if (!split_until_present()) return false;
@@ -148,8 +147,8 @@ private:
         }
     }
 
-    // Half of it, or at a sharp corner a power of two from there: the segments of the other side are then cut alike, and do not
-    // fall into each other's circles for ever.
+    // Splits at the middle or, next to a sharp corner, at a power of two from the corner: both sides then split at equal distances
+    // and do not encroach on each other endlessly.
     bool split(std::size_t index) {
         const Segment s = segments_[index];
         const GridPoint a = points_[s.from], b = points_[s.to];
@@ -172,8 +171,8 @@ private:
         return true;
     }
 
-    // Is a point behind the segment, or in front so close that it sees it under more than 120 degrees? Whole circles (90 degrees)
-    // would let the splits of one tooth of a serrated leaf run on to all the others.
+    // Whether a point is behind the segment, or sees it from the front under more than 120 degrees. With full circles (90 degrees)
+    // the splits of one tooth of a serrated leaf would propagate to all others.
     bool encroaches(const GridPoint& p, const Segment& s) const {
         return is_too_close(p, points_[s.from], points_[s.to]);
     }
@@ -191,7 +190,7 @@ private:
         return at != half_edges_.end() && at->first == key(from, to) ? at->second : none;
     }
 
-    // Triangulates until each segment is an edge and none is encroached upon.
+    // Triangulates until each segment is an edge and no segment is encroached.
     bool split_until_present() {
         for (;;) {
             faces_ = delaunay(points_);
@@ -217,7 +216,7 @@ private:
         }
     }
 
-    // Leaves the faces of the region: those reached from the left of the segments without crossing one.
+    // Keeps the faces of the region, found by a flood from the left of the segments.
     bool keep_inside() {
         std::vector<uint64_t> walls;
         for (const Segment& s : segments_) walls.push_back(key(s.from, s.to));
@@ -236,7 +235,7 @@ private:
             stack.pop_back();
             for (std::size_t k = 0; k < 3; ++k) {
                 const uint32_t a = face[k], b = face[(k + 1) % 3];
-                if (is_wall(key(b, a))) return false; // reached from behind: the loops cross
+                if (is_wall(key(b, a))) return false; // the flood reaches a segment from behind: the loops cross
                 if (!is_wall(key(a, b))) reach(face_at(b, a));
             }
         }
@@ -257,7 +256,7 @@ private:
         return bins;
     }
 
-    // A hexagonal lattice, clear of the outline.
+    // Adds a hexagonal lattice with a clearance from the outline.
     void seed() {
         int32_t bottom = max_grid_coordinate, top = -max_grid_coordinate;
         for (const GridPoint& p : points_) {
@@ -270,7 +269,7 @@ private:
         const double offset = bottom + 0.5 * (static_cast<double>(top) - bottom - static_cast<double>(rows) * rise);
         const std::vector<Segment> outline = segments_;
         for (int64_t row = 0; row <= rows; ++row) {
-            const double y = std::floor(offset + static_cast<double>(row) * rise) + 0.5; // no vertex is as high
+            const double y = std::floor(offset + static_cast<double>(row) * rise) + 0.5; // no vertex has this y
             std::vector<double> crossings;
             for (const Segment& s : outline) {
                 const GridPoint &a = points_[s.from], &b = points_[s.to];
@@ -297,7 +296,7 @@ private:
         }
     }
 
-    // At a tip of the outline, and between points on its two sides, the angle is the outline's.
+    // Whether the outline forces the angle: at a tip, and between points on the two sides of a tip.
     bool is_forced(const Face& f, const Circle& circle) const {
         if (tip_[f[0]] || tip_[f[1]] || tip_[f[2]]) return true;
         const uint32_t a = side_[f[circle.shortest_at]], b = side_[f[(circle.shortest_at + 1) % 3]];
@@ -339,7 +338,7 @@ private:
         return take(candidates);
     }
 
-    // Those that keep clear of each other. One in the circle of a segment splits that instead.
+    // Adds candidates that are far enough from each other. A candidate that encroaches on a segment splits the segment instead.
     bool take(const std::vector<Candidate>& candidates) {
         const Bins bins = segment_bins();
         Bins fresh(1.2 * edge_);
@@ -368,7 +367,7 @@ private:
         return any;
     }
 
-    // Moves inner points to the middle of their neighbours where that improves the worst triangle around them.
+    // Moves inner points to the mean of their neighbours if that improves the worst triangle around them.
     void smooth() {
         std::vector<std::vector<uint32_t>> around(points_.size());
         for (std::size_t i = 0; i < faces_.size(); ++i)
@@ -383,7 +382,7 @@ private:
                 for (std::size_t k = 0; k < 3; ++k)
                     if (f[k] == v && fixed[f[(k + 1) % 3]] && fixed[f[(k + 2) % 3]] &&
                         is_too_close(points_[v], points_[f[(k + 1) % 3]], points_[f[(k + 2) % 3]]))
-                        return -1.0; // perhaps to a segment
+                        return -1.0; // too close, perhaps to a segment
             }
             return least;
         };
@@ -408,7 +407,7 @@ private:
         }
     }
 
-    // Is every unit of area of the region in exactly one face? In integers.
+    // Whether the faces cover the area of the region exactly, in integers.
     bool fills() const {
         __extension__ using Wide = __int128;
         Wide difference = 0;
@@ -421,10 +420,10 @@ private:
     const double edge_;
     const std::size_t max_points_;
     std::vector<GridPoint> points_;
-    std::vector<uint32_t> side_;      // of the outline, that a point lies within
-    std::vector<char> sharp_;         // corners, seen from either side
-    std::vector<char> tip_;           // those seen from the region
-    std::vector<uint32_t> after_tip_; // for each side the next one, if a tip lies between them
+    std::vector<uint32_t> side_;      // the side of the outline that a point is inside of
+    std::vector<char> sharp_;         // corners that are sharp, inwards or outwards
+    std::vector<char> tip_;           // corners that are sharp within the region
+    std::vector<uint32_t> after_tip_; // for each side, the next side if a tip is between them
     std::vector<Segment> segments_;
     std::vector<Face> faces_;
     std::vector<std::pair<uint64_t, uint32_t>> half_edges_; // of all faces of the triangulation, sorted
@@ -440,7 +439,7 @@ bool triangulate_region(const std::vector<Loop>& loops, double edge, std::size_t
     if (!(reach > 0.0 && reach < 1e6 && edge > 0.0)) return false;
     int exponent = 0;
     std::frexp(reach, &exponent);
-    const double scale = std::ldexp(1.0, 29 - exponent); // a power of two: whole pixels stay exact
+    const double scale = std::ldexp(1.0, 29 - exponent); // a power of two keeps whole pixels exact
     std::vector<std::vector<GridPoint>> on_grid;
     for (const Loop& loop : loops) {
         std::vector<GridPoint>& points = on_grid.emplace_back();

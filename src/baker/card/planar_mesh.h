@@ -1,4 +1,4 @@
-// Triangulation of a flat region with holes: well-shaped triangles of about one size.
+// Triangulates a flat region with holes into well-shaped triangles of about equal size.
 #pragma once
 
 #include "baker/card/outline.h"
@@ -11,12 +11,12 @@ struct PlanarMesh {
     std::vector<Face> faces; // counter-clockwise
 };
 
-// Degrees; kept wherever neither a sharper corner of the outline nor a part of it narrower than a few hundredths of the edge
-// length stands against it.
+// Degrees; guaranteed except at sharper corners of the outline and in parts narrower than a few hundredths of the edge
+// length.
 constexpr double wanted_angle = 25.0;
 
-// Loops that neither touch nor cross, the region to their left. Edges are about `edge` long, shorter where the region is narrow.
-// False if it cannot be done within `max_faces`, or with loops that do touch.
+// loops: must not touch or cross; the region is on their left. Edges are about `edge` long, shorter in narrow parts. False if
+// that needs more than `max_faces`, or if loops touch.
 bool triangulate_region(const std::vector<Loop>& loops, double edge, std::size_t max_faces, PlanarMesh& out);
 
 // Degrees.

@@ -17,7 +17,7 @@
 namespace lr::baker {
 namespace {
 
-constexpr std::size_t max_polygons = 20'000'000; // more are refused afterwards
+constexpr std::size_t max_polygons = 20'000'000; // above the limit that the caller refuses
 
 Eigen::Vector3d to_eigen(const aiVector3D& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
@@ -40,12 +40,12 @@ public:
     void append_node(const aiNode& node, const Eigen::Matrix4d& transform, int depth) {
         if (depth > 200 || soup_.polygons.size() > max_polygons) return;
         const std::string name = node.mName.C_Str();
-        // The helpers that assimp makes of FBX pivots are not the author's.
+        // Assimp creates helper nodes for FBX pivots; the author did not name them.
         const bool authored = !name.empty() && name.find("_$AssimpFbx$_") == std::string::npos;
         if (authored) above_.push_back(name);
         for (unsigned i = 0; i < node.mNumMeshes; ++i)
             if (node.mMeshes[i] < scene_.mNumMeshes) append_instance(*scene_.mMeshes[node.mMeshes[i]], name, transform);
-        // A node is one object, however many materials cut it into meshes.
+        // A node is one object, even if materials split it into several meshes.
         ++object_;
         for (unsigned i = 0; i < node.mNumChildren; ++i)
             append_node(*node.mChildren[i], transform * to_eigen(node.mChildren[i]->mTransformation), depth + 1);
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    // A mirroring transform turns the faces over, so it is undone in their order.
+    // A mirroring transform inverts the faces; reversing their corners corrects that.
     void append_instance(const aiMesh& mesh, const std::string& node, const Eigen::Matrix4d& transform) {
         const auto base = static_cast<uint32_t>(soup_.vertices.size());
         const bool mirrored = transform.topLeftCorner<3, 3>().determinant() < 0.0;
@@ -72,7 +72,7 @@ private:
                 continue;
             }
             std::vector<uint32_t> polygon(face.mIndices, face.mIndices + face.mNumIndices);
-            // An index beyond this mesh must stay beyond all of them.
+            // An index out of range must not become valid by adding `base`.
             for (uint32_t& index : polygon) index = index < mesh.mNumVertices ? base + index : UINT32_MAX;
             if (mirrored) std::reverse(polygon.begin(), polygon.end());
             soup_.polygons.push_back(std::move(polygon));
@@ -102,9 +102,9 @@ private:
     std::vector<std::string> above_;
 };
 
-// What assimp 5.2 does about units: Collada's <unit> multiplies the root node's transform, which is otherwise the
-// identity (the up axis would turn it too; that is switched off). FBX is left in its own unit, which the metadata give
-// in centimetres. Both are brought to the same form here: positions in the file's unit, and that unit beside them.
+// Units in assimp 5.2: Collada's <unit> multiplies the root node's transform, which is otherwise the identity (the rotation by
+// the up axis is switched off). FBX keeps its own unit, which the metadata give in centimetres. This function brings both to
+// one form: positions in the file's unit, and that unit separately.
 Eigen::Matrix4d take_unit(const aiScene& scene, const std::string& extension, PolygonSoup& soup) {
     Eigen::Matrix4d root = to_eigen(scene.mRootNode->mTransformation);
     double unit = 0.0;
@@ -120,7 +120,7 @@ Eigen::Matrix4d take_unit(const aiScene& scene, const std::string& extension, Po
             unit = 0.01 * static_cast<double>(single);
     }
     if (std::isfinite(unit) && unit > 0.0) {
-        // From single precision to the decimal that was meant: 0.0254, not 0.0253999997.
+        // Rounds single precision to the intended decimal: 0.0254, not 0.0253999997.
         const double digits = std::pow(10.0, 6.0 - std::floor(std::log10(unit)));
         const double rounded = std::round(unit * digits) / digits;
         soup.declared_unit = rounded > 0.0 && std::isfinite(rounded) ? rounded : unit;
@@ -141,7 +141,7 @@ public:
     }
     std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
     aiReturn Seek(std::size_t offset, aiOrigin origin) override {
-        // Offsets from the end or back from here come as negative numbers in an unsigned type.
+        // Negative offsets (from the end, or backwards) arrive in an unsigned type.
         const std::size_t base = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : bytes_->size();
         const std::size_t to = base + offset;
         if (to > bytes_->size()) return aiReturn_FAILURE;
@@ -157,7 +157,7 @@ private:
     std::size_t at_ = 0;
 };
 
-// Regular files only, for reading only; from memory, none.
+// Opens regular files for reading; none when reading from memory.
 class FileAccess final : public Assimp::IOSystem {
 public:
     explicit FileAccess(InputFiles* files) : files_(files) {}
@@ -182,7 +182,7 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
     const auto fail = [&](const char* why) {
         faults.push_back({FaultId::mesh_unreadable, Severity::error, file.where,
                           std::string("The file cannot be read as a mesh: ") + why,
-                          "Export it again as OBJ, STL, PLY or glTF; check that the extension fits the content."});
+                          "Export it again as OBJ, STL, PLY or glTF; check that the extension matches the content."});
         return false;
     };
     try {
@@ -190,7 +190,7 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
         importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, !file.collada_ids);
-        importer.SetIOHandler(new FileAccess(file.files)); // which the importer then owns
+        importer.SetIOHandler(new FileAccess(file.files)); // the importer owns it
         const aiScene* scene = file.path
                                    ? importer.ReadFile(*file.path, 0)
                                    : importer.ReadFileFromMemory(file.bytes, file.size, 0, file.extension.c_str());

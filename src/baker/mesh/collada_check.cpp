@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view blanks = " \t\r\n";
 
 struct Tag {
-    std::string_view name; // of a start tag; empty for all others
+    std::string_view name; // of a start tag; empty for other tags
     std::string_view attributes;
     std::string_view content; // up to the next tag
     std::size_t at = 0;
@@ -43,7 +43,7 @@ std::optional<std::string_view> attribute(const Tag& tag, std::string_view name)
     }
 }
 
-// False if it is there and not a number of at most nine digits; `value` stays without it.
+// False if the attribute exists but is not a number of at most nine digits. Without it `value` stays unchanged.
 bool read_count(const Tag& tag, std::string_view name, uint64_t& value) {
     const std::optional<std::string_view> text = attribute(tag, name);
     if (!text) return true;
@@ -80,7 +80,7 @@ public:
         }
         for (const Accessor& a : accessors_) {
             const auto array = arrays_.find(a.source);
-            if (array == arrays_.end()) return fail(a.at, "An accessor refers to an array that is not there.");
+            if (array == arrays_.end()) return fail(a.at, "An accessor refers to a missing array.");
             if (array->second == not_floats) continue;
             if (a.params > a.stride || (a.count > 0 && a.offset + a.count * a.stride > array->second))
                 return fail(a.at, "An accessor reaches beyond the end of its array.");
@@ -91,7 +91,7 @@ public:
 private:
     static constexpr uint64_t not_floats = UINT64_MAX;
 
-    // Moves behind the tag that begins at `at`.
+    // Moves `at` from the beginning of a tag to its end.
     bool next_tag(std::size_t& at, Tag& tag) const {
         constexpr std::array<std::array<std::string_view, 2>, 3> special = {
             {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}}};
@@ -128,12 +128,12 @@ private:
         const std::string_view n = tag.name;
         if (among(n, {"p", "h", "vcount", "v"}) &&
             tag.content.find_first_not_of("0123456789+- \t\r\n") != std::string_view::npos)
-            return fail(tag.at, "A list of indices holds something else than whole numbers.");
+            return fail(tag.at, "A list of indices contains something other than whole numbers.");
         const bool floats = n == "float_array";
         if (floats || among(n, {"Name_array", "IDREF_array", "int_array", "bool_array"})) {
             uint64_t size = 0;
             if (floats && (!read_count(tag, "count", size) || count_words(tag.content) < size))
-                return fail(tag.at, "An array has fewer numbers than its count says.");
+                return fail(tag.at, "An array has fewer numbers than its count.");
             uint64_t& known =
                 arrays_.try_emplace(std::string(attribute(tag, "id").value_or("")), not_floats).first->second;
             if (floats) known = std::min(known, size);
@@ -149,7 +149,7 @@ private:
                 return fail(tag.at, "An accessor has a count, stride or offset that is not a number.");
             accessors_.push_back(a);
         } else if (n == "param" && !accessors_.empty()) {
-            // Effects have elements of this name too.
+            // Effects also have elements of this name.
             if (tag.at < accessors_.back().end) ++accessors_.back().params;
         }
         return true;
@@ -164,7 +164,7 @@ private:
 
     std::string_view text_;
     Faults& faults_;
-    std::map<std::string, uint64_t> arrays_; // how many floats
+    std::map<std::string, uint64_t> arrays_; // number of floats
     std::vector<Accessor> accessors_;
 };
 

@@ -1,5 +1,5 @@
-// Looks a Collada file over before assimp does: version 5.2 reads past the end of arrays that are shorter than what
-// refers to them, and never ends on a face list with a character that is not a number's.
+// Checks a Collada file before assimp reads it: version 5.2 reads past the end of arrays that are shorter than their accessors,
+// and loops forever on a face list with a character that is not part of a number.
 #pragma once
 
 #include "asset/input_faults.h"

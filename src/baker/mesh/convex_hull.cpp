@@ -22,7 +22,7 @@ bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull&
     case shape::HullOutcome::too_few:
         return fail(FaultId::mesh_empty, "A hull needs at least three points.", "Check that the mesh has faces.");
     case shape::HullOutcome::one_point:
-        return fail(FaultId::mesh_zero_volume, "All points are at one place.", "Check the unit and the mesh.");
+        return fail(FaultId::mesh_zero_volume, "All points coincide.", "Check the unit and the mesh.");
     case shape::HullOutcome::one_line:
         return fail(FaultId::mesh_zero_volume, "All points are on one line.", "Check the unit and the mesh.");
     case shape::HullOutcome::not_closed:

@@ -8,11 +8,11 @@ namespace lr::baker {
 struct ConvexHull {
     std::vector<Eigen::Vector3d> vertices; // a subset of the points, in their order
     std::vector<Face> faces;               // outward, closed, manifold
-    double slack = 0.0;                    // m: no point lies further outside than this
+    double slack = 0.0;                    // m, largest distance of a point outside the hull
 };
 
-// Flat input (a sheet) gives a two-sided polygon. False with a fault for fewer than three points, points on one line
-// or non-finite points.
+// Flat input (a sheet) gives a two-sided polygon. Faults: fewer than three points, points on one line, points that are not
+// finite.
 bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull& out, Faults& faults);
 
 } // namespace lr::baker

@@ -21,7 +21,7 @@ std::vector<HalfEdge> find_open_edges(const Mesh& mesh) {
     return open;
 }
 
-// Sorted along one axis, so that an edge looks at a slice.
+// Vertices sorted along one axis, so that an edge tests only a slice of them.
 class RimVertices {
 public:
     RimVertices(const Mesh& mesh, const std::vector<HalfEdge>& open, Eigen::Index axis) : mesh_(mesh), axis_(axis) {
@@ -31,7 +31,7 @@ public:
         order_.erase(std::unique(order_.begin(), order_.end()), order_.end());
     }
 
-    // Those inside the edge from a to b, in this order.
+    // Vertices inside the edge from a to b, in this order.
     std::vector<uint32_t> on_edge(uint32_t a, uint32_t b, double reach) const {
         const Eigen::Vector3d& start = mesh_.vertices[a];
         const Eigen::Vector3d along = mesh_.vertices[b] - start;
@@ -72,7 +72,7 @@ std::size_t close_cracks(Mesh& mesh, double tolerance) {
     Eigen::Index axis = 0;
     const double reach = tolerance * (high - low).maxCoeff(&axis);
     std::size_t joined = 0;
-    // One side of a face at a time; new faces may have cracks on their other sides.
+    // Each round repairs one side of a face; the new faces can have cracks on other sides.
     constexpr int max_rounds = 8;
     for (int round = 0; round < max_rounds; ++round) {
         const std::vector<HalfEdge> open = find_open_edges(mesh);

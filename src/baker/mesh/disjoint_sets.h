@@ -1,4 +1,4 @@
-// Which elements belong together (union-find).
+// Disjoint sets of elements (union-find).
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ public:
         return i;
     }
 
-    // False if they were together already.
+    // False if they were already in one set.
     bool join(std::size_t a, std::size_t b) {
         a = find(a);
         b = find(b);

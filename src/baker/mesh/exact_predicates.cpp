@@ -16,11 +16,11 @@ int sign(double x) {
     return (x > 0.0) - (x < 0.0);
 }
 
-// A sum of doubles that do not overlap, smallest first: Shewchuk 1997, Adaptive precision floating-point arithmetic and fast
+// A sum of non-overlapping doubles, smallest first: Shewchuk 1997, Adaptive precision floating-point arithmetic and fast
 // robust geometric predicates.
 class Expansion {
 public:
-    void add(double x) { // his GROW-EXPANSION, without zeros
+    void add(double x) { // Shewchuk's GROW-EXPANSION, without zeros
         std::size_t kept = 0;
         for (const double part : parts_) {
             const double sum = x + part, virtual_part = sum - x;

@@ -1,4 +1,4 @@
-// The sides of all faces, those at one edge next to each other.
+// The half-edges of all faces, sorted so that those of one edge are adjacent.
 #pragma once
 
 #include "baker/mesh/mesh.h"
@@ -18,7 +18,7 @@ inline bool same_edge(const HalfEdge& a, const HalfEdge& b) {
     return a.low == b.low && a.high == b.high;
 }
 
-// By vertices, then by face.
+// Sorted by vertices, then by face.
 inline std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
     std::vector<HalfEdge> halves;
     halves.reserve(3 * mesh.faces.size());

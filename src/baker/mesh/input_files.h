@@ -1,4 +1,4 @@
-// The files that an asset is made from, each read once, so that what is hashed is what was parsed.
+// The input files of an asset, each read once, so that the hash covers exactly the parsed bytes.
 #pragma once
 
 #include "asset/input_faults.h"
@@ -17,15 +17,15 @@ class InputFiles {
 public:
     using Bytes = std::vector<uint8_t>;
 
-    // Null if it cannot be read, with the reason in `faults` if given. The same path gives the same bytes again. That a
-    // file is missing counts as well: the reader may do something else once it is there.
+    // Null if the file cannot be read; `faults`, if given, gets the reason. A path read again gives the same bytes. The hash includes
+    // missing files, because the result can change once they exist.
     std::shared_ptr<const Bytes> read(const std::string& path_utf8, Faults* faults = nullptr);
 
-    // For what does not come from a file.
+    // Adds bytes that are not from a file.
     void add(const void* bytes, std::size_t size);
 
-    // FNV-1a over the first file and then, with their lengths, the others in the order in which they were first asked
-    // for. No names: an asset does not depend on its folder.
+    // FNV-1a over the first file, then over lengths and bytes of the others in the order of their first read. Without names, so that
+    // an asset does not depend on its folder.
     const Fnv1a& hash() const { return hash_; }
 
     void forget_bytes() { files_.clear(); }

@@ -11,8 +11,8 @@
 namespace lr::baker {
 namespace {
 
-// Integrals over the tetrahedron (origin, a, b, c): volume, first and second moments. Summed over the faces of a
-// closed surface they are the integrals over the solid (Tonon 2004; Mirtich 1996 by another route).
+// Integrals over the tetrahedron (origin, a, b, c): volume, first and second moments. Their sum over the faces of a closed
+// surface is the integral over the solid (Tonon 2004; Mirtich 1996 by a different derivation).
 struct Moments {
     double volume = 0.0;
     Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -28,8 +28,8 @@ struct Moments {
     }
 };
 
-// Eigenvectors have no sign and, for equal moments, no direction: fix both, so that a cube has the axes of its mesh
-// and not those of rounding errors.
+// Eigenvectors have no defined sign and, for equal moments, no defined direction. Fix both, so that a cube gets the axes of
+// its mesh instead of rounding errors.
 void fix_axes(const Eigen::Vector3d& moments, Eigen::Matrix3d& axes) {
     const double equal = 1e-7 * moments[2];
     const bool low_pair = moments[1] - moments[0] < equal, high_pair = moments[2] - moments[1] < equal;
@@ -64,8 +64,7 @@ struct Bounds {
     }
 };
 
-// Integrals are taken over a mesh that is centred and scaled to size one, so that neither a far-off mesh nor a tiny one
-// loses digits.
+// The integrals use a mesh centred and scaled to size one, so that distant and tiny meshes lose no digits.
 struct UnitFrame {
     explicit UnitFrame(const Mesh& mesh) {
         Bounds bounds;
@@ -82,7 +81,7 @@ struct UnitFrame {
     double size;
 };
 
-// From the covariance of unit density in the unit frame.
+// covariance: for unit density, in the unit frame.
 void set_inertia(const Eigen::Matrix3d& covariance, double size, MassProperties& result) {
     const Eigen::Matrix3d inertia = covariance.trace() * Eigen::Matrix3d::Identity() - covariance;
     result.inertia = 0.5 * (inertia + inertia.transpose()) * std::pow(size, 5);
@@ -92,7 +91,7 @@ void set_inertia(const Eigen::Matrix3d& covariance, double size, MassProperties&
     fix_axes(solver.eigenvalues(), result.axes);
 }
 
-// `sides`: how many times the surface covers what it projects to, 2 when closed.
+// sides: how often the surface covers its projection; 2 for closed surfaces.
 void set_extents(const Mesh& mesh, double sides, MassProperties& result) {
     Bounds bounds;
     for (const Eigen::Vector3d& v : mesh.vertices) bounds.extend(result.axes.transpose() * (v - result.centroid));

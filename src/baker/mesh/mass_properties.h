@@ -1,11 +1,11 @@
-// Exact integrals over a uniform solid bounded by triangles, or over a sheet of them.
+// Exact integrals over a uniform solid bounded by triangles, or over a sheet of triangles.
 #pragma once
 
 #include "baker/mesh/mesh.h"
 
 namespace lr::baker {
 
-// For density 1: multiply inertia by the density.
+// For density 1; multiply the inertia by the density.
 struct MassProperties {
     double volume = 0.0;             // m^3
     double area = 0.0;               // m^2, of the surface
@@ -22,7 +22,7 @@ struct MassProperties {
 MassProperties compute_mass_properties(const Mesh& mesh);
 
 // Each triangle is a plate of this thickness about its plane. `area` is that of one side; the projected areas are exact
-// where no part of the sheet hides another; the extents are those of the middle surface.
+// if no part of the sheet hides another; the extents are those of the middle surface.
 MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness);
 
 } // namespace lr::baker

@@ -33,7 +33,7 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-// At most twenty, each once.
+// At most twenty different names.
 std::string list_names(const std::vector<std::string>& names) {
     constexpr std::size_t most = 20;
     std::vector<std::string> distinct;
@@ -64,13 +64,13 @@ bool has_name(const PolygonSoup& soup, const std::string& name) {
     return std::any_of(soup.parts.begin(), soup.parts.end(), [&](const SoupPart& p) { return has_name(p, name); });
 }
 
-// Leaves the named parts, and of the vertices those that no other part alone uses.
+// Keeps the named parts and removes the vertices that only other parts use.
 bool select(PolygonSoup& soup, const std::string& name, const std::string& where, Faults& faults) {
     if (!has_name(soup, name)) {
         std::vector<std::string> names;
         for (const SoupPart& part : soup.parts) names.insert(names.end(), part.own_names.begin(), part.own_names.end());
         report(faults, FaultId::parameter_unknown, Severity::error, "mesh",
-               "The file has no mesh, node or object of the name '" + printable(name) + "'.",
+               "The file has no mesh, node or object named '" + printable(name) + "'.",
                "It has: " + list_names(names) + ".");
         return false;
     }
@@ -110,8 +110,8 @@ bool select(PolygonSoup& soup, const std::string& name, const std::string& where
     soup.parts = std::move(parts);
     if (!left_out.empty())
         report(faults, FaultId::mesh_several_meshes, Severity::warning, where,
-               "Only '" + printable(name) + "' was taken; left out: " + list_names(left_out) + ".",
-               "Nothing, if that was meant; without --mesh all are taken as one body.");
+               "Only '" + printable(name) + "' was baked; ignored: " + list_names(left_out) + ".",
+               "None needed if intended; without --mesh all form one body.");
     return true;
 }
 
@@ -124,29 +124,29 @@ void report_several(const PolygonSoup& soup, const std::string& where, Faults& f
     }
     if (objects.size() > 1)
         report(faults, FaultId::mesh_several_meshes, Severity::warning, where,
-               std::to_string(objects.size()) + " objects were taken together as one body: " + list_names(names) + ".",
+               std::to_string(objects.size()) + " objects were baked as one body: " + list_names(names) + ".",
                "Choose one with --mesh if they are separate bodies.");
 }
 
-// Metres in a unit of the positions as read.
+// The unit of the positions in metres.
 double scale_of(const PolygonSoup& soup, const MeshReadOptions& options, const std::string& where, Faults& faults) {
     const double declared = soup.declared_unit;
     if (!options.unit_scale) {
         if (declared > 0.0 && declared != 1.0)
             report(faults, FaultId::mesh_turned_or_scaled, Severity::warning, where,
-                   "The file's unit is " + shortest(declared) + " m; its positions were scaled to metres by that.",
-                   "Give --unit if the file is wrong about it.");
+                   "The file's unit is " + shortest(declared) + " m; positions were scaled to metres by this factor.",
+                   "Give --unit if the file states the wrong unit.");
         return declared > 0.0 ? declared : 1.0;
     }
     if (declared > 0.0 && std::abs(declared - *options.unit_scale) > 1e-6 * declared)
         report(faults, FaultId::mesh_turned_or_scaled, Severity::warning, where,
-               "The file's unit is " + shortest(declared) + " m; --unit was taken instead.",
-               "Leave out --unit if the file is right.");
+               "The file's unit is " + shortest(declared) + " m; --unit replaced it.",
+               "Omit --unit if the file states the right unit.");
     return *options.unit_scale;
 }
 
-// Importers hand over these formats corner by corner, and programs keep a vertex for each normal and texture coordinate
-// at its place: joining them is reading, not repair.
+// Importers deliver these formats corner by corner, and programs duplicate vertices for each normal and texture coordinate:
+// joining them is part of reading and needs no warning.
 bool repeats_corners(const std::string& extension) {
     return extension.empty() || extension == "stl" || extension == "dae" || extension == "fbx";
 }
@@ -154,7 +154,7 @@ bool repeats_corners(const std::string& extension) {
 bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptions& options, const std::string& where,
             Mesh& out, Faults& faults) {
     if (soup.polygons.empty()) {
-        report(faults, FaultId::mesh_empty, Severity::error, where, "The file holds no faces.",
+        report(faults, FaultId::mesh_empty, Severity::error, where, "The file has no faces.",
                "Export the surface as triangles or polygons.");
         return false;
     }
@@ -179,23 +179,23 @@ bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptio
     if (options.up != UpAxis::z)
         report(faults, FaultId::mesh_turned_or_scaled, Severity::warning, where,
                std::string("The mesh was turned: its ") + up_name(options.up) + " axis is now +z.",
-               "Nothing, if that was meant.");
+               "None needed if intended.");
     if (!triangulate(soup, out, faults)) return false;
     if (soup.ignored_points > 0)
         report(faults, FaultId::mesh_empty, Severity::warning, where,
-               std::to_string(soup.ignored_points) + " points or lines have no surface and were left out.",
+               std::to_string(soup.ignored_points) + " points or lines have no surface and were ignored.",
                "Delete them to silence this.");
     report_several(soup, where, faults);
     const std::size_t joined = join_identical_vertices(out);
     if (joined > 0 && !repeats_corners(extension))
         report(faults, FaultId::mesh_merged_vertices, Severity::warning, where,
-               std::to_string(joined) + " vertices at exactly the same position as another were joined with it.",
+               std::to_string(joined) + " vertices with the same position as another vertex were joined with it.",
                "Merge vertices by distance before export to silence this.");
     const std::size_t near = join_near_vertices(out, join_tolerance);
     if (near > 0)
         report(faults, FaultId::mesh_merged_vertices, Severity::warning, where,
                std::to_string(near) + " vertices within " + shortest(join_tolerance) +
-                   " of the mesh's extent from another were joined with it.",
+                   " of the mesh's extent of another vertex were joined with it.",
                "Merge vertices by distance before export to silence this.");
     return true;
 }
@@ -229,7 +229,7 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
             report(faults, FaultId::mesh_unreadable, Severity::error, file.where, "This is packed Collada.",
                    "Unpack it (it is a zip archive) and bake the .dae inside.");
         } else {
-            if (is_collada(text)) file.extension = "dae"; // assimp would know it by any name
+            if (is_collada(text)) file.extension = "dae"; // assimp recognises Collada with any extension
             read = (file.extension != "dae" || check_collada(text, faults)) && read_with_assimp(file, soup, faults);
             if (read && options.mesh && file.extension == "dae" && !has_name(soup, *options.mesh)) {
                 PolygonSoup by_id;
@@ -326,8 +326,7 @@ bool read_mesh_arrays(std::span<const double> positions, std::span<const uint32_
     if (!check_unit(options.unit_scale.value_or(1.0), faults)) return false;
     if (positions.size() % 3 != 0 || indices.size() % 3 != 0 || positions.size() / 3 >= UINT32_MAX) {
         report(faults, FaultId::mesh_bad_index, Severity::error, where,
-               "There are not three coordinates for each vertex and three indices for each triangle.",
-               "Check the lengths of both arrays.");
+               "The number of coordinates or indices is not a multiple of three.", "Check the lengths of both arrays.");
         return false;
     }
     try {

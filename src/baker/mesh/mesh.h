@@ -1,4 +1,4 @@
-// Triangle meshes and how they are read from a file.
+// Triangle meshes and their readers.
 #pragma once
 
 #include "asset/input_faults.h"
@@ -26,7 +26,7 @@ struct Mesh {
     std::string name;
 };
 
-// The axis of the file that is to become +z.
+// The axis of the file that becomes +z.
 enum class UpAxis { x, y, z, minus_x, minus_y, minus_z };
 
 // The smallest rotation that turns the axis to +z: about x for +-y, about y for +-x, half a turn about x for -z.
@@ -36,46 +36,43 @@ Eigen::Matrix3d up_rotation(UpAxis up);
 const char* up_name(UpAxis up);
 
 struct MeshReadOptions {
-    // Metres in a unit of the file (0.01 for centimetres), whatever the file says about that. Nothing: what the file
-    // says (Collada, FBX), else metres.
+    // The file's unit in metres (0.01 for centimetres); replaces the unit that the file states. Nothing: the stated unit (Collada,
+    // FBX), else metres.
     std::optional<double> unit_scale;
-    UpAxis up = UpAxis::z; // as authored
-    // Only the objects of this name (of a mesh, a node or a node above it), instead of all as one.
+    UpAxis up = UpAxis::z; // z: no rotation
+    // Read only the objects with this name (of a mesh, its node or a parent node) instead of all.
     std::optional<std::string> mesh;
-    std::size_t max_faces = 20'000'000; // fault 211, as soon as the file is parsed
+    std::size_t max_faces = 20'000'000; // more: fault 211 right after parsing
 };
 
-// Two vertices closer than this part of the mesh's largest extent are one.
+// Vertices closer than this fraction of the mesh's largest extent are joined.
 constexpr double join_tolerance = 1e-7;
 
-// True if files with this extension say what their unit is.
+// Whether files with this extension state their unit.
 bool declares_unit(const std::string& path_utf8);
 
-// Reads any format assimp knows. OBJ and PLY have readers of our own: double precision, faults with line numbers, and
-// no endless loop on damaged files, as assimp 5.2 has for PLY.
-// Node transforms are applied, polygons triangulated, vertices at one place joined. What was changed is reported as
-// warnings; false and an error fault if unusable. `files`, if given, is what was read: the file and those that it refers
-// to.
+// Reads any format of assimp. OBJ and PLY have readers of our own: double precision, line numbers in faults, no endless loop on
+// damaged files as in assimp 5.2 for PLY. Applies node transforms, triangulates polygons, joins coincident vertices. Changes
+// are warnings; false and an error if the mesh is unusable. files: if given, receives the file and the files that it refers to.
 bool read_mesh(const std::string& path_utf8, const MeshReadOptions& options, Mesh& out, Faults& faults,
                InputFiles* files = nullptr);
 bool read_mesh(const std::string& path_utf8, double unit_scale, Mesh& out, Faults& faults);
 
-// The same from memory. extension: "obj", "stl", ... without the dot; files that refer to other files cannot be read
-// so.
+// The same from memory. extension: "obj", "stl", ... without the dot. Cannot read meshes that refer to other files.
 bool read_mesh_memory(const void* bytes, std::size_t size, const std::string& extension, const MeshReadOptions& options,
                       Mesh& out, Faults& faults);
 bool read_mesh_memory(const void* bytes, std::size_t size, const std::string& extension, double unit_scale, Mesh& out,
                       Faults& faults);
 
-// The same from arrays in memory, as a program has them: three coordinates a vertex, three indices a triangle.
+// The same from arrays in memory: three coordinates per vertex, three indices per triangle.
 bool read_mesh_arrays(std::span<const double> positions, std::span<const uint32_t> indices,
                       const MeshReadOptions& options, Mesh& out, Faults& faults);
 
-// Joins vertices at exactly the same position; the first of each group stays, order is kept. Returns how many went.
-// Positions must be finite.
+// Joins vertices with the same position; the first of each group stays, the order is kept. Returns the number of removed
+// vertices. Positions must be finite.
 std::size_t join_identical_vertices(Mesh& mesh);
 
-// The same for vertices within `tolerance` times the largest extent of the bounding box, and for chains of them.
+// The same for vertices closer than `tolerance` times the largest extent of the bounding box, and for chains of them.
 std::size_t join_near_vertices(Mesh& mesh, double tolerance);
 
 } // namespace lr::baker

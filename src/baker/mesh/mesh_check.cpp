@@ -13,15 +13,15 @@
 namespace lr::baker {
 namespace {
 
-// A triangle flatter than this (height over longest side) has no usable normal in double precision.
+// A flatter triangle (height over longest side) has no usable normal in double precision.
 constexpr double degenerate_shape = 1e-9;
-// Volume over (area^(3/2)) below which a closed surface encloses nothing but rounding.
+// Volume over area^(3/2) below which the volume of a closed surface is rounding.
 constexpr double zero_volume_shape = 1e-9;
-// Of the largest extent, between a vertex and an edge that it seems to lie on. Positions in single precision are off by up
-// to 1e-7.
+// Largest distance of a vertex from an edge that it splits, over the largest extent. Positions in single precision have errors
+// up to 1e-7.
 constexpr double crack_tolerance = 1e-6;
 constexpr std::size_t listed = 5;
-constexpr std::size_t most_crossings = 1000; // pairs of faces; one is enough to tell
+constexpr std::size_t most_crossings = 1000; // reported pairs of faces
 constexpr std::size_t most_searched = 2'000'000;
 
 struct Edge {
@@ -94,8 +94,8 @@ private:
         return true;
     }
 
-    // Faces with a repeated corner have no area, and without them their neighbours meet: safe to drop. So is the
-    // second copy of a face. A face together with its reverse is a sheet without thickness, drawn from both sides.
+    // Faces with a repeated corner have no area, and removing them makes their neighbours adjacent. Second copies of a face are removed
+    // too. A face and its reverse are a sheet without thickness, drawn from both sides.
     bool remove_collapsed_and_duplicate_faces() {
         std::vector<uint32_t> collapsed, duplicate, reversed;
         std::vector<std::pair<Face, uint32_t>> order; // corners turned so that the smallest is first
@@ -128,11 +128,12 @@ private:
         std::sort(reversed.begin(), reversed.end());
         if (!reversed.empty() && !sheet_)
             return error(FaultId::mesh_duplicate_face, name_faces(reversed),
-                         "A face lies on the back of another: a sheet without thickness.",
+                         "A face coincides with the back of another face: a sheet without thickness.",
                          "Bake it with --sheet, or give it a thickness (solidify).");
         if (!reversed.empty())
-            warn(FaultId::mesh_duplicate_face, name_faces(reversed), "Faces on the back of others were removed.",
-                 "Nothing: a sheet has both sides anyway.");
+            warn(FaultId::mesh_duplicate_face, name_faces(reversed),
+                 "Faces that coincide with the back of another face were removed.",
+                 "None needed: a sheet has both sides anyway.");
         if (!duplicate.empty())
             warn(FaultId::mesh_duplicate_face, name_faces(duplicate), "Second copies of a face were removed.",
                  "Remove doubled faces before export to silence this.");
@@ -144,8 +145,7 @@ private:
         for (std::size_t i = 0; i < mesh_.faces.size(); ++i)
             if (!drop[i]) mesh_.faces[kept++] = mesh_.faces[i];
         mesh_.faces.resize(kept);
-        if (kept == 0)
-            return error(FaultId::mesh_empty, "mesh", "No face with an area is left.", "Export the mesh again.");
+        if (kept == 0) return error(FaultId::mesh_empty, "mesh", "All faces have zero area.", "Export the mesh again.");
         return true;
     }
 
@@ -194,9 +194,9 @@ private:
         const std::size_t joined = close_cracks(mesh_, crack_tolerance);
         if (joined > 0)
             warn(FaultId::mesh_merged_vertices, "mesh",
-                 std::to_string(joined) + " vertices that lay on a boundary edge of another face were joined with it.",
-                 "Nothing; remove T-junctions before export to silence this.");
-        return joined == 0 || remove_collapsed_and_duplicate_faces(); // parts of faces may meet
+                 std::to_string(joined) + " vertices on a boundary edge of another face were joined with it.",
+                 "None needed; remove T-junctions before export to silence this.");
+        return joined == 0 || remove_collapsed_and_duplicate_faces(); // parts of split faces can coincide
     }
 
     void collect_edges() {
@@ -232,7 +232,7 @@ private:
         return good;
     }
 
-    // Walks each component from its first face; edges_ holds each edge exactly twice here.
+    // Visits each component from its first face. edges_ has each edge exactly twice here.
     bool orient() {
         const std::size_t n = mesh_.faces.size();
         std::vector<std::array<std::pair<uint32_t, bool>, 3>> neighbours(n); // face, runs the same way
@@ -265,7 +265,7 @@ private:
                     } else if (flip[other] != wanted) {
                         return error(FaultId::mesh_inconsistent_winding,
                                      "face " + std::to_string(face) + ", " + std::to_string(other),
-                                     "The surface has no inside (it is like a Klein bottle).",
+                                     "The surface has no inside (like a Klein bottle).",
                                      "Rebuild the surface around these faces.");
                     }
                 }
@@ -285,7 +285,7 @@ private:
         return true;
     }
 
-    // Chooses the orientation of one component that encloses positive volume, and what to call the change.
+    // Chooses the orientation with positive volume for one component, and the warning for the change.
     void settle_component(const std::vector<uint32_t>& members, std::vector<char>& flip, std::vector<uint32_t>& flipped,
                           std::vector<uint32_t>& inside_out) const {
         double volume = 0.0;
@@ -310,7 +310,7 @@ private:
         }
     }
 
-    // Where two parts of the surface touch in one vertex the potential is not single-valued: one vertex for each part.
+    // If two parts of the surface touch in a vertex, the potential there has two values: give each part its own vertex.
     bool split_touching_fans() {
         const std::size_t old_count = mesh_.vertices.size();
         std::vector<uint32_t> start(old_count + 1, 0), incident(3 * mesh_.faces.size());
@@ -341,7 +341,7 @@ private:
         return true;
     }
 
-    // Removes from `left` the fan of faces around `vertex` that holds left[0], renaming its vertex.
+    // Removes the fan of faces around `vertex` that contains left[0] from `left`, and renames its vertex.
     void take_fan(uint32_t vertex, uint32_t name, std::vector<uint32_t>& left) {
         std::vector<uint32_t> fan{left[0]};
         left.erase(left.begin());
@@ -378,8 +378,8 @@ private:
         }
         if (first.size() > 1)
             warn(FaultId::mesh_several_components, name_faces(first),
-                 "The sheet has " + std::to_string(first.size()) + " separate parts, taken as one rigid body.",
-                 "Merge vertices by distance where parts belong together; bake separate bodies one by one.");
+                 "The sheet has " + std::to_string(first.size()) + " separate parts, baked as one rigid body.",
+                 "Merge vertices by distance if parts belong together; bake separate bodies one by one.");
         return true;
     }
 
@@ -401,17 +401,17 @@ private:
             if (!(volume[c] > zero_volume_shape * std::pow(area[c], 1.5))) flat.push_back(first[c]);
         if (!flat.empty())
             return error(FaultId::mesh_zero_volume, name_faces(flat),
-                         "The surface from this face on encloses no volume.",
+                         "The part of the surface that contains this face encloses no volume.",
                          "Bake a sheet with --sheet, or give it a thickness (solidify).");
         if (component_count_ == 1) return true;
         warn(FaultId::mesh_several_components, name_faces(first),
-             "The mesh has " + std::to_string(component_count_) + " separate parts, taken as one rigid body.",
+             "The mesh has " + std::to_string(component_count_) + " separate parts, baked as one rigid body.",
              "Join parts that belong together (boolean union); bake separate bodies one by one.");
         return check_nesting(first);
     }
 
     bool name_crossings() {
-        if (mesh_.faces.size() > most_searched) return true; // far more than can be baked: that is said later
+        if (mesh_.faces.size() > most_searched) return true; // far above the baker's limit, which is reported later
         const SelfIntersections found = find_self_intersections(mesh_, most_crossings);
         const auto& pairs = found.pairs;
         if (pairs.empty()) return true;
@@ -419,15 +419,15 @@ private:
                                 return std::to_string(pairs[i].first) + " and " + std::to_string(pairs[i].second);
                             });
         if (!found.complete) where += " at least";
-        // Where solids overlap, mass and added mass were seen to be wrong by tens of percents.
+        // Overlapping solids gave errors of tens of percent in mass and added mass.
         if (!sheet_ && std::any_of(pairs.begin(), pairs.end(),
                                    [&](const auto& pair) { return component_[pair.first] != component_[pair.second]; }))
             return error(FaultId::mesh_several_components, std::move(where), "Parts cross or touch each other.",
                          "Unite the parts (boolean union), or pull them apart.");
         warn(FaultId::mesh_self_intersection, std::move(where), "Faces cross, touch or cover each other.",
              sheet_
-                 ? "Cut them where they meet so that they share vertices, or pull them apart."
-                 : "Unite the parts (boolean union) or remesh: what lies inside twice counts twice, and the added mass "
+                 ? "Split them along the contact so that they share vertices, or pull them apart."
+                 : "Unite the parts (boolean union) or remesh: volume covered twice counts twice, and the added mass "
                    "is uncertain.");
         return true;
     }
@@ -445,9 +445,9 @@ private:
         return sum / (4.0 * std::numbers::pi);
     }
 
-    // A part inside another is a cavity or a mistake; parts that overlap count their common volume twice.
+    // A part inside another is a cavity or an error; the common volume of overlapping parts would count twice.
     bool check_nesting(const std::vector<uint32_t>& first) {
-        constexpr uint32_t max_components = 64; // beyond, the quadratic cost is not worth the diagnosis
+        constexpr uint32_t max_components = 64; // limits the quadratic cost of this diagnosis
         if (component_count_ > max_components) return true;
         for (uint32_t inner = 0; inner < component_count_; ++inner)
             for (uint32_t outer = 0; outer < component_count_; ++outer) {
@@ -457,7 +457,7 @@ private:
                 if (std::abs(winding_number(outer, centre)) < 0.75) continue;
                 return error(FaultId::mesh_several_components,
                              "face " + std::to_string(first[inner]) + ", " + std::to_string(first[outer]),
-                             "A part lies inside another part or crosses it.",
+                             "A part is inside another part or crosses it.",
                              "Delete the inner part, or unite the parts (boolean union).");
             }
         return true;

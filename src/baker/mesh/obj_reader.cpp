@@ -23,12 +23,12 @@ std::string_view next_word(std::string_view& rest) {
     return word;
 }
 
-// from_chars: the decimal point does not depend on the process's locale.
+// from_chars does not depend on the locale.
 bool parse_number(std::string_view word, double& value) {
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error == std::errc::result_out_of_range) {
-        value = 0.0; // underflow and overflow are told apart by the exponent's sign
+        value = 0.0; // the sign of the exponent distinguishes underflow from overflow
         const std::size_t e = word.find_first_of("eE");
         if (e == std::string_view::npos || e + 1 >= word.size() || word[e + 1] != '-') value = HUGE_VAL;
         return true;
@@ -83,14 +83,14 @@ private:
         if (keyword == "f") return parse_face(line);
         if (keyword == "p" || keyword == "l") ++soup_.ignored_points;
         if (keyword == "o" || keyword == "g") begin_part(keyword == "o", line);
-        // Free-form surfaces would silently be lost: say so instead.
+        // Report free-form surfaces, which would be lost silently.
         if (keyword == "surf" || keyword == "curv" || keyword == "cstype")
-            return fail(FaultId::mesh_unreadable, "The file holds free-form curves or surfaces.",
+            return fail(FaultId::mesh_unreadable, "The file has free-form curves or surfaces.",
                         "Export the surface as polygons.");
         return true;
     }
 
-    // Groups lie inside an object and are no objects of their own: many exporters make one for every material.
+    // Groups belong to an object and are not objects: many exporters write one for every material.
     void begin_part(bool is_object, std::string_view names) {
         while (!names.empty() && is_space(names.front())) names.remove_prefix(1);
         while (!names.empty() && is_space(names.back())) names.remove_suffix(1);
@@ -197,7 +197,7 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
             const Eigen::Vector2d &a = flat[before], &b = flat[ring[i]], &c = flat[after];
             const double area = cross2(b - a, c - b);
             if (area <= 0.0) continue;
-            // The ear with the best-shaped triangle: slivers cost accuracy in the added mass.
+            // Cut the ear with the best-shaped triangle: slivers make the added mass less accurate.
             const double quality = area / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
             if (quality <= best) continue;
             bool empty = true;
@@ -210,7 +210,7 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
             best = quality;
             ear = i;
         }
-        if (ear == n) ear = 1; // self-crossing or collapsed: a fan, which the mesh check then judges
+        if (ear == n) ear = 1; // self-crossing or collapsed: make a fan and leave the verdict to the mesh check
         const std::size_t m = ring.size();
         faces.push_back({polygon[ring[(ear + m - 1) % m]], polygon[ring[ear]], polygon[ring[(ear + 1) % m]]});
         ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
@@ -226,7 +226,7 @@ bool parse_obj(std::string_view text, PolygonSoup& out, Faults& faults) {
 }
 
 bool triangulate(const PolygonSoup& soup, Mesh& out, Faults& faults) {
-    // Ear clipping is cubic in the corners; a polygon this large is a broken file, not a model.
+    // Ear clipping is cubic in the number of corners; larger polygons only occur in broken files.
     constexpr std::size_t max_corners = 1000;
     out.vertices = soup.vertices;
     out.faces.clear();

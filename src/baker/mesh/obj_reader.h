@@ -1,4 +1,4 @@
-// Wavefront OBJ, positions and faces only, in double precision and with line numbers in every fault.
+// Wavefront OBJ: positions and faces, in double precision, with line numbers in every fault.
 #pragma once
 
 #include "baker/mesh/mesh.h"
@@ -7,20 +7,20 @@
 
 namespace lr::baker {
 
-// A run of polygons that belong together by name.
+// Consecutive polygons of one object and group.
 struct SoupPart {
-    std::size_t first_polygon = 0;        // to the next part's
-    std::size_t object = 0;               // parts of one object have the same
-    std::vector<std::string> own_names;   // of the object and its mesh, some perhaps empty
-    std::vector<std::string> group_names; // of all that it belongs to
+    std::size_t first_polygon = 0;        // up to that of the next part
+    std::size_t object = 0;               // number of its object
+    std::vector<std::string> own_names;   // of the object and its mesh; can be empty
+    std::vector<std::string> group_names; // of its groups and parent nodes
 };
 
-// Polygons as they stand in a file, before triangulation.
+// The polygons of a file before triangulation.
 struct PolygonSoup {
     std::vector<Eigen::Vector3d> vertices;
     std::vector<std::vector<uint32_t>> polygons;
     std::vector<SoupPart> parts;    // each with at least one polygon
-    double declared_unit = 0.0;     // metres, by the file's own word; 0 without
+    double declared_unit = 0.0;     // the unit that the file states, in metres; 0: none
     std::size_t ignored_points = 0; // points and lines, which have no surface
 };
 

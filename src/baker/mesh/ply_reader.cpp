@@ -81,7 +81,7 @@ private:
             if (keyword == "end_header")
                 return has_format_ || fail(FaultId::mesh_unreadable, where, "The format is missing.");
             if (keyword == "format" && !parse_format(next_word(line)))
-                return fail(FaultId::mesh_unreadable, where, "The format is not known.");
+                return fail(FaultId::mesh_unreadable, where, "The format is unknown.");
             if (keyword == "element") {
                 Element element;
                 element.name = next_word(line);
@@ -92,7 +92,7 @@ private:
                 elements_.push_back(std::move(element));
             }
             if (keyword == "property" && !parse_property(line))
-                return fail(FaultId::mesh_unreadable, where, "A property cannot be understood.");
+                return fail(FaultId::mesh_unreadable, where, "A property has an unknown type.");
         }
         return fail(FaultId::mesh_unreadable, "header", "The header does not end.");
     }
@@ -136,7 +136,7 @@ private:
             std::string_view word = next_word(rest_);
             if (!word.empty() && word.front() == '+') word.remove_prefix(1);
             const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-            if (error == std::errc::result_out_of_range) value = HUGE_VAL; // refused below as not finite
+            if (error == std::errc::result_out_of_range) value = HUGE_VAL; // infinite, refused below
             return !word.empty() && end == word.data() + word.size() && error != std::errc::invalid_argument;
         }
         switch (type) {
@@ -162,7 +162,7 @@ private:
         return false;
     }
 
-    // Stops at the first missing number: a count in the header cannot make it run longer than the file is.
+    // Stops at the first missing number, so that a wrong count in the header cannot cause a long loop.
     bool parse_item(const Element& element, uint64_t number) {
         const std::string where = element.name + " " + std::to_string(number);
         if (element.properties.empty()) return fail(FaultId::mesh_unreadable, where, "The element has no properties.");

@@ -16,9 +16,9 @@ using Vector = Eigen::Vector3d;
 using Triangle = std::array<Vector, 3>;
 
 constexpr std::size_t leaf_faces = 4;
-// Tests for each face after which the search is given up: seconds. A sound surface needs some 30.
+// Tests per face after which the search ends; takes seconds. A valid surface needs about 30.
 constexpr std::size_t most_tests = 1000;
-// Of the rounding of a projection, over the coordinates: a gap larger than this is one.
+// Bound of the rounding of a projection, relative to the coordinates: a larger gap is real.
 constexpr double projection_rounding = 1e-14;
 
 bool flat_segments_meet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
@@ -37,7 +37,7 @@ bool segment_meets_in_plane(const Vector& s, const Vector& t, const Triangle& f)
         const auto flat = [&](const Vector& v) { return Eigen::Vector2d(v[(axis + 1) % 3], v[(axis + 2) % 3]); };
         const Eigen::Vector2d a = flat(f[0]), b = flat(f[1]), c = flat(f[2]), p = flat(s), q = flat(t);
         const int turn = orientation(a, b, c);
-        if (turn == 0) continue; // seen from the side
+        if (turn == 0) continue; // projects onto a line
         if (flat_segments_meet(p, q, a, b) || flat_segments_meet(p, q, b, c) || flat_segments_meet(p, q, c, a))
             return true;
         return orientation(a, b, p) == turn && orientation(b, c, p) == turn && orientation(c, a, p) == turn;
@@ -55,7 +55,7 @@ bool segment_meets(const Vector& s, const Vector& t, const Triangle& f) {
     return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
-// Is there a plane between them, by more than rounding? Saves the exact test nearly always.
+// Whether a plane separates them by more than rounding. Nearly always saves the exact test.
 bool clearly_apart(const Triangle& a, const Triangle& b) {
     const Vector& o = a[0];
     Vector p[3], q[3];
@@ -86,7 +86,7 @@ bool clearly_apart(const Triangle& a, const Triangle& b) {
     return false;
 }
 
-// Two triangles with a[0] == b[0] and nothing else in common: do they meet elsewhere?
+// Whether two triangles with a[0] == b[0] and no other common vertex meet elsewhere.
 bool meet_beyond_corner(const Triangle& a, const Triangle& b) {
     const Vector p = a[1] - a[0], q = a[2] - a[0], r = b[1] - a[0], s = b[2] - a[0];
     const Vector axis = p.normalized() + q.normalized() - r.normalized() - s.normalized();
@@ -95,15 +95,15 @@ bool meet_beyond_corner(const Triangle& a, const Triangle& b) {
         return side * axis.dot(v) > projection_rounding * (size + v.norm()) * axis.cwiseAbs().sum();
     };
     if (beyond(p, 1.0) && beyond(q, 1.0) && beyond(r, -1.0) && beyond(s, -1.0)) return false;
-    // Both are convex: a ray from the corner leaves one of them first, through its far edge, inside the other.
+    // Both are convex: a common ray from the corner leaves one triangle first, through its far edge, inside the other.
     return segment_meets(a[1], a[2], b) || segment_meets(b[1], b[2], a);
 }
 
-// Two triangles with a[0] == b[0] and a[1] == b[1]: are they folded onto each other?
+// Whether two triangles with a[0] == b[0] and a[1] == b[1] are folded onto each other.
 bool fold_flat(const Triangle& a, const Triangle& b) {
     const Vector edge = (a[1] - a[0]).normalized(), p = a[2] - a[0], q = b[2] - a[0];
     const Vector u = p - edge.dot(p) * edge, v = q - edge.dot(q) * edge;
-    if (u.dot(v) < 0.0) return false; // less than a right angle between the normals: rounding is far away
+    if (u.dot(v) < 0.0) return false; // normals less than a right angle apart: not folded, whatever the rounding
     return orientation(a[0], a[1], a[2], b[2]) == 0;
 }
 
@@ -133,7 +133,7 @@ bool faces_meet(Triangle a, Triangle b) {
     return false;
 }
 
-// Bounding volume hierarchy: each node splits its faces in half along the longest side of the box of their middles.
+// Bounding volume hierarchy: each node splits its faces in half along the longest side of the box of their centres.
 class Hierarchy {
 public:
     Hierarchy(const Mesh& mesh, std::size_t most) : mesh_(mesh), most_(most), faces_(mesh.faces.size()) {
@@ -152,7 +152,7 @@ private:
     struct Node {
         Eigen::AlignedBox3d box;
         std::size_t first, end;
-        std::size_t right = 0; // child; the left one comes next. 0: a leaf
+        std::size_t right = 0; // right child; the left child follows the node. 0: a leaf
     };
 
     Triangle triangle(uint32_t face) const {

@@ -1,4 +1,4 @@
-// Faces of a mesh that cross, touch or cover each other.
+// Finds faces of a mesh that cross, touch or cover each other.
 #pragma once
 
 #include "baker/mesh/mesh.h"
@@ -11,13 +11,12 @@ namespace lr::baker {
 
 struct SelfIntersections {
     std::vector<std::pair<uint32_t, uint32_t>> pairs; // of faces, the lower number first, sorted
-    bool complete = true;                             // false when the search was given up: there may be more
+    bool complete = true;                             // false: the search ended early, there can be more
 };
 
-// Neighbours may meet in what they have in common, and nothing else: faces that share a corner (at exactly one position, whatever its
-// number) only there, faces that share an edge only along it. Others must not even touch. Stops after `most` pairs, and where
-// faces lie so thick that there would be no end.
-// Faces must have an area. Exact.
+// Faces that share a corner (the same position, with any vertex number) must meet only there, faces that share an edge only along it.
+// Other faces must not touch. Exact. Stops after `most` pairs, or if faces are so dense that the search would not end. Faces must have an
+// area.
 SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most);
 
 } // namespace lr::baker

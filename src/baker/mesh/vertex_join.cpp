@@ -8,7 +8,7 @@
 namespace lr::baker {
 namespace {
 
-// first[i] <= i is the vertex that stands for i.
+// first[i] <= i is the vertex that replaces vertex i.
 std::size_t keep_first(Mesh& mesh, const std::vector<uint32_t>& first) {
     const std::size_t n = mesh.vertices.size();
     std::vector<uint32_t> renumbered(n);
@@ -30,7 +30,7 @@ std::size_t join_identical_vertices(Mesh& mesh) {
     const std::size_t n = mesh.vertices.size();
     std::vector<uint32_t> order(n);
     std::iota(order.begin(), order.end(), 0U);
-    // Comparison by value takes -0 and +0 as the same place.
+    // Comparison by value treats -0 and +0 as equal.
     const auto compare = [&](uint32_t a, uint32_t b) {
         const Eigen::Vector3d &p = mesh.vertices[a], &q = mesh.vertices[b];
         for (int axis = 0; axis < 3; ++axis)
@@ -56,7 +56,7 @@ std::size_t join_near_vertices(Mesh& mesh, double tolerance) {
     const double distance = n > 0 ? tolerance * (high - low).maxCoeff() : 0.0;
     if (!(distance > 0.0) || !std::isfinite(distance)) return 0;
 
-    // A sweep along a direction that no modeller lays a plane across: few vertices are within reach at a time.
+    // Sweep along a direction to which modelled planes are not perpendicular: few vertices are within reach at a time.
     const Eigen::Vector3d direction = Eigen::Vector3d(0.6180339887, 0.5403023059, 0.5708817929).normalized();
     std::vector<double> along(n);
     std::vector<uint32_t> order(n), first(n);
@@ -69,7 +69,7 @@ std::size_t join_near_vertices(Mesh& mesh, double tolerance) {
         while (first[i] != i) i = first[i] = first[first[i]];
         return i;
     };
-    const double reach = distance * (1.0 + 1e-6); // the sweep's own rounding
+    const double reach = distance * (1.0 + 1e-6); // allows for the rounding of the sweep
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = i + 1; j < n && along[order[j]] - along[order[i]] <= reach; ++j) {
             if ((mesh.vertices[order[i]] - mesh.vertices[order[j]]).norm() > distance) continue;

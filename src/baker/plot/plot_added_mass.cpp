@@ -19,12 +19,12 @@ constexpr double pi = 3.14159265358979323846;
 constexpr const char* mass_color = "#1f5fa8";
 constexpr const char* inertia_color = "#c2570c";
 
-// Semi-axes of a symmetric block, longest last, as the columns of `axes`; m.
+// Semi-axes of a symmetric block as columns of `axes`, longest last; m.
 struct Ellipsoid {
     Matrix3d axes = Matrix3d::Identity();
     Vector3d principal = Vector3d::Zero(), radii = Vector3d::Zero();
 
-    // The farthest points of the outline as seen along `toward`: the image of the unit circle under the projected axes.
+    // The outline seen along `toward`: the image of the unit circle under the projected axes.
     std::vector<SvgPoint> outline(const PlotView& view) const {
         Eigen::Matrix<double, 2, 3> seen;
         for (int i = 0; i < 3; ++i) {
@@ -44,7 +44,7 @@ struct Ellipsoid {
     }
 };
 
-// `power`, `unit_sphere`: a sphere of fluid of radius r and density 1 has unit_sphere r^power of that quantity.
+// A sphere of fluid of radius r and density 1 has mass (or moment of inertia) unit_sphere r^power.
 Ellipsoid ellipsoid_of(const AssetData& a, std::size_t first, double unit_sphere, double power) {
     Matrix3d block;
     for (int i = 0; i < 3; ++i)
@@ -58,14 +58,14 @@ Ellipsoid ellipsoid_of(const AssetData& a, std::size_t first, double unit_sphere
     return e;
 }
 
-// Half the size of what a view has to show, about the centre of mass.
+// Extends the half-size of a view about the centre of mass.
 void include(const PlotView& view, const Vector3d& point, Eigen::AlignedBox2d& box) {
     box.extend(Eigen::Vector2d(view.right.dot(point), view.up.dot(point)));
 }
 
 void draw_arrow(Svg& svg, SvgPoint from, SvgPoint to, const std::string& label) {
     const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
-    if (length < 6.0) return; // towards the viewer
+    if (length < 6.0) return; // points towards the viewer
     const double ux = dx / length, uy = dy / length;
     svg.line(from, {to.x - 4.0 * ux, to.y - 4.0 * uy}, R"(stroke="#333" stroke-width="1.1")");
     const std::array<SvgPoint, 3> head{{to,
@@ -125,12 +125,12 @@ std::string plot_added_mass(const AssetData& a, const Mesh& body) {
         PlotView view;
         double column, row;
     };
-    // As in a drawing in third-angle projection: the plan above the front, the side to the right of it.
+    // Third-angle projection: plan above the front, side view to its right.
     std::array<Panel, 4> panels{{{"from +z", {x, y}, 0.0, 0.0},
                                  {"oblique", {oblique_right, oblique.cross(oblique_right)}, 1.0, 0.0},
                                  {"from \xe2\x88\x92y", {x, z}, 0.0, 1.0},
                                  {"from +x", {y, z}, 1.0, 1.0}}};
-    // One scale for all.
+    // One scale for all views.
     double scale = 0.0;
     std::array<Eigen::Vector2d, 4> middle;
     for (std::size_t i = 0; i < panels.size(); ++i) {

@@ -38,7 +38,7 @@ std::string superscript(int number) {
     return text;
 }
 
-// 1, 2 or 5 times a power of ten, so that the range has at most so many.
+// 1, 2 or 5 times a power of ten that gives at most `most` ticks.
 double tick_step(double range, int most) {
     const double least = range / most;
     const double decade = ten_to(decade_of(least));

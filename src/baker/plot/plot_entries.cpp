@@ -23,8 +23,8 @@ struct Block {
     std::vector<Entry> entries;
 };
 
-// A, B and D of the matrix, each with the size of what it could be: the largest of A and of D, and for the coupling
-// the geometric mean of these, which bounds it in a positive matrix.
+// The blocks A, B and D with their scales: the largest diagonal entry of A and of D; for the coupling B their geometric
+// mean, its bound in a positive matrix.
 std::array<Block, 3> blocks_of(const AssetData& a) {
     std::array<Block, 3> blocks{{{"A, translation", "kg", 0.0, {}},
                                  {"B, coupling", "kg m", 0.0, {}},
@@ -50,7 +50,7 @@ double share(double value, const Block& block) {
     return block.scale > 0.0 ? value / block.scale : 0.0;
 }
 
-// From blue for -1 over white to red for 1.
+// Colour scale: blue for -1, white for 0, red for 1.
 std::string heat(double part) {
     const double p = std::clamp(part, -1.0, 1.0);
     const int full[3] = {p < 0.0 ? 46 : 190, p < 0.0 ? 102 : 58, p < 0.0 ? 168 : 48};
@@ -113,7 +113,7 @@ void draw_heat_map(Svg& svg, const AssetData& a, const std::array<Block, 3>& blo
 constexpr const char* block_colors[3] = {"#1f5fa8", "#7a5195", "#b5402a"};
 constexpr double bar_pitch = 22.0, block_gap = 14.0;
 
-// Calls draw(entry, block number, x of the middle of its bar) for each; returns the width of all.
+// Calls draw(entry, block number, x of the bar's middle) for each entry; returns the total width.
 template <class Draw> double for_each_bar(const std::array<Block, 3>& blocks, const Draw& draw) {
     double x = block_gap;
     for (std::size_t b = 0; b < 3; ++b) {
@@ -165,7 +165,7 @@ void draw_errors(Svg& svg, const AssetData& a, const std::array<Block, 3>& block
         high = std::max(high, error(e, b));
     });
     const bool any = high > 0.0;
-    // Four decades tell enough; what is smaller stands on the floor.
+    // The axis covers at most four decades; smaller values are drawn at its lower end.
     frame.vertical = any ? Axis::logarithmic(std::max(low, 1e-4 * high), high) : Axis();
     frame.draw(svg, false);
     frame.draw_title(svg, "estimated error / scale");

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr std::size_t most_faces = 6000; // four views of them are about 1.5 MB
 constexpr int shades = 24;
 
-// Every edge once in each direction: back faces cannot be seen.
+// Every edge occurs once in each direction, so back faces are hidden.
 bool is_closed(const Mesh& mesh) {
     std::vector<std::pair<uint32_t, uint32_t>> edges, reversed;
     edges.reserve(3 * mesh.faces.size());
@@ -29,7 +29,7 @@ bool is_closed(const Mesh& mesh) {
     return edges == reversed && std::adjacent_find(edges.begin(), edges.end()) == edges.end();
 }
 
-// One vertex for each cell of a grid, at the mean of those in it; faces with two corners in one cell vanish.
+// Merges the vertices in each cell of a grid into their mean; removes faces with two corners in one cell.
 Mesh clustered(const Mesh& mesh, int cells) {
     Eigen::AlignedBox3d box;
     for (const Vector3d& v : mesh.vertices) box.extend(v);
@@ -55,7 +55,7 @@ Mesh clustered(const Mesh& mesh, int cells) {
         const Face g{cluster[f[0]], cluster[f[1]], cluster[f[2]]};
         if (g[0] != g[1] && g[1] != g[2] && g[2] != g[0]) out.faces.push_back(g);
     }
-    // The same triangle from several small ones.
+    // Remove copies of a triangle, from several small ones.
     std::vector<std::pair<Face, std::size_t>> keys;
     for (std::size_t i = 0; i < out.faces.size(); ++i) {
         Face key = out.faces[i];
@@ -85,7 +85,7 @@ DrawnMesh::DrawnMesh(const Mesh& mesh) : closed_(is_closed(mesh)), thinned_(mesh
 }
 
 std::string DrawnMesh::style() const {
-    // With few faces their edges are worth seeing; with many, only that no ground shows through between them.
+    // With few faces draw their edges; with many, stroke only to hide the gaps between them.
     const bool edges = mesh_.faces.size() <= 1500;
     std::string css = ".m{stroke-linejoin:round;stroke-width:" +
                       std::string(!closed_ ? "0.8"
@@ -113,7 +113,7 @@ void DrawnMesh::draw(Svg& svg, const PlotView& view) const {
     for (std::size_t i = 0; i < mesh_.faces.size(); ++i) {
         const Face& f = mesh_.faces[i];
         const Vector3d &a = mesh_.vertices[f[0]], &b = mesh_.vertices[f[1]], &c = mesh_.vertices[f[2]];
-        const Vector3d normal = (b - a).cross(c - a).normalized(); // zero stays zero
+        const Vector3d normal = (b - a).cross(c - a).normalized(); // Eigen leaves a zero vector unchanged
         if (closed_ && normal.dot(toward) < -1e-6) continue;
         const double bright = std::abs(normal.dot(light));
         order.push_back({toward.dot(a + b + c), i, std::clamp(static_cast<int>(bright * shades), 0, shades - 1)});

@@ -1,4 +1,4 @@
-// A mesh drawn flat: sorted from far to near, shaded, and coarse enough for a file of readable size.
+// Draws a mesh: sorted from far to near, shaded, and coarsened to limit the file size.
 #pragma once
 
 #include "baker/mesh/mesh.h"
@@ -11,9 +11,9 @@
 
 namespace lr::baker {
 
-// Parallel projection: the body's origin comes to `origin`.
+// Parallel projection that maps the body's origin to `origin`.
 struct PlotView {
-    Eigen::Vector3d right, up; // of unit length, at right angles
+    Eigen::Vector3d right, up; // orthonormal
     double scale = 1.0;        // px/m
     SvgPoint origin{};
 
@@ -27,7 +27,7 @@ class DrawnMesh {
 public:
     explicit DrawnMesh(const Mesh& mesh);
 
-    // CSS classes for draw(), once in a document.
+    // CSS classes for draw(); needed once in a document.
     std::string style() const;
     void draw(Svg& svg, const PlotView& view) const;
     bool is_thinned() const { return thinned_; }

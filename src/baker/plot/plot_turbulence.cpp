@@ -80,7 +80,7 @@ std::string plot_turbulence(const AssetData& a) {
         frame.draw(svg, c + 1 == curves.size());
         frame.draw_title(svg, std::string(curve.symbol) + "  (" + frame.vertical.factor() + curve.unit + ")");
         std::vector<SvgPoint> line;
-        const std::size_t stride = n / 4096 + 1; // as fine as the picture can show
+        const std::size_t stride = n / 4096 + 1; // the resolution of the picture
         for (std::size_t i = 0; i < n; i += stride)
             line.push_back(frame.at(dt * static_cast<double>(i) * unit.per_second, curve.values[i]));
         if (line.size() == 1) line.push_back({frame.x + frame.width, line[0].y});

@@ -1,4 +1,4 @@
-// Pictures of an asset, as SVG for papers and pages. The same asset and mesh give the same text.
+// Plots of an asset as SVG. Deterministic.
 #pragma once
 
 #include "asset/asset_data.h"
@@ -14,19 +14,19 @@ inline constexpr std::array<const char*, 3> plot_names{"turbulence.svg", "added_
 // k, epsilon and chi over time (the paper's Fig. 2), in SI units.
 std::string plot_turbulence(const AssetData& asset);
 
-// The body in four views, with ellipsoids of its added mass and added inertia. body: in the body frame.
+// Four views of the body with ellipsoids of added mass and added inertia. body: in the body frame.
 std::string plot_added_mass(const AssetData& asset, const Mesh& body);
 
-// The 6x6 matrix: entries against the scale of their block, with their estimated errors.
+// The entries of the 6x6 matrix relative to the scale of their block, with estimated errors.
 std::string plot_entries(const AssetData& asset);
 
 // In the order of plot_names.
 std::array<std::string, 3> make_plots(const AssetData& asset, const Mesh& body);
 
-// Was this one drawn of an asset of this provenance?
+// Whether the plot shows an asset of this provenance.
 bool is_plot_of(std::string_view svg, const ProvenanceData& provenance);
 
-// Text that all of them carry, unseen.
+// The invisible description in each plot.
 std::string plot_description(const AssetData& asset);
 
 } // namespace lr::baker

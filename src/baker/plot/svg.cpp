@@ -24,7 +24,7 @@ std::string xml_escape(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < clean.size(); ++i) {
         const std::string_view rest = std::string_view(clean).substr(i);
-        // Two characters of UTF-8 that XML has not.
+        // U+FFFE and U+FFFF, which XML does not allow.
         if (rest.starts_with("\xef\xbf\xbe") || rest.starts_with("\xef\xbf\xbf")) {
             result += '?';
             i += 2;

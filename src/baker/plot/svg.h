@@ -1,4 +1,4 @@
-// Writes SVG: plain shapes and text, the same bytes for the same calls, nothing outside the file needed.
+// Writes SVG with plain shapes and text. Deterministic and self-contained.
 #pragma once
 
 #include <initializer_list>
@@ -12,10 +12,10 @@ struct SvgPoint {
     double x = 0.0, y = 0.0; // px, y down
 };
 
-// `attributes` are XML as it stands, such as `fill="none" stroke="#333"`.
+// attributes: XML, not escaped, such as `fill="none" stroke="#333"`.
 class Svg {
 public:
-    // White ground. `description` is not shown.
+    // White background. The description is not visible.
     Svg(double width, double height, std::string_view title, std::string_view description);
 
     void style(std::string_view css);
@@ -24,17 +24,17 @@ public:
     void polygon(std::span<const SvgPoint> points, std::string_view attributes);
     void rect(double x, double y, double width, double height, std::string_view attributes);
     void circle(SvgPoint center, double radius, std::string_view attributes);
-    // Any bytes: what XML cannot hold is replaced.
+    // text: any bytes; replaces those that XML does not allow.
     void text(SvgPoint at, std::string_view text, std::string_view attributes);
     void begin_group(std::string_view attributes);
     void end_group();
 
-    // One path of many polygons: begin, add, end.
+    // One path of many polygons: begin_path, add, end_path.
     void begin_path();
     void add_to_path(std::span<const SvgPoint> polygon);
     void end_path(std::string_view attributes);
 
-    // Closes the document; the object is then used up.
+    // Closes the document and returns it; do not use the object afterwards.
     std::string finish();
 
 private:
@@ -44,10 +44,10 @@ private:
     std::string text_;
 };
 
-// Two decimals at most, without trailing zeros; 0 for what is not finite.
+// At most two decimals, without trailing zeros; 0 for numbers that are not finite.
 std::string svg_number(double value);
 
-// Escaped for text and for attributes.
+// Escapes text for element content and attributes.
 std::string xml_escape(std::string_view text);
 
 } // namespace lr::baker

@@ -12,12 +12,12 @@ WallShares find_wall_shares(const MacGrid& grid, size_t axis) {
     WallShares shares;
     bool any = false;
     for (size_t along = 0; along < 3; ++along) {
-        if (along == axis) continue; // between two faces of a cell there is no wall
+        if (along == axis) continue; // no wall between two faces of one cell
         shares[along].assign(field.values.size(), 0);
         for (uint32_t k = 0; k < field.count[2]; ++k)
             for (uint32_t j = 0; j < field.count[1]; ++j)
                 for (uint32_t i = shift; i < field.count[0]; ++i) {
-                    // A face lies between two cells, each of which may have a wall before it.
+                    // A face is between two cells; each can have a wall before it.
                     uint32_t after[3] = {i - shift, j, k};
                     uint32_t before[3] = {after[0], after[1], after[2]};
                     if (axis < 3) {
@@ -44,7 +44,7 @@ void EddyDiffusion::apply(GridField& field, const std::vector<uint8_t>& prescrib
         const double rate = dt * field.inverse_spacing[axis] * field.inverse_spacing[axis];
         const size_t n = field.count[axis], step = stride[axis];
         const uint8_t* const shares = walls[axis].empty() ? nullptr : walls[axis].data();
-        // The link of sample s to the one before it, and what either loses to the wall between them.
+        // The link of sample s to the sample before it, and the loss of each to the wall between them.
         struct Link {
             double through, to_wall_before, to_wall_after;
         };
@@ -55,7 +55,7 @@ void EddyDiffusion::apply(GridField& field, const std::vector<uint8_t>& prescrib
             const double grip = wall == Wall::no_slip ? 2.0 * rate * share : 0.0;
             return Link{rate * mean * (1.0 - share), grip * x, grip * y};
         };
-        // Thomas algorithm; a prescribed sample is a row of the identity.
+        // Thomas algorithm; the row of a prescribed sample is the identity.
         if (axis == 0) {
             for (size_t start = 0; start < field.values.size(); start += nx) {
                 double upper = 0.0, right = 0.0;
@@ -65,7 +65,7 @@ void EddyDiffusion::apply(GridField& field, const std::vector<uint8_t>& prescrib
                     Link above{0.0, 0.0, 0.0};
                     if (m + 1 < n) {
                         above = link(s + 1);
-                        // The inflow column lies only half a cell before the next sample.
+                        // The inflow column is only half a cell before the next sample.
                         if (m == 0 && field.inflow_column) above.through *= 2.0;
                     }
                     const double free = prescribed[s] == 0 ? 1.0 : 0.0;
@@ -82,7 +82,7 @@ void EddyDiffusion::apply(GridField& field, const std::vector<uint8_t>& prescrib
             }
             continue;
         }
-        // The same for all lines of a row of x at once.
+        // The same along y or z, for all lines of a row of x at once.
         const size_t other = 3 - axis;
         for (size_t r = 0; r < field.count[other]; ++r) {
             double* const link_below = link_.data();

@@ -1,4 +1,4 @@
-// Implicit diffusion of a field of a MAC grid with a viscosity that varies in space.
+// Implicit diffusion of a field on a MAC grid with variable viscosity.
 #pragma once
 
 #include "baker/turbulence/mac_grid.h"
@@ -10,28 +10,28 @@
 
 namespace lr::baker {
 
-// How much of the way from a sample to the one before it along each axis is barred by a wall halfway, in halves: 0 to 2.
-// One per sample; empty: no walls.
+// The part of the link from each sample to the sample before it, along each axis, that a wall halfway blocks: 0 to 2 halves.
+// One value per sample; empty: no walls.
 using WallShares = std::array<std::vector<uint8_t>, 3>;
 
-// Of the samples on the faces across `axis`, or (3) of a field on the cells.
+// For samples on the faces normal to `axis`, or (3) for a field on the cells.
 WallShares find_wall_shares(const MacGrid& grid, size_t axis);
 
 class EddyDiffusion {
 public:
     enum class Wall {
         no_slip, // the field is zero on it
-        no_flux  // nothing passes it
+        no_flux  // the field does not flow through it
     };
 
-    // d(field)/dt = div(viscosity grad field) over dt. One viscosity per sample, zero inside solids. Prescribed samples
-    // keep their value; the ends of the domain have no flux. One axis after the other, each implicit: stable at any
-    // viscosity, and positive fields stay positive.
+    // Integrates d(field)/dt = div(viscosity grad field) over dt. One viscosity per sample, zero inside solids. Prescribed samples
+    // keep their value; the ends of the domain have no flux. Implicit along one axis after another: stable at any viscosity, and
+    // positive fields stay positive.
     void apply(GridField& field, const std::vector<uint8_t>& prescribed, const std::vector<double>& viscosity,
                Wall wall, double dt, const WallShares& walls = {});
 
-    // The same without the error of taking the axes one by one, which grows near edges as the grid is refined: by conjugate
-    // gradients from `guess` (which has the prescribed values), until no residual exceeds `tolerance`.
+    // The same without the splitting error, which grows near edges as the grid is refined: conjugate gradients from `guess` (which
+    // has the prescribed values) until all residuals are at most `tolerance`.
     void apply_unsplit(GridField& field, const std::vector<double>& guess, const std::vector<uint8_t>& prescribed,
                        const std::vector<double>& viscosity, Wall wall, double dt, const WallShares& walls,
                        double tolerance);
@@ -40,7 +40,7 @@ private:
     void multiply(const std::vector<double>& x, std::vector<double>& y) const;
 
     std::vector<double> upper_, link_;
-    // Of the whole system, with a layer of zeros before and after it; [a][s] joins sample s to the one before it along a.
+    // The system matrix, with a layer of zeros before and after it; [a][s] links sample s to the sample before it along a.
     size_t stride_[3] = {0, 0, 0}, first_ = 0, last_ = 0;
     std::array<std::vector<double>, 3> links_;
     std::vector<double> diagonal_, free_, solution_, residual_, direction_, image_;

@@ -45,7 +45,7 @@ KEpsilon::KEpsilon(const MacGrid& grid, TurbulenceState inflow, double most_k)
                     if (x >= cells_[0] || y >= cells_[1] || z >= cells_[2] || solid_[grid.cell(x, y, z)] != 0) return;
                     entry.neighbours[entry.count++] = static_cast<uint32_t>(k_.index(x + 1, y, z));
                 };
-                add(i - 1, j, k); // below zero wraps to a huge index, which is outside too
+                add(i - 1, j, k); // an index below zero wraps to a huge one, also outside
                 add(i + 1, j, k);
                 add(i, j - 1, k);
                 add(i, j + 1, k);
@@ -61,7 +61,7 @@ void KEpsilon::follow(const MacGrid& grid, double dt) {
 }
 
 // Velocities are averaged to the centres and differenced across two cells, one-sided at the domain's edges. On a wall, half
-// a cell from the centre, they are zero: the fluid sticks to it, and that shear feeds G.
+// a cell from the centre, they are zero (no slip); this shear contributes to G.
 void KEpsilon::find_strain(const MacGrid& grid) {
     const auto [nx, ny, nz] = cells_;
     const GridField &u = grid.velocity[0], &v = grid.velocity[1], &w = grid.velocity[2];
@@ -129,7 +129,7 @@ void KEpsilon::find_origins(const MacGrid& grid, double dt) {
 }
 
 void KEpsilon::step(double dt) {
-    // Interpolated k and epsilon are positive; the floors only stop underflow after ages of decay.
+    // Interpolated k and epsilon are positive; the lower limits only prevent underflow after very long decay.
     const double least_k = 1e-60 * inflow_.k, least_chi = 1e-30 * shape::turbulent_frequency(inflow_);
     const double most_epsilon = inflow_.epsilon / (inflow_.k * std::sqrt(inflow_.k));
     size_t c = 0;

@@ -14,22 +14,22 @@ namespace lr::baker {
 
 class KEpsilon {
 public:
-    // k and epsilon start as the inflow state everywhere. k is held at `most_k`, or (0) below overflow: the strain of a step
-    // does not know yet how much of its energy the mean flow has lost, and out of almost no turbulence a sudden start
-    // would make k of many U0^2.
+    // k and epsilon start as the inflow state everywhere. k is limited to `most_k`, or (0) to below overflow: the strain of a step
+    // does not include the energy that the mean flow has already lost, so a sudden start would turn almost no turbulence into a k
+    // of many U0^2.
     KEpsilon(const MacGrid& grid, shape::TurbulenceState inflow, double most_k = 0.0);
 
-    // Once per step, and again only if the mean flow has changed: the strain of Eq. 15 and the parcels' origins.
-    // Around a body 2 S_ij S_ij gives way to its geometric mean with 2 Omega_ij Omega_ij (Kato and Launder 1993): the same
-    // in shear, but nothing where the stream stagnates, where Eqs. 14 to 17 are known to make far too much k.
+    // Computes the strain of Eq. 15 and the parcels' origins; call whenever the mean flow has changed. Around a body the geometric
+    // mean of 2 S_ij S_ij and 2 Omega_ij Omega_ij replaces the former (Kato and Launder 1993): equal in shear, but zero at
+    // stagnation points, where Eqs. 14 to 17 are known to overproduce k.
     void follow(const MacGrid& grid, double dt);
-    // Semi-Lagrangian advection, then the exact local solution of Eqs. 16 and 17 over the time since each parcel was
-    // last seen: dt, or less if it came in through the inflow meanwhile. Around a body the length k^(3/2)/epsilon does not
-    // fall below that of the inflow, as it would not at a wall so rough (Richards and Hoxey 1993): at a smooth one epsilon
-    // grows as the inverse distance, and its mean with every refinement of the grid.
+    // Semi-Lagrangian advection, then the exact local solution of Eqs. 16 and 17 over dt, or over the time since the parcel entered
+    // through the inflow. Around a body the length k^(3/2)/epsilon is at least that of the inflow, as at a wall of that roughness
+    // (Richards and Hoxey 1993): at a smooth wall epsilon grows as the inverse distance, and its mean with every refinement of the
+    // grid.
     void step(double dt);
-    // The diffusion of Eq. 13, which Eqs. 16 and 17 drop: a flow with walls needs it, because the parcels that creep
-    // along them gather k for ever, and the more so the finer the grid. `viscosity` is the molecular one.
+    // The diffusion of Eq. 13, which Eqs. 16 and 17 omit. A flow with walls needs it, because slow parcels along the walls accumulate
+    // k without limit, faster on finer grids. viscosity: molecular.
     void diffuse(double dt, double viscosity);
 
     shape::TurbulenceState at(const GridPoint& p) const;
@@ -44,7 +44,7 @@ private:
     void find_origins(const MacGrid& grid, double dt);
     void fill_solids();
 
-    struct SolidCell { // next to the fluid: takes the mean of its fluid neighbours, for parcels that touch the wall
+    struct SolidCell { // beside the fluid: has the mean of its fluid neighbours, for parcels that touch the wall
         uint32_t sample;
         uint32_t count;
         std::array<uint32_t, 6> neighbours;
@@ -57,7 +57,7 @@ private:
     GridField k_, epsilon_;
     std::vector<double> next_k_, next_epsilon_;
     std::vector<GridStencil> origin_;
-    std::vector<double> age_; // share of the step that the parcel spent inside
+    std::vector<double> age_; // fraction of the step that the parcel spent in the domain
     std::vector<double> strain_;
     EddyDiffusion diffusion_;
     std::vector<uint8_t> prescribed_;                  // samples of k_ on the inflow or inside solids

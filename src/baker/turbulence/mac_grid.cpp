@@ -32,7 +32,7 @@ double GridField::interpolate_cubic(const GridStencil& s) const {
     const size_t first = inflow_column ? 2 : 1;
     if (i < first || i + 2 >= count[0] || j < 1 || j + 2 >= count[1] || k < 1 || k + 2 >= count[2])
         return interpolate(s);
-    // In differences, so that a uniform field stays uniform to the last bit.
+    // Uses differences, so that a uniform field keeps its bits.
     const auto cubic = [](double p0, double p1, double p2, double p3, double f) {
         const double a = p1 - p0, b = p2 - p1, c = p3 - p2;
         return p1 + 0.5 * f * (a + b + f * (3.0 * b - 2.0 * a - c + f * (a - 2.0 * b + c)));
@@ -77,7 +77,7 @@ GridField MacGrid::make_centred_field() const {
 
 void MacGrid::set_solid(const std::vector<uint8_t>& mask, const ClosedFaces& closed) {
     const auto [nx, ny, nz] = cells;
-    // Flood the fluid from the outflow; what stays dry is solid or a closed pocket.
+    // Flood the fluid from the outflow; the flood misses solids and closed pockets.
     std::fill(solid.begin(), solid.end(), uint8_t{1});
     std::vector<size_t> front;
     const auto wet = [&](uint32_t i, uint32_t j, uint32_t k) {
@@ -115,7 +115,7 @@ void MacGrid::set_solid(const std::vector<uint8_t>& mask, const ClosedFaces& clo
                     const bool side = (a == 1 && (j == 0 || j == ny)) || (a == 2 && (k == 0 || k == nz));
                     bool wall = false;
                     if (!side && !(inflow && field.inflow_column)) {
-                        // The face lies between cell `upper` and the one before it along the axis.
+                        // The face is between cell `upper` and the cell before it along the axis.
                         const uint32_t upper_i = field.inflow_column ? i - 1 : i;
                         if (upper_i < nx) wall = solid[cell(upper_i, j, k)] != 0;
                         if (a == 0 && i > 0) wall = wall || solid[cell(i - 1, j, k)] != 0;

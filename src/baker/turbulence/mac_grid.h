@@ -10,14 +10,14 @@ namespace lr::baker {
 
 using GridPoint = std::array<double, 3>;
 
-// Where a point lies between eight samples of a field: the lowest of them and the fractions towards the others.
+// The position of a point between eight samples of a field: the lowest sample and the fractions towards the others.
 struct GridStencil {
     uint32_t base;
     double fx, fy, fz;
 };
 
-// Samples on a regular lattice, x fastest. Every field but the x-velocity lies half a cell inside along x; it gets one
-// more column, at x = 0 itself, that holds the inflow value, so that all fields are nx + 1 samples wide.
+// Samples on a regular lattice, x fastest. All fields except the x-velocity start half a cell inside along x and have one
+// more column, at x = 0, with the inflow value. So all fields are nx + 1 samples wide.
 struct GridField {
     std::array<uint32_t, 3> count{};
     std::array<double, 3> inverse_spacing{};
@@ -33,22 +33,22 @@ struct GridField {
     double interpolate(const GridStencil& s) const { return interpolate(values.data(), s); }
     double interpolate(const double* data, const GridStencil& s) const;
     double sample(const GridPoint& p) const { return interpolate(locate(p)); }
-    // Catmull and Rom's cubic along each axis, held between the eight samples around the point: third order where the field is
-    // smooth, no new extremes. Linear within two samples of the ends of the domain.
+    // Catmull-Rom cubic along each axis, clamped to the eight samples around the point: third order for smooth fields, no new
+    // extremes. Linear within two samples of the ends of the domain.
     double interpolate_cubic(const GridStencil& s) const;
 };
 
-// Per axis, one per cell, x fastest: non-zero if the face before the cell is closed. Empty: none along that axis. Sheets
-// and bodies thinner than a cell are closed faces between fluid cells.
+// For each axis one value per cell, x fastest: non-zero if the face before the cell is closed. Empty: no closed faces along that
+// axis. Sheets and bodies thinner than a cell are closed faces between fluid cells.
 using ClosedFaces = std::array<std::vector<uint8_t>, 3>;
 
 // Boundaries: inflow at x = 0 (velocity prescribed), outflow at x-max (pressure zero), free slip at the four sides.
-// Solid cells stand still: every face that touches one has velocity zero, and so has a closed face.
+// Velocity is zero on closed faces and on all faces of solid cells.
 struct MacGrid {
     std::array<uint32_t, 3> cells{};
     GridPoint spacing{};
     std::array<GridField, 3> velocity;              // on the x, y and z faces
-    std::array<std::vector<uint8_t>, 3> prescribed; // 1 where neither advection nor pressure may change the face
+    std::array<std::vector<uint8_t>, 3> prescribed; // 1: advection and pressure do not change the face
     std::vector<uint8_t> solid;                     // one per cell, x fastest
 
     MacGrid(const std::array<uint32_t, 3>& cell_counts, const GridPoint& lengths);
@@ -60,28 +60,28 @@ struct MacGrid {
     GridPoint cell_centre(uint32_t i, uint32_t j, uint32_t k) const;
     GridField make_centred_field() const;
 
-    // Takes the mask (one per cell, x fastest; empty: no solid) and the closed faces between cells, makes solid what the
-    // outflow cannot be reached from (the inside of a closed surface; the pressure of a pocket would be undetermined)
-    // and zeroes the velocity on solid and closed faces.
+    // Sets the mask (one per cell, x fastest; empty: no solid) and the closed faces. Also makes cells solid that have no path to the
+    // outflow, such as the inside of a closed surface, because the pressure of a pocket is undetermined. Zeroes the velocity on
+    // solid and closed faces.
     void set_solid(const std::vector<uint8_t>& mask, const ClosedFaces& closed = {});
 
     // The face before the cell along the axis: a sample of velocity[axis].
     size_t face_before(size_t axis, uint32_t i, uint32_t j, uint32_t k) const {
         return velocity[axis].index(i + (axis == 0 ? 0 : 1), j, k);
     }
-    // True if nothing passes between the cell and the one before it; the ends of the domain are no walls.
+    // Whether a wall separates the cell from the cell before it; the ends of the domain are not walls.
     bool wall_before(size_t axis, uint32_t i, uint32_t j, uint32_t k) const {
         const uint32_t at[3] = {i, j, k};
         return at[axis] > 0 && prescribed[axis][face_before(axis, i, j, k)] != 0;
     }
 
-    // Velocity at any point; outside the domain, that of the nearest point of its boundary.
+    // Velocity at any point; outside the domain, at the nearest point of its boundary.
     GridPoint velocity_at(const GridPoint& p) const;
 
-    // Position, a time dt ago, of the parcel that is at p now: midpoint rule (second order).
+    // Position, a time dt ago, of the parcel now at p: midpoint rule (second order).
     GridPoint trace_back(const GridPoint& p, double dt) const;
 
-    // Net outflow of a cell by volume.
+    // Net outflow of a cell over its volume.
     double divergence(uint32_t i, uint32_t j, uint32_t k) const;
     // Largest absolute divergence over the fluid cells.
     double max_divergence() const;
@@ -102,7 +102,7 @@ inline GridStencil GridField::locate(const GridPoint& p) const {
     return {static_cast<uint32_t>(index(n[0], n[1], n[2])), g[0], g[1], g[2]};
 }
 
-// Written as a + f (b - a), so that a uniform field stays uniform to the last bit.
+// Uses a + f (b - a), so that a uniform field keeps its bits.
 inline double GridField::interpolate(const double* data, const GridStencil& s) const {
     const size_t sy = count[0], sz = sy * count[1];
     const double* p = data + s.base;

@@ -8,7 +8,7 @@ namespace lr::baker {
 
 namespace {
 
-constexpr double residual_left = 1e-5; // of the diffusion, in the unit of the velocities, which is U0
+constexpr double residual_left = 1e-5; // of the diffusion, in units of U0
 
 } // namespace
 
@@ -42,7 +42,7 @@ void MeanFlow::project() {
     max_divergence_ = std::max(max_divergence_, result.max_divergence);
 }
 
-// Into previous_ first, because every trace reads the velocity of the last step; then the two change places.
+// Writes to previous_ and then swaps, because every trace reads the velocity of the last step.
 void MeanFlow::advect(double dt) {
     for (size_t a = 0; a < 3; ++a) {
         const GridField& field = grid.velocity[a];
@@ -59,13 +59,13 @@ void MeanFlow::advect(double dt) {
     for (size_t a = 0; a < 3; ++a) previous_[a].swap(grid.velocity[a].values);
 }
 
-// The paper computes nu_T for G only. Without it in the mean flow a shear layer is as thin as a cell, and G grows
-// without bound as the grid is refined.
+// The paper uses nu_T only for G. Without nu_T in the mean flow a shear layer is as thin as a cell, and G grows without bound as the
+// grid is refined.
 void MeanFlow::diffuse(double dt, const std::vector<double>& viscosity) {
     const std::array<uint32_t, 3>& n = grid.cells;
     for (size_t a = 0; a < 3; ++a) {
         GridField& field = grid.velocity[a];
-        // A face has the mean viscosity of the fluid cells that it parts; zero inside a solid.
+        // A face has the mean viscosity of its fluid cells; zero inside a solid.
         for (uint32_t k = 0; k < field.count[2]; ++k)
             for (uint32_t j = 0; j < field.count[1]; ++j)
                 for (uint32_t i = 0; i < field.count[0]; ++i) {

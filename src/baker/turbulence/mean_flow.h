@@ -15,12 +15,12 @@ class MeanFlow {
 public:
     MacGrid grid;
 
-    // Takes a grid whose inflow, initial velocity and solids are set, and projects it.
-    // Divergences up to `enough` are left.
+    // initial: a grid with inflow, initial velocity and solids; the constructor projects it. Divergences up to `enough`
+    // remain.
     explicit MeanFlow(MacGrid initial, double enough = 0.0);
 
-    // One step. `viscosity` (molecular plus eddy, one per cell) may be null: no diffusion, as in the paper.
-    // False if the pressure solve did not converge.
+    // One step. viscosity: molecular plus eddy, one per cell; null: no diffusion, as in the paper. False if the pressure
+    // solve did not converge.
     bool step(double dt, const std::vector<double>* viscosity);
 
     double last_change() const { return last_change_; } // largest change of a face velocity in the last step

@@ -1,4 +1,4 @@
-// Multigrid cycle for the pressure's Laplacian around bodies and sheets: the preconditioner of its conjugate gradients.
+// Multigrid cycle for the pressure Laplacian around bodies and sheets: preconditions conjugate gradients.
 #pragma once
 
 #include <array>
@@ -8,14 +8,13 @@
 
 namespace lr::baker {
 
-// Coarse unknowns are the connected parts of blocks of two cells each way, so that a sheet without thickness still parts the
-// pressures of its sides when a coarse cell is far larger than the body; an axis along which the cells are long is
-// halved later than the others. Prolongation is constant over a part and restriction its transpose. Links across a
-// block are halved: constant prolongation makes them twice too stiff (Braess 1995). Single precision: the iteration around
-// it corrects that.
+// Coarse unknowns are the connected parts of blocks of two cells along each axis: a sheet without thickness then still separates the
+// pressures of its sides when a coarse cell is far larger than the body. Axes with long cells are coarsened later. Prolongation
+// is constant over a part, restriction is its transpose. Links across a block are halved, because constant prolongation makes
+// them twice too stiff (Braess 1995). Single precision suffices: the outer iteration corrects it.
 class PressureMultigrid {
 public:
-    // Per cell, x fastest: the sum of all links (0: solid), and the link to the next cell along each axis, all positive.
+    // For each cell, x fastest: the sum of all links (0: solid) and the link to the next cell along each axis, all positive.
     PressureMultigrid(const std::array<uint32_t, 3>& cells, const std::array<double, 3>& spacing,
                       const double* diagonal, const std::array<const double*, 3>& links);
 

@@ -25,7 +25,7 @@ PressureProjection::PressureProjection(const MacGrid& grid)
                 for (size_t a = 0; a < 3; ++a) {
                     const double weight = 1.0 / (grid.spacing[a] * grid.spacing[a]);
                     if (at[a] + 1 == n[a]) {
-                        // Outflow: the pressure is zero on the face, half a cell from the centre.
+                        // Outflow: zero pressure on the face, half a cell from the centre.
                         if (a == 0) diagonal_[first_ + c] += 2.0 * weight;
                         continue;
                     }
@@ -130,7 +130,7 @@ ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, do
             }
             if (left <= target) break;
             precondition();
-            // Polak and Ribiere's: the rounding of the cycle makes it a little different each time.
+            // Polak-Ribiere formula, because the cycle's rounding makes the preconditioner slightly variable.
             const double rho_next = dot(residual_, preconditioned_);
             const double beta = (rho_next - dot(old_residual_, preconditioned_)) / rho;
             rho = rho_next;

@@ -13,24 +13,24 @@ namespace lr::baker {
 struct ProjectionResult {
     bool converged;
     int iterations;
-    double max_divergence; // afterwards, over the fluid cells, from the velocities themselves
+    double max_divergence; // after the projection, over the fluid cells, computed from the velocities
 };
 
 // Conjugate gradients on the 7-point Laplacian of the fluid cells, preconditioned by multigrid. Neumann at prescribed faces
-// (inflow, sides, solids, closed faces), pressure zero on the outflow. Starts from the potential of the last call: a
-// steady flow costs few iterations and a uniform one none.
+// (inflow, sides, solids, closed faces), zero pressure on the outflow. Starts from the potential of the last call, so that a
+// steady flow takes few iterations and a uniform flow none.
 class PressureProjection {
 public:
-    // The solid cells of the grid are read here once.
+    // Reads the solid cells of the grid once.
     explicit PressureProjection(const MacGrid& grid);
 
-    // Takes the gradient of the last potential from the velocity, so that what follows (diffusion at walls) sees the
-    // pressure, and `project` finds the change of the potential only: in a steady flow the projection then does nothing,
-    // and leaves no slip of the size of dt times the pressure gradient at the walls (Van Kan 1986).
+    // Subtracts the gradient of the last potential from the velocity before the diffusion, so that `project` only finds the change
+    // of the potential. In a steady flow the projection then does nothing, and leaves no slip of dt times the pressure gradient at
+    // the walls (Van Kan 1986).
     void precorrect(MacGrid& grid);
 
-    // Until the largest divergence has fallen by `tolerance`, or to `enough`, or to rounding error (max |u|/cell times
-    // 1e-14).
+    // Iterates until the largest divergence has fallen by `tolerance`, or to `enough`, or to rounding error (max |u|/cell
+    // times 1e-14).
     ProjectionResult project(MacGrid& grid, double tolerance = 1e-9, double enough = 0.0, int max_iterations = 5000);
 
 private:
@@ -40,8 +40,8 @@ private:
     bool precorrected_ = false;
     std::array<uint32_t, 3> cells_;
     std::array<double, 3> spacing_;
-    std::optional<PressureMultigrid> multigrid_; // made when it is first needed
-    // Vectors carry a layer of zeros before and after the cells, so that neighbours need no bounds test.
+    std::optional<PressureMultigrid> multigrid_; // created on first use
+    // Vectors have a layer of zeros before and after the cells, so that neighbours need no bounds test.
     size_t nx_, layer_, first_, last_;
     std::vector<double> diagonal_, link_[3]; // link: to the next cell along the axis, as a positive number
     std::vector<double> potential_, change_, residual_, old_residual_, direction_, image_, preconditioned_;

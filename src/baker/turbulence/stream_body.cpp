@@ -11,7 +11,7 @@ namespace {
 
 constexpr double margin = 1.5; // ahead and behind, in w
 constexpr double across = 4.0; // sides of the cross section, in the body's extents
-// Narrower bodies are given the room of one so wide, lest the cells become needles.
+// Narrower bodies get the cross section for this width, or the cells would become needles.
 constexpr double narrowest = 0.1;
 
 } // namespace
@@ -53,7 +53,7 @@ bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::V
     GridPoint lengths = {size[0] + d + 2.0 * margin * width, across * size[1],
                          across * size[2] * std::ceil(size[1] / (16.0 * size[2]))};
     if (!(size[2] > 1e-9 * size[1])) lengths[2] = 0.25 * size[1];
-    // Whole cells in a thick body, when there are 32 of them or a multiple along the stream.
+    // A thick body gets whole cells if the grid has 32 cells, or a multiple, along the stream.
     const double whole = 2.0 * std::floor(0.5 * 32.0 * size[0] / lengths[0]);
     if (whole > 0.0) lengths[0] = 32.0 * size[0] / whole;
     for (size_t a = 0; a < 3; ++a) options.domain_lengths[a] = lengths[a] / d;
@@ -61,7 +61,7 @@ bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::V
     const double ahead = std::max(1.0, std::floor((margin * width + 0.5 * size[0]) / cell + 0.5)) * cell;
     const Eigen::Vector3d middle(ahead, 0.5 * lengths[1], 0.5 * lengths[2]);
 
-    // No narrower than two cells across the stream, or it would slip between their centres.
+    // At least two cells wide across the stream, or the body could be between cell centres.
     Eigen::Vector3d stretch = Eigen::Vector3d::Ones();
     for (Eigen::Index a = 1; a < 3; ++a) {
         const auto axis = static_cast<size_t>(a);
@@ -85,7 +85,7 @@ bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::V
     for (const std::vector<uint8_t>& faces : options.closed_faces)
         seen = seen || std::any_of(faces.begin(), faces.end(), [](uint8_t face) { return face != 0; });
     if (!seen)
-        return fail(FaultId::parameter_out_of_range, "grid", "The body falls through the cells of the wake's grid.",
+        return fail(FaultId::parameter_out_of_range, "grid", "The body is too small for the cells of the wake's grid.",
                     "Give more cells with --grid, or leave out --wake.");
     for (Eigen::Index a = 0; a < 3; ++a) {
         options.body_box[0][static_cast<size_t>(a)] = middle[a] - 0.5 * size[a];

@@ -20,24 +20,24 @@ using shape::TurbulenceState;
 
 constexpr size_t max_cells = size_t{1} << 22;
 constexpr double max_steps = 1e5;
-// A flow that changes by less than this share of U0 in a step is steady and is not computed again.
+// A flow that changes by less than this fraction of U0 in a step is steady and is not computed further.
 constexpr double steady_change = 1e-12;
-// Of the wake, in lengths of the body's breadth w: time step, and time that must be steady, at speed U0. The step is the
-// same on all grids: its error then is, too, and that of the advection falls with the square of the cell.
+// For the wake, in w/U0 with the body's breadth w: the time step, and the time that must be steady. The step and its error are
+// the same on all grids; the error of the advection falls with the square of the cell size.
 constexpr double wake_step = 0.1, settled_window = 2.0;
 constexpr double wake_passages = 4.0;
-constexpr double most_wake_k = 1.5; // of U0^2: an intensity of 100 %
-// Divergences of U0/d left in a wake.
+constexpr double most_wake_k = 1.5; // in U0^2: an intensity of 100 %
+// Divergence left in a wake, in U0/d.
 constexpr double enough_divergence = 1e-7;
 
-// Everything below runs in units of U0 and l: bodies of any size and speed see the same arithmetic.
+// The code below uses units of U0 and l, so that bodies of any size and speed get the same arithmetic.
 struct Scales {
-    bool wake;        // there is a solid in the stream
+    bool wake;        // a solid is in the stream
     double d;         // length_d/l
     GridPoint domain; // lengths
     GridPoint body;   // position
     double width;     // breadth of the body
-    double dt;        // empty: the stream crosses one cell a step, so that uniform advection is exact
+    double dt;        // without a solid: one cell per step, so that uniform advection is exact
     double duration;  // of the table
     double run;       // longest time simulated
     double viscosity; // nu/(U0 l)
@@ -46,7 +46,7 @@ struct Scales {
 struct Sample {
     double t;
     TurbulenceState state;
-    double strain; // at the particle until the next sample
+    double strain; // at the particle, until the next sample
 };
 
 bool in_range(double x, double low, double high) {
@@ -94,8 +94,8 @@ void check_options(const TurbulenceOptions& o, Faults& faults) {
         }
     }
     if (cells > max_cells)
-        fault("turbulence.cells", "The grid has " + std::to_string(cells) + " cells in all.",
-              "Give at most 4194304 cells in all, for instance 160 along each axis.");
+        fault("turbulence.cells", "The grid has " + std::to_string(cells) + " cells.",
+              "Give at most 4194304 cells, for instance 160 along each axis.");
     if (!in_range(o.intensity, 0.0, 10.0) || o.intensity < 1e-6)
         fault("turbulence.intensity", "The turbulence intensity is " + std::to_string(o.intensity) + ".",
               "Give an intensity from 0.000001 to 10; 1 is the paper's 100 %.");
@@ -113,7 +113,7 @@ void check_options(const TurbulenceOptions& o, Faults& faults) {
                   "Give sides of 0.01 to 10000 times the characteristic length d.");
     if (!(o.duration_star >= 0.0 && o.duration_star <= 1e9))
         fault("turbulence.duration_star", "The duration is " + std::to_string(o.duration_star) + " l/U0.",
-              "Give 0 for the automatic duration, or up to 1e9.");
+              "Give 0 for the automatic duration, or at most 1e9.");
     if (o.samples < 2 || o.samples > 65536)
         fault("turbulence.samples", "The table has " + std::to_string(o.samples) + " samples.",
               "Give 2 to 65536 samples.");
@@ -123,7 +123,7 @@ void check_options(const TurbulenceOptions& o, Faults& faults) {
     if (s.wake || o.initial_velocity) {
         if (s.run / s.dt > max_steps)
             fault("turbulence.duration_star", "The flow would take more than 100000 steps.",
-                  "Shorten duration_star, coarsen the grid, or give a length l nearer to d.");
+                  "Shorten duration_star, coarsen the grid, or give a length l closer to d.");
     }
     for (const std::vector<uint8_t>* mask : {&o.solid, &o.closed_faces[0], &o.closed_faces[1], &o.closed_faces[2]})
         if (!mask->empty() && mask->size() != cells) {
@@ -139,7 +139,7 @@ void check_options(const TurbulenceOptions& o, Faults& faults) {
             good = good && o.body_box[0][a] <= o.body_box[1][a] && std::abs(o.body_box[0][a]) < 1e12 &&
                    std::abs(o.body_box[1][a]) < 1e12;
         if (!good) {
-            fault("turbulence.body_box", "The box of the body is not finite or inside out.",
+            fault("turbulence.body_box", "The box of the body is not finite, or its corners are swapped.",
                   "Give its lowest and its highest corner in the domain, in m.");
             return;
         }
@@ -148,7 +148,7 @@ void check_options(const TurbulenceOptions& o, Faults& faults) {
     for (size_t row = 0; row < cells; row += o.cells[0])
         if (o.solid[row] != 0 || o.solid[row + o.cells[0] - 1] != 0) {
             fault("turbulence.solid", "The solid reaches the inflow or the outflow.",
-                  "Lengthen the domain, or leave the first and the last layer of cells fluid.");
+                  "Lengthen the domain, or keep the first and last layer of cells fluid.");
             return;
         }
 }
@@ -179,7 +179,7 @@ bool set_velocity(MacGrid& grid, const TurbulenceOptions& o, Faults& faults) {
 
 struct Run {
     std::vector<Sample> history;
-    bool particle_left = false; // it decays from the last sample on
+    bool particle_left = false; // after the last sample the particle's turbulence decays
     WakeSummary wake;
     double max_divergence = 0.0;
     long pressure_iterations = 0;
@@ -226,7 +226,7 @@ Run run_flow(const TurbulenceOptions& o, const Scales& scales, MacGrid grid, con
     for (uint32_t n = 1; run.history.back().t < end; ++n) {
         if (!wake) {
             const GridPoint next = flow.grid.trace_back(particle, -scales.dt);
-            // A cell's width before the outflow, so that its k is never that of the boundary.
+            // Stop one cell before the outflow, so that the particle never gets the k of the boundary.
             if (next[0] > scales.domain[0] - flow.grid.spacing[0]) {
                 run.particle_left = true;
                 break;
@@ -243,7 +243,7 @@ Run run_flow(const TurbulenceOptions& o, const Scales& scales, MacGrid grid, con
             }
             flow.step(scales.dt, diffuse ? &viscosity : nullptr);
             if (flow.last_change() > steady_change) turbulence.follow(flow.grid, scales.dt);
-            // nu_T keeps changing where it acts, so only an undiffused flow can be known to stay as it is.
+            // With diffusion nu_T keeps changing, so only a flow without diffusion is known to stay steady.
             steady = !diffuse && flow.last_change() <= steady_change;
         }
         turbulence.step(scales.dt);
@@ -259,8 +259,8 @@ Run run_flow(const TurbulenceOptions& o, const Scales& scales, MacGrid grid, con
     return run;
 }
 
-// The state between two samples follows the local solution from the first, corrected by the share of the step
-// gone so that it meets the second: exact for decay and for constant strain, whatever the step.
+// The state between two samples is the local solution from the first, plus a correction proportional to the elapsed fraction, so
+// that it ends at the second: exact for decay and for constant strain with any step.
 TurbulenceState state_at(const std::vector<Sample>& history, bool particle_left, double t, size_t& from) {
     while (from + 1 < history.size() && history[from + 1].t <= t) ++from;
     const Sample& a = history[from];
@@ -339,12 +339,12 @@ bool compute_turbulence_table(const TurbulenceOptions& options, TurbulenceTable&
                 for (uint32_t j = 0; j < options.cells[1]; ++j) open = open && grid.solid[grid.cell(0, j, k)] == 0;
             if (!open) {
                 found.push_back({FaultId::parameter_out_of_range, Severity::error, "turbulence.solid",
-                                 "The solid closes the stream off.",
+                                 "The solid blocks the stream.",
                                  "Widen the domain so that fluid can pass around the body."});
             } else if (const WakeProbe probe = make_probe(options, scales, grid); scales.wake && probe.empty()) {
                 found.push_back({FaultId::parameter_out_of_range, Severity::error, "turbulence.body_box",
-                                 "There is no fluid around the body or behind it.",
-                                 "Give the box of the body, within the domain, and room behind it."});
+                                 "No fluid is around the body or behind it.",
+                                 "Give the box of the body within the domain, with space behind it."});
             } else {
                 const Run run = run_flow(options, scales, std::move(grid), probe, progress);
                 if (run.converged) {

@@ -1,11 +1,11 @@
 // The turbulence table of a body: Algorithm 1 of the paper on a MAC grid, as repaired in docs/maintainers/physics.md sections 3, 6.
 //
-// Which particle is tracked. The paper's stream moves at the body's mean falling velocity (Eq. 19), so a particle
-// carried by it from where the body is stays with the falling body, and the table is the history of (chi, epsilon)
-// along that particle's path, beginning with the inflow state of Eq. 18 and fed by whatever strain it meets. Once it
-// has left through the outflow it meets none, and the history goes on as the closed-form decay. With a solid in the
-// stream the body stands still in the flow and no particle stays with it: there the table is the mean of k and
-// epsilon over the fluid around the body and one d behind it, which develops in time and becomes steady.
+// The tracked particle. The paper's stream moves at the body's mean falling velocity (Eq. 19), so a particle that starts at the
+// body's position stays with the falling body. The table is the history of (chi, epsilon) along this particle's path: it begins
+// with the inflow state of Eq. 18 and includes the strain along the path. After the particle has left through the outflow, the
+// history continues as the closed-form decay. With a solid in the stream the body is fixed in the flow and no particle stays
+// with it: the table then is the mean of k and epsilon over the fluid around the body and one d behind it, which develops in
+// time and becomes steady.
 #pragma once
 
 #include "asset/input_faults.h"
@@ -27,22 +27,22 @@ struct TurbulenceOptions {
     double viscosity = 0.0;                    // molecular, m^2/s
     // Domain in multiples of d, so that a finer grid resolves the same flow. Cubic cells on the default grid.
     std::array<double, 3> domain_lengths{8.0, 8.0, 4.0};
-    // Length of the table in l/U0. 0: until chi of a decaying parcel is a tenth of chi0, and with a solid at least
-    // four passages of the domain. A wake: four passages.
+    // Length of the table in l/U0. 0: until chi of a decaying parcel is a tenth of chi0; with a solid, at least four passages of
+    // the domain. A wake: four passages.
     double duration_star = 0.0;
     uint32_t samples = 128; // of the table, 2 to 65536
-    // One per cell, x fastest, non-zero: solid. Empty: no solid. The first and last layers in x must be fluid. The
-    // body's centre is at body_position().
+    // One per cell, x fastest; non-zero: solid. Empty: no solid. The first and last layers in x must be fluid. The body's
+    // centre is at body_position().
     std::vector<uint8_t> solid;
-    // Closed faces between fluid cells: a sheet, or the surface of a body, whose inside then becomes solid.
+    // Closed faces between fluid cells: a sheet, or the surface of a body, whose inside becomes solid.
     ClosedFaces closed_faces;
-    // Lowest and highest corner of the body in the domain, m, needed with closed faces; else the box of the solid cells.
+    // Lowest and highest corner of the body in the domain, m. Required with closed_faces; otherwise the box of the solid cells.
     std::array<GridPoint, 2> body_box{};
-    // Mean velocity at the start, and at x = 0 for ever, in m/s at a point in m; empty: the uniform stream (U0, 0, 0).
+    // Mean velocity at the start, and at x = 0 at all times, m/s at a point in m; empty: the uniform stream (U0, 0, 0).
     std::function<std::array<double, 3>(const std::array<double, 3>&)> initial_velocity;
-    // In a flow with strain, let nu + nu_T act on the mean flow, and diffuse k and epsilon as in Eq. 13 (the paper
-    // drops both). The uniform stream does not notice; a wake needs it to converge with the grid. Off for homogeneous
-    // shear, which the slip walls would otherwise wear away.
+    // In a flow with strain, nu + nu_T acts on the mean flow, and k and epsilon diffuse as in Eq. 13 (the paper omits both). No
+    // effect on the uniform stream; a wake needs it for convergence with the grid. Turn off for homogeneous shear, which the slip
+    // walls would diffuse away.
     bool diffusion = true;
 };
 
@@ -51,16 +51,16 @@ struct TurbulenceTable {
     double u0 = 0.0, l = 0.0, intensity = 0.0;
     double c0 = 0.0, r_lambda = 0.0;        // of the stationary state
     std::vector<double> t, chi, epsilon, k; // s, 1/s, m^2/s^3, m^2/s^2
-    // For the SPEED clock. Without a solid k can only decay, and a moving body keeps renewing the state that it makes:
-    // the stationary point is sample 0. With a body, the table keeps the mean of the steady part from there on; if it
-    // sheds vortices, or does not settle, the mean over a period, or over the last half, is the last sample.
+    // For the SPEED clock. Without a solid k only decays, and a moving body keeps renewing its initial state: the stationary point
+    // is sample 0. With a body it is the sample from which the table holds the mean of the steady part; with vortex shedding, or
+    // without settling, it is the last sample, the mean over a period or over the last half.
     uint32_t stationary_index = 0;
     double stationary_chi_star = 0.0, stationary_epsilon_star = 0.0;
-    bool settled = false;                  // the stationary point or loop was reached
+    bool settled = false;                  // a stationary point or loop was reached
     uint32_t loop_begin = 0, loop_end = 0; // samples [begin, end) repeat; equal: no loop
     bool wake = false;
     std::array<double, 3> domain_lengths{}; // in d
-    // How it was made.
+    // The options of the computation.
     std::array<uint32_t, 3> cells{};
     uint32_t steps = 0;
     double max_divergence = 0.0; // largest |div u| d/U0 left by any projection
@@ -74,7 +74,7 @@ struct TurbulenceTable {
 // Centre of the body in the domain, m: a quarter of the way down the stream, halfway across.
 std::array<double, 3> body_position(const TurbulenceOptions& options);
 
-// False, with fault 301 and the table untouched, if a parameter is out of range. `progress` (0 to 1) may be empty.
+// False, with fault 301 and the table untouched, if a parameter is out of range. progress: 0 to 1; can be empty.
 bool compute_turbulence_table(const TurbulenceOptions& options, TurbulenceTable& table, Faults& faults,
                               const std::function<void(double)>& progress = {});
 

@@ -11,13 +11,13 @@ double eddy_viscosity(TurbulenceState state) {
     return c_mu * state.k * (state.k / state.epsilon);
 }
 
-// With G = C_mu (k^2/epsilon) strain, Eqs. 16 and 17 part into a Riccati equation and a quadrature,
+// With G = C_mu (k^2/epsilon) strain, Eqs. 16 and 17 separate into a Riccati equation and a quadrature,
 //     chi' = a - b chi^2,  (ln k)' = a/((C1-1) chi) - chi,  a = (C1-1) C_mu strain,  b = C2-1,
-// whose solution is written in h = tanh(z)/z, z = sqrt(a b) t, so that a -> 0 is the decay above and nothing cancels:
+// whose solution uses h = tanh(z)/z, z = sqrt(a b) t, so that a -> 0 gives the decay without cancellation:
 //     chi = chi0 qn/qd,  qn = 1 + a t h/chi0,  qd = 1 + b chi0 t h,
 //     k = k0 (qn cosh z)^(1/(C1-1)) (qd cosh z)^(-1/b).
 TurbulenceState evolve(TurbulenceState s0, double strain, double t) {
-    if (!(s0.k > 0.0)) return {0.0, 0.0}; // strain makes turbulence of turbulence alone
+    if (!(s0.k > 0.0)) return {0.0, 0.0}; // strain only amplifies existing turbulence
     constexpr double g = c_epsilon_1 - 1.0;
     constexpr double b = c_epsilon_2 - 1.0;
     const double a = g * c_mu * strain;
@@ -31,7 +31,7 @@ TurbulenceState evolve(TurbulenceState s0, double strain, double t) {
     const double qn = 1.0 + a * t * h / chi0;
     const double qd = 1.0 + b * chi0 * t * h;
     const double growth = (log_cosh + portable_log(qn)) / g - (log_cosh + portable_log(qd)) / b;
-    // e^230 = 1e100: unbounded growth in an endless strain stays a finite number.
+    // e^230 = 1e100 keeps unbounded growth under lasting strain finite.
     const double k = s0.k * portable_exp(std::clamp(growth, -230.0, 230.0));
     return {k, k * (chi0 * (qn / qd))};
 }

@@ -7,13 +7,13 @@
 namespace lr::baker {
 namespace {
 
-// In cells. Far above the rounding of positions (2e-16 times 512 cells), far below any shape.
+// In cells. Far above the rounding of positions (2e-16 times 512 cells), far below the size of any body.
 constexpr double slack = 1e-9;
-// A triangle lower than this, seen along the axis, has no reliable plane: it counts as its three edges.
+// A flatter triangle, seen along the axis, has no reliable plane: only its three edges count.
 constexpr double edge_on = 1e-6;
 
 struct Corner {
-    double p, q, depth; // across the axis, along it; in cells, cell centres at whole numbers
+    double p, q, depth; // p, q: across the axis, depth: along it; in cells, cell centres at whole numbers
 };
 
 struct Interval {
@@ -24,7 +24,7 @@ struct Interval {
     }
 };
 
-// Depths of the part of the edge that passes the line within `reach`.
+// Depths of the part of the edge within `reach` of the line.
 void clip_edge(const Corner& a, const Corner& b, double p, double q, double reach, Interval& depths) {
     const double ep = b.p - a.p, eq = b.q - a.q, length2 = ep * ep + eq * eq;
     const double to_p = p - a.p, to_q = q - a.q;
@@ -45,7 +45,7 @@ void clip_edge(const Corner& a, const Corner& b, double p, double q, double reac
     depths.add(a.depth + to * (b.depth - a.depth));
 }
 
-// Where the line of cell centres (p, q) along the axis meets the triangle.
+// Depths at which the line of cell centres (p, q) along the axis intersects the triangle.
 Interval meet(const Corner (&t)[3], double p, double q) {
     Interval depths;
     double side[3], longest = 0.0;
@@ -100,7 +100,7 @@ ClosedFaces voxelise(const Mesh& mesh, const std::array<uint32_t, 3>& cells, con
             for (uint32_t line_q = q0; line_q <= q1; ++line_q)
                 for (uint32_t line_p = p0; line_p <= p1; ++line_p) {
                     const Interval depths = meet(t, line_p, line_q);
-                    // Face n lies between the centres n - 1 and n.
+                    // Face n is between the centres n - 1 and n.
                     const double from = std::max(std::ceil(depths.low - slack), 1.0);
                     const double to = std::min(std::floor(depths.high + slack) + 1.0, cells[axis] - 1.0);
                     if (!(from <= to)) continue;

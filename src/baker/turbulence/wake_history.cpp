@@ -10,7 +10,7 @@ using shape::TurbulenceState;
 namespace {
 
 constexpr double settled_spread = 0.02;
-constexpr double repeats = 0.8; // autocorrelation from which a lag counts as a period
+constexpr double repeats = 0.8; // least autocorrelation of a period
 constexpr size_t shortest_period = 8;
 
 } // namespace
@@ -37,8 +37,8 @@ size_t find_period(const std::vector<TurbulenceState>& history) {
     for (size_t n = 0; n < count; ++n) mean += chi[n] = shape::turbulent_frequency(history[begin + n]);
     mean /= static_cast<double>(count);
     for (double& x : chi) x -= mean;
-    // Each lag is normalised by the two stretches that it compares: a growing or dying swing still repeats, a drift
-    // does not swing at all.
+    // Normalised by the two stretches that the lag compares, so that a growing or decaying oscillation counts as periodic and a drift
+    // does not.
     const auto correlation = [&](size_t lag) {
         double both = 0.0, first = 0.0, second = 0.0;
         for (size_t n = 0; n + lag < count; ++n) {
@@ -49,7 +49,7 @@ size_t find_period(const std::vector<TurbulenceState>& history) {
         const double norm = std::sqrt(first * second);
         return norm > 0.0 ? both / norm : 0.0;
     };
-    bool fell = false; // below zero, as any swing does between its beginning and its first repetition
+    bool fell = false; // below zero, as every oscillation between its beginning and its first repetition
     double before = 1.0, here = correlation(1);
     for (size_t lag = 2; 2 * lag <= count + 1; ++lag) {
         const double next = correlation(lag);

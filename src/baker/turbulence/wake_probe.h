@@ -10,8 +10,8 @@
 
 namespace lr::baker {
 
-// Over the fluid in the box of the body, lengthened downstream by `behind`. A cell counts by its share of that volume, so
-// that the volume is the body's and not the grid's. A box of no size at all: that of the solid cells.
+// The mean over the fluid in the body's box, extended downstream by `behind`. Each cell is weighted by its part of that volume,
+// so that the volume depends on the body, not on the grid. An empty box: that of the solid cells.
 class WakeProbe {
 public:
     WakeProbe() = default;

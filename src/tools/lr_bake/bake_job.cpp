@@ -31,7 +31,7 @@ bool exists(const std::string& path_utf8) {
 
 bool check_outputs(const BakeJob& job, Faults& faults) {
     const std::vector<std::string> outputs = job.outputs();
-    // The folder of the plots is only made when they are there to be written.
+    // The plots' folder is created just before the plots are written.
     const std::string folder = without_slash(job.plots);
     const bool to_be_made = !folder.empty() && !exists(folder);
     bool good = !to_be_made || check_output(folder, faults);
@@ -39,7 +39,7 @@ bool check_outputs(const BakeJob& job, Faults& faults) {
         good = check_output(outputs[i], faults) && good;
     const auto differ = [&](const std::string& output, const std::string& other, const std::string& what) {
         if (!is_same_file(output, other)) return true;
-        faults.push_back({FaultId::parameter_out_of_range, Severity::error, output, what, "Give another name."});
+        faults.push_back({FaultId::parameter_out_of_range, Severity::error, output, what, "Choose another file name."});
         return false;
     };
     const auto kind = [&](const std::string& path) {
@@ -62,7 +62,7 @@ std::string_view as_text(const std::vector<uint8_t>& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Every output is there, sound, and says that it was made by this baker, from these bytes with these options.
+// Whether every output exists, is valid, and was made by this baker from the same input bytes with the same options.
 bool is_current(const BakeJob& job) {
     std::vector<uint8_t> bytes;
     Faults ignored;

@@ -1,4 +1,4 @@
-// One bake from files to files.
+// One bake: reads a mesh or image file, writes the asset, report and plots.
 #pragma once
 
 #include "baker/bake.h"
@@ -13,9 +13,9 @@ struct BakeJob {
     BakeOptions bake;
     std::string output; // the asset
     std::string report; // or empty
-    std::string plots;  // a folder for plot_names, made if only its last part is missing; or empty
+    std::string plots;  // folder for plot_names, created if its parent exists; or empty
     std::string plot_prefix;
-    // Leave the outputs alone if they are what this bake would make.
+    // Keep outputs that are up to date.
     bool if_changed = false;
 
     std::string input_name() const { return bake.semi_axes ? "ellipsoid" : bake.mesh_path; }
@@ -28,14 +28,14 @@ struct BakeOutcome {
     AssetData asset; // empty when unchanged
     Faults faults;
     BakeTimings timings;
-    std::vector<std::vector<uint8_t>> files; // the bytes of each of outputs()
+    std::vector<std::vector<uint8_t>> files; // contents of outputs()
     double seconds = 0.0;
 };
 
-// Everything but the writing. Throws nothing but std::bad_alloc.
+// Bakes without writing. Throws only std::bad_alloc.
 BakeOutcome make_outputs(const BakeJob& job, const BakeProgress& progress, const BakeHooks& hooks);
 
-// All files or none; the outcome has failed if not.
+// Writes all files or none; on failure the outcome's state is failed.
 void write_outputs(const BakeJob& job, BakeOutcome& outcome);
 
 } // namespace lr::baker

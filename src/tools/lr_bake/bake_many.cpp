@@ -39,18 +39,18 @@ public:
     Batch(const std::vector<BakeJob>& jobs, const BatchLimits& limits, const BatchEvents& events)
         : jobs_(jobs), events_(events), budget_(limits.memory), parts_(jobs.size()), outcomes_(jobs.size()),
           ready_(jobs.size()) {
-        // Signals come to the thread that writes files, which holds them meanwhile; threads inherit what is held here.
+        // Workers inherit the blocked signals, so that signals reach the calling thread, which blocks them while it writes files.
         const SignalsHeld held;
         const std::size_t wanted = std::clamp<std::size_t>(limits.threads, 1, std::max<std::size_t>(jobs.size(), 1));
         solver_threads_ = std::max(1U, std::thread::hardware_concurrency() / static_cast<unsigned>(wanted));
         threads_.reserve(wanted);
         try {
             while (threads_.size() < wanted) threads_.emplace_back([this] { work(); });
-        } catch (const std::system_error&) { // no more threads to be had: those there are do it
+        } catch (const std::system_error&) { // the system allows no more threads; the present ones do the work
         }
     }
     ~Batch() {
-        next_ = jobs_.size(); // nothing is left to do, unless an exception ends this early
+        next_ = jobs_.size(); // after an exception, workers take no more jobs
         for (std::thread& t : threads_) t.join();
     }
     Batch(const Batch&) = delete;
@@ -109,7 +109,7 @@ private:
         };
         const auto progress = [&](const char* phase, double fraction) {
             parts_[i] = std::min(overall_progress(phase, fraction), 0.99);
-            // What comes after needs little, and others wait.
+            // The later phases need little memory; let waiting jobs start.
             if (reserved > 0 && fraction >= 1.0 && std::strcmp(phase, "added mass") == 0)
                 budget_.release(std::exchange(reserved, 0));
         };
@@ -118,7 +118,7 @@ private:
         } catch (const std::bad_alloc&) {
             outcomes_[i].state = BakeOutcome::State::failed;
             outcomes_[i].faults.push_back({FaultId::mesh_too_many_faces, Severity::error, "memory",
-                                           "The bake does not fit into memory.", "Give fewer --jobs."});
+                                           "The bake does not fit into memory.", "Use fewer --jobs."});
         }
         if (reserved > 0) budget_.release(reserved);
     }
@@ -127,14 +127,14 @@ private:
     const BatchEvents& events_;
     MemoryBudget budget_;
     std::atomic<std::size_t> next_{0};
-    std::vector<std::atomic<double>> parts_; // of each job done
-    std::vector<BakeOutcome> outcomes_;      // each written by one worker, and read once it is in made_
+    std::vector<std::atomic<double>> parts_; // of each job, finished
+    std::vector<BakeOutcome> outcomes_;      // each written by one worker, read after its index is in made_
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<std::size_t> made_;
-    std::vector<char> ready_; // only the calling thread's, as are these
+    std::vector<char> ready_; // this and the next two: used by the calling thread only
     std::size_t next_shown_ = 0, failed_ = 0;
-    unsigned solver_threads_ = 1; // of each job: jobs share the processors
+    unsigned solver_threads_ = 1; // for each job: jobs share the processors
     std::vector<std::thread> threads_;
 };
 
@@ -155,7 +155,7 @@ std::optional<std::vector<BakeJob>> plan_batch(const std::vector<std::string>& i
         job.if_changed = if_changed;
         const auto [other, fresh] = inputs_of.emplace(job.output, input);
         if (!fresh) {
-            clash = "'" + other->second + "' and '" + input + "' would both become '" + job.output + "'";
+            clash = "'" + other->second + "' and '" + input + "' both give '" + job.output + "': rename one";
             return {};
         }
         jobs.push_back(std::move(job));

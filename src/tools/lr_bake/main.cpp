@@ -1,4 +1,4 @@
-// lr_bake: bakes, shows and checks asset files. Exit code 0 good, 1 a numbered fault, 2 wrong usage.
+// lr_bake: bakes, shows and checks asset files. Exit code 0: success, 1: a numbered fault, 2: wrong usage.
 #include "asset/asset_file.h"
 #include "baker/asset_report.h"
 #include "baker/fault_text.h"
@@ -31,7 +31,7 @@ constexpr std::size_t max_asset_bytes = std::size_t{1} << 30; // read_asset
 void print(const std::string& file, const Faults& faults, bool warnings) {
     for (Fault fault : faults) {
         if (fault.severity == Severity::warning && !warnings) continue;
-        // A fault of a whole file names it; of a report or an asset to be written, that and not the mesh.
+        // A fault of an output file is prefixed with that file instead of the mesh.
         const bool whole = fault.where == file || (static_cast<uint32_t>(fault.id) < 200 && !fault.where.empty());
         const std::string prefix = whole ? fault.where : file;
         if (whole) fault.where.clear();
@@ -143,7 +143,7 @@ int run_on_asset(const CommandLine& line) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return 0;
     print("standard output",
           {{FaultId::file_write, Severity::error, "",
-            "It cannot be written: " + std::generic_category().message(errno) + ".", "Check its destination."}},
+            "It cannot be written: " + std::generic_category().message(errno) + ".", "Check its disk and rights."}},
           true);
     return 1;
 }
@@ -163,7 +163,7 @@ int main(int argc, char** argv) {
         if (line->command != CommandLine::Command::bake) return run_on_asset(*line);
         return line->folders ? run_batch(*line) : run_bake(*line);
     } catch (const std::bad_alloc&) {
-        std::fputs("lr_bake: error: Out of memory.\n", stderr);
+        std::fputs("lr_bake: error: Out of memory. Reduce the mesh or the --grid, or use fewer --jobs.\n", stderr);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "lr_bake: error: %s\n", printable(error.what()).c_str());
     }

@@ -24,7 +24,7 @@ namespace {
 std::optional<uint64_t> number_in(const char* path) {
     std::ifstream stream(path);
     uint64_t value = 0;
-    if (stream >> value) return value; // "max" is none
+    if (stream >> value) return value; // fails for "max": no limit
     return {};
 }
 
@@ -51,7 +51,7 @@ uint64_t available_memory() {
 
 uint64_t solve_memory(std::size_t faces) {
     const auto n = static_cast<uint64_t>(faces);
-    return faces <= 8000 ? 8 * n * n : 12000 * n; // a dense matrix of the panels; near blocks of 3 to 9 kB a panel
+    return faces <= 8000 ? 8 * n * n : 12000 * n; // a dense matrix; else near blocks of 3 to 9 kB per panel
 }
 
 void MemoryBudget::acquire(uint64_t bytes) {

@@ -1,4 +1,4 @@
-// So that bakes side by side do not need more memory than there is.
+// Keeps concurrent bakes within the available memory.
 #pragma once
 
 #include <condition_variable>
@@ -8,17 +8,17 @@
 
 namespace lr::baker {
 
-// What the machine and its container can still give, in bytes; a guess of 4 GiB where nothing says.
+// Bytes available in the machine and its container; 4 GiB if unknown.
 uint64_t available_memory();
 
-// Bytes that the added mass of so many faces needs at most, beyond the mesh.
+// Upper bound of the bytes that the added mass solver needs for so many faces, beyond the mesh.
 uint64_t solve_memory(std::size_t faces);
 
 class MemoryBudget {
 public:
     explicit MemoryBudget(uint64_t bytes) : total_(bytes) {}
 
-    // Waits until the bytes are free. What is more than all of the budget gets it once nobody else has any of it.
+    // Waits until the bytes are free. A request above the whole budget waits until all of it is free.
     void acquire(uint64_t bytes);
     void release(uint64_t bytes);
 

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int usage_error = 2;
 
-// The whole text or nothing, in no locale: "1e3" yes; "1e3x", " 1", "1,5" no. Infinity and NaN pass, to be refused by
-// range with their own fault.
+// The whole text must be a number, in any locale: accepts "1e3"; refuses "1e3x", " 1", "1,5". Accepts infinity and NaN;
+// the range checks refuse them with a numbered fault.
 template <class Number> Number parse_number(std::string_view text, const char* option) {
     Number value{};
     const std::from_chars_result end = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -55,31 +55,32 @@ struct Texts {
 
 void add_mesh_options(CLI::App& command, Texts& texts) {
     command
-        .add_option("--unit", texts.unit,
-                    "unit of the mesh and of every length given: m, cm or mm; file: as the file says (Collada, FBX), "
-                    "else m")
+        .add_option(
+            "--unit", texts.unit,
+            "unit of the mesh and all lengths: m, cm or mm; file: the unit that the file states (Collada, FBX), "
+            "else m")
         ->default_str("file")
         ->type_name("UNIT");
     command.add_option("--up", texts.up, "axis of the mesh that is rotated to +z: x, y, z, -x, -y or -z")
         ->capture_default_str()
         ->type_name("AXIS");
-    command.add_option("--mesh", texts.mesh, "only the mesh, node or object of this name, instead of all as one body")
+    command.add_option("--mesh", texts.mesh, "bake only the mesh, node or object of this name, not all as one body")
         ->type_name("NAME");
     command
         .add_option(
             "--mass-from", texts.mass_from,
-            "a second mesh, in the same unit and frame, that has the mass: the layers of a folded sheet, or the "
-            "solid parts of a body that is hollow or ballasted")
+            "a second mesh, in the same unit and frame, that gives the mass: the layers of a folded sheet, or the "
+            "solid parts of a hollow or ballasted body")
         ->type_name("MESH");
 }
 
 void add_sheet_options(CLI::App& command, Texts& texts) {
-    const std::string help = "the mesh is the middle surface of a sheet: open or closed, wound in any way";
+    const std::string help = "the mesh is the middle surface of a sheet: open or closed, with faces wound in any way";
     CLI::Option* sheet = command.add_flag("--sheet", help);
     command.add_option("--thickness", texts.thickness, "of the sheet, in the unit")->needs(sheet)->type_name("T");
     command
         .add_option("--areal-density", texts.areal_density,
-                    "mass of the sheet over its area, kg/m^2, instead of --density (paper: 0.08)")
+                    "mass of the sheet per area, kg/m^2, instead of --density (paper: 0.08)")
         ->needs(sheet)
         ->type_name("KG_M2");
 }
@@ -88,17 +89,16 @@ void add_card_options(CLI::App& command, Texts& texts) {
     const auto add = [&](const char* option, std::string& text, const char* help, const char* type) {
         return command.add_option(option, text, help)->type_name(type);
     };
-    add("--width", texts.width, "of the whole image, in the unit", "W")->required();
-    add("--thickness", texts.thickness, "of the leaf, in the unit", "T")->required();
-    add("--areal-density", texts.areal_density, "mass of the leaf over its area, kg/m^2, instead of --density",
-        "KG_M2");
-    add("--unit", texts.unit, "unit of every length given: m, cm or mm", "UNIT")->default_str("m");
-    add("--alpha", texts.alpha, "the outline runs where the opacity has this value", "A")->capture_default_str();
-    add("--triangles", texts.triangles, "about this many triangles", "N")->capture_default_str();
+    add("--width", texts.width, "width of the whole image, in the unit", "W")->required();
+    add("--thickness", texts.thickness, "thickness of the leaf, in the unit", "T")->required();
+    add("--areal-density", texts.areal_density, "mass of the leaf per area, kg/m^2, instead of --density", "KG_M2");
+    add("--unit", texts.unit, "unit of all lengths: m, cm or mm", "UNIT")->default_str("m");
+    add("--alpha", texts.alpha, "opacity at the outline, 0.001 to 0.999", "A")->capture_default_str();
+    add("--triangles", texts.triangles, "approximate number of triangles", "N")->capture_default_str();
     add("--mask", texts.mask, "alpha, or luminance of a black-and-white mask", "CHANNEL")->capture_default_str();
-    add("--piece", texts.piece, "of several separate regions the N-th by size, or all as one body", "N|all")
+    add("--piece", texts.piece, "which of several separate regions: the N-th by size, or all as one body", "N|all")
         ->default_str("1");
-    add("--speck", texts.speck, "leave out regions and holes below this part of the largest region", "PART")
+    add("--speck", texts.speck, "ignore regions and holes smaller than this fraction of the largest region", "PART")
         ->capture_default_str();
 }
 
@@ -107,41 +107,41 @@ void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
     const auto add = [&](const char* option, std::string& text, const char* help, const char* type) {
         command.add_option(option, text, help)->capture_default_str()->type_name(type);
     };
-    add("--density", texts.density, "of the body, kg/m^3", "KG_M3");
+    add("--density", texts.density, "density of the body, kg/m^3", "KG_M3");
     add("--fluid", texts.fluid, "air (1.2,1.5e-5), water (998,1e-6), or density in kg/m^3 and viscosity in m^2/s",
         "air|water|RHO,NU");
     add("--grid", texts.grid, "cells of the turbulence grid: stream, across, up", "X,Y,Z");
-    add("--intensity", texts.intensity, "of the turbulence; 1 is the paper's 100 %", "I");
+    add("--intensity", texts.intensity, "intensity of the turbulence; 1 is the paper's 100 %", "I");
     command.add_flag("--wake", line.bake.wake,
-                     "put the body, broadside, into the stream of the turbulence table: its shear makes turbulence");
+                     "put the body, broadside, into the stream of the turbulence table: its wake adds turbulence");
     command
         .add_option(
             "--center-of-mass", texts.center_of_mass,
-            "in the unit and frame of the mesh, after --up (of the ellipsoid: its centre), for a ballasted body")
+            "of a ballasted body, in the unit and frame of the mesh after --up (for an ellipsoid: from its centre)")
         ->type_name("X,Y,Z");
-    command.add_option("--name", texts.name, "name in the asset, instead of the file's")->type_name("NAME");
+    command.add_option("--name", texts.name, "name in the asset, instead of the file name")->type_name("NAME");
     command.add_option("--report", line.report, "JSON report to write")->type_name("R.json");
     command
         .add_option("--plots", line.plots, "folder for pictures (SVG): turbulence, added mass, its entries and errors")
         ->type_name("DIR");
     command.add_flag("--if-changed", line.if_changed,
-                     "do nothing if the outputs were made by this baker from this input with these options");
+                     "do nothing if this baker made the outputs from this input with these options");
     command.add_flag("--quiet", line.quiet, "print errors only");
 }
 
 void add_batch_options(CLI::App& command, Texts& texts, CommandLine& line) {
-    command.add_option("IN", line.inputs, "files; more than one with --output-dir")->type_name("");
-    command.add_option("--list", line.list, "more of them: one path a line in this file, - for standard input")
+    command.add_option("IN", line.inputs, "input files; several need --output-dir")->type_name("");
+    command.add_option("--list", line.list, "a file with more inputs, one path per line; - for standard input")
         ->type_name("FILE");
     command
         .add_option("-d,--output-dir", texts.output_folder,
-                    "folder for the assets, each named after its input; up-to-date ones are skipped. "
+                    "folder for the assets, each named after its input; skips up-to-date ones. "
                     "--report then names a folder too")
         ->type_name("DIR");
-    command.add_option("-j,--jobs", texts.jobs, "bakes at once, as far as memory allows")
+    command.add_option("-j,--jobs", texts.jobs, "number of bakes at once, as far as memory allows")
         ->default_str("one for each processor")
         ->type_name("N");
-    command.add_flag("--force", texts.force, "with a folder: bake all, up to date or not");
+    command.add_flag("--force", texts.force, "with --output-dir: bake up-to-date inputs too");
 }
 
 bool is_folder(const std::string& path) {
@@ -149,8 +149,8 @@ bool is_folder(const std::string& path) {
     return std::filesystem::is_directory(std::filesystem::path(std::u8string(path.begin(), path.end())), error);
 }
 
-// One input and -o FILE, or any number of inputs and a folder. A folder after -o is taken as one when it is written as
-// one, or when several inputs leave no other sense.
+// Accepts one input and -o FILE, or any number of inputs and a folder. An existing folder after -o counts as a folder
+// if it ends with a slash or there are several inputs.
 void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line, bool ellipsoid) {
     const bool several = line.inputs.size() > 1 || !line.list.empty();
     if (!ellipsoid && line.inputs.empty() && command.count("--list") == 0) throw CLI::RequiredError("IN");
@@ -164,8 +164,8 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
         throw CLI::ValidationError("--plots", "the folder name is empty");
     const bool to_folder = !ellipsoid && command.count("--output-dir") > 0;
     if (to_folder == (command.count("--output") > 0))
-        throw CLI::ValidationError("--output", to_folder ? "not together with --output-dir"
-                                                         : "give an output file or --output-dir");
+        throw CLI::ValidationError("--output", to_folder ? "excludes --output-dir"
+                                                         : "give an output file, or a folder with --output-dir");
     line.output = with_slashes(to_folder ? texts.output_folder : texts.output);
     line.report = with_slashes(line.report);
     line.plots = with_slashes(line.plots);
@@ -178,12 +178,12 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
         throw CLI::ValidationError(texts.force ? "--force" : "--jobs", "only with --output-dir");
     if (command.count("--jobs") > 0) line.jobs = parse_number<unsigned>(texts.jobs, "--jobs");
     if (command.count("--jobs") > 0 && (line.jobs < 1 || line.jobs > 1024))
-        throw CLI::ValidationError("--jobs", "'" + texts.jobs + "' is not from 1 to 1024");
+        throw CLI::ValidationError("--jobs", "'" + texts.jobs + "' is not 1 to 1024");
     if (line.folders) {
-        if (texts.force && line.if_changed) throw CLI::ValidationError("--force", "not together with --if-changed");
+        if (texts.force && line.if_changed) throw CLI::ValidationError("--force", "excludes --if-changed");
         for (const char* const one : {"--name", "--mass-from"})
             if (several && command.get_option_no_throw(one) && command.count(one) > 0)
-                throw CLI::ValidationError(one, "only for one input");
+                throw CLI::ValidationError(one, "needs a single input");
         line.if_changed = !texts.force;
     } else {
         line.bake.mesh_path = line.inputs.front();
@@ -201,7 +201,7 @@ void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions&
     if (command.count("--mass-from") > 0) {
         if (texts.mass_from.empty()) throw CLI::ValidationError("--mass-from", "the file name is empty");
         if (command.count("--center-of-mass") > 0)
-            throw CLI::ValidationError("--mass-from", "not together with --center-of-mass");
+            throw CLI::ValidationError("--mass-from", "excludes --center-of-mass");
         o.mass.emplace().path = texts.mass_from;
     }
     if (command.count("--mesh") == 0) return;
@@ -280,8 +280,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     app.set_version_flag("--version", "lr_bake " + std::string(baker_version()) + ", asset format " +
                                           std::to_string(asset_format_version));
     app.require_subcommand(1);
-    app.footer(
-        "Exit code: 0 success; 1 a numbered fault (docs/reference/asset_format.md explains each); 2 wrong usage.");
+    app.footer("Exit code: 0 success; 1 a numbered fault (docs/reference/asset_format.md); 2 wrong usage.");
 
     CLI::App* mesh = app.add_subcommand(
         "mesh", "bake triangle meshes (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...), closed or sheets");
@@ -290,7 +289,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     add_sheet_options(*mesh, texts);
     add_bake_options(*mesh, texts, line);
 
-    CLI::App* card = app.add_subcommand("card", "bake flat leaves cut out by the alpha channels of PNG images");
+    CLI::App* card = app.add_subcommand("card", "bake flat leaves from the alpha channels of PNG images");
     add_batch_options(*card, texts, line);
     add_card_options(*card, texts);
     add_bake_options(*card, texts, line);
@@ -299,7 +298,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     const char* const axis_names[] = {"A", "B", "C"};
     for (std::size_t i = 0; i < 3; ++i)
         ellipsoid->add_option(axis_names[i], texts.semi_axis[i], "semi-axis, in the unit")->required()->type_name("");
-    ellipsoid->add_option("--unit", texts.unit, "unit of every length given: m, cm or mm")
+    ellipsoid->add_option("--unit", texts.unit, "unit of all lengths: m, cm or mm")
         ->default_str("m")
         ->type_name("UNIT");
     add_bake_options(*ellipsoid, texts, line);
@@ -308,7 +307,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
     info->add_option("F.lrb", line.asset, "asset file")->required()->type_name("");
     info->add_flag("--json", line.json, "as JSON, in SI units");
 
-    CLI::App* check = app.add_subcommand("check", "exit code 0 if an asset is sound, 1 with numbered faults if not");
+    CLI::App* check = app.add_subcommand("check", "check an asset: exit code 0, or 1 with numbered faults");
     check->add_option("F.lrb", line.asset, "asset file")->required()->type_name("");
 
     try {

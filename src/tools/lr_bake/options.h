@@ -13,23 +13,23 @@ struct CommandLine {
     enum class Command { bake, info, check };
     Command command = Command::bake;
     BakeOptions bake;
-    // Of a bake: one input into files, or any number into folders.
-    std::vector<std::string> inputs; // meshes, besides those of the list
+    // Bake: one input into files, or any number into folders.
+    std::vector<std::string> inputs; // meshes or images, in addition to `list`
     std::string list;                // file with more inputs, or empty
-    std::string output, report;      // files or folders; report may be empty
+    std::string output, report;      // files or folders; report can be empty
     std::string plots;               // a folder, or empty
     bool folders = false;
-    unsigned jobs = 0; // at once; 0: one for each processor
+    unsigned jobs = 0; // bakes at once; 0: one per processor
     bool if_changed = false;
     bool quiet = false;
-    std::string asset; // of info and check
+    std::string asset; // info, check
     bool json = false;
 };
 
-// Nothing when there is nothing to do: help, version (exit code 0) or wrong usage (2), already printed.
+// Nothing after help or version (exit code 0) or wrong usage (2), which are already printed.
 std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_code);
 
-// For wrong usage that only shows later. Returns the exit code.
+// For wrong usage detected after parsing. Returns the exit code.
 int wrong_usage(const std::string& what);
 
 } // namespace lr::baker

@@ -69,7 +69,7 @@ void BatchProgress::update(double finished) {
     std::fputs("\r\033[Kbaking ", stderr);
     draw_bar(share);
     std::fprintf(stderr, " %.0f of %.0f", std::floor(finished), total_);
-    // Before the first is done nobody knows how long they take.
+    // No estimate before the first bake is done.
     draw_estimate(std::chrono::duration<double>(Clock::now() - start_).count(), finished < 1.0 ? 0.0 : share);
 }
 

@@ -1,4 +1,4 @@
-// What is being done and how long it will take, on standard error.
+// Shows the phase of a bake and the time left, on standard error.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace lr::baker {
 
-// On a terminal one line that is drawn over and over and removed in the end; elsewhere one line for each phase.
+// On a terminal: one line, redrawn and erased at the end. Otherwise: one line for each phase.
 class Progress {
 public:
     explicit Progress(bool quiet);
@@ -16,7 +16,7 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void update(const char* phase, double fraction);
-    void clear(); // before anything else is printed
+    void clear(); // call before printing anything else
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -25,7 +25,7 @@ private:
     Clock::time_point start_, shown_;
 };
 
-// For many bakes: one bar for all of them on a terminal, nothing elsewhere.
+// For many bakes. On a terminal: one bar for all. Otherwise: nothing.
 class BatchProgress {
 public:
     BatchProgress(bool quiet, std::size_t total);
@@ -33,7 +33,7 @@ public:
     BatchProgress(const BatchProgress&) = delete;
     BatchProgress& operator=(const BatchProgress&) = delete;
 
-    void update(double finished); // bakes, with parts of those at work
+    void update(double finished); // number of finished bakes, plus the fractions of running ones
     void clear();
 
 private:

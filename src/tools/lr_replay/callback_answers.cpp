@@ -13,7 +13,7 @@ Answers::Question Answers::question(uint32_t batch, double time, float x, float 
 
 void Answers::add(const unsigned char* data, size_t size) {
     recording::AnswerRecord header;
-    const auto wrong = [] { throw Fault(FaultId::malformed, "results of a callback have a wrong length"); };
+    const auto wrong = [] { throw Fault(FaultId::malformed, "a record's callback results have a wrong length"); };
     if (size < sizeof header) wrong();
     std::memcpy(&header, data, sizeof header);
     const auto rows = 3 + static_cast<uint32_t>(std::popcount(header.given));
@@ -38,7 +38,7 @@ bool Answers::find(uint32_t batch, double time, float x, float y, float z, const
     return true;
 }
 
-// Calls take(i, numbers) for each body of a query that has an answer.
+// Calls take(i, numbers) for each position of the query with a recorded answer.
 template <class Query, class Take> void Answers::each(const Query& q, const Take& take) {
     const float* from = nullptr;
     for (uint32_t i = 0; i < q.count; ++i) {

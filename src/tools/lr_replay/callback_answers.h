@@ -1,4 +1,4 @@
-// What wind and surface callbacks have answered, by what they were asked.
+// Recorded answers of the wind and water callbacks, looked up by query.
 #pragma once
 
 #include "langevin_rigid.h"
@@ -20,12 +20,12 @@ public:
         places_.clear();
         numbers_.clear();
     }
-    void add(const unsigned char* data, size_t size); // of a record; throws Fault
-    // A float for each of `values`; false where it was never asked. Any thread, while none is added.
+    void add(const unsigned char* data, size_t size); // the payload of a record; throws Fault
+    // The answer, `values` floats; false if the query was not recorded. Thread-safe while no answers are added.
     bool find(uint32_t batch, double time, float x, float y, float z, const float*& out) const;
 
-    bool recorded = true;            // else callbacks were left out
-    std::atomic<bool> missed{false}; // one was asked what it was not asked before
+    bool recorded = true;            // whether the recording contains callback results
+    std::atomic<bool> missed{false}; // a query was not recorded
     static void wind(void* self, const lr_wind_query* query);
     static void surface(void* self, const lr_water_query* query);
 

@@ -1,5 +1,5 @@
-// lr_replay: plays a recording of lr_world_record_start. Exit code 0 equal, 1 a difference, 2 the recording is refused, with a
-// numbered fault, 3 wrong usage, or a file that cannot be read or written.
+// lr_replay: plays a recording of lr_world_record_start. Exit code 0: equal, 1: a difference, 2: the recording is refused
+// with a numbered fault, 3: wrong usage, or a file cannot be read or written.
 #include "tools/console.h"
 #include "tools/lr_replay/player.h"
 #include "tools/lr_replay/replay_faults.h"
@@ -56,10 +56,10 @@ int report(const Outcome& o) {
         return 1;
     }
     if (!o.within.empty())
-        std::printf("the recording ends inside call %llu, %s, which completed here\n",
+        std::printf("the recording ends during call %llu, %s, which completed here\n",
                     static_cast<unsigned long long>(o.calls), o.within.c_str());
     else if (o.cut)
-        std::printf("the recording ends inside a record; everything before it was played\n");
+        std::printf("the recording ends within a record; everything before it was played\n");
     std::printf("equal: %llu steps from step %llu on, %llu calls, %llu hashes; the last is %016llx\n",
                 static_cast<unsigned long long>(o.steps), static_cast<unsigned long long>(o.first_step),
                 static_cast<unsigned long long>(o.calls), static_cast<unsigned long long>(o.hashes),
@@ -89,7 +89,7 @@ int run(int argc, char** argv) {
     }
     options.most_memory = megabytes << 20;
     if (!simd_of(simd, options.simd)) {
-        std::fprintf(stderr, "--simd: unknown instruction set %s\n", simd.c_str());
+        std::fprintf(stderr, "--simd: unknown instruction set %s; --help lists them\n", simd.c_str());
         return 3;
     }
     std::ofstream table;
@@ -98,7 +98,7 @@ int run(int argc, char** argv) {
         options.body = {std::strtoull(body.c_str(), &end, 0)};
         table.open(path_of(csv));
         if (!table || *end != '\0') {
-            std::fprintf(stderr, "%s\n", table ? "--body: not a number" : "--csv: the file cannot be written");
+            std::fprintf(stderr, "%s\n", table ? "--body: not an id that --print shows" : "--csv: cannot be written");
             return 3;
         }
         options.csv = &table;
@@ -106,7 +106,7 @@ int run(int argc, char** argv) {
     if (print) options.print = &std::cout;
     Bytes bytes;
     if (!read(path, bytes)) {
-        std::fprintf(stderr, "%s: cannot be read\n", path.c_str());
+        std::fprintf(stderr, "%s: the recording cannot be read; check the path and the rights\n", path.c_str());
         return 3;
     }
     int code = 0;
@@ -119,7 +119,7 @@ int run(int argc, char** argv) {
     std::cout.flush();
     if (table.is_open()) table.close();
     if (!std::cout || (!csv.empty() && !table)) {
-        std::fprintf(stderr, "the output could not be written completely\n");
+        std::fprintf(stderr, "the output is incomplete: check the disk space\n");
         return 3;
     }
     return code;

@@ -16,7 +16,7 @@ namespace {
 using recording::Kind;
 using recording::Op;
 
-// What a hostile recording may take.
+// Limits the memory that a hostile recording can allocate.
 struct Memory {
     uint64_t left;
     static void* allocate(void* user, uint64_t size, uint64_t alignment) {
@@ -41,7 +41,7 @@ std::string hex(uint64_t v) {
 
 template <class T> T front(const Record& r) {
     T value;
-    if (r.size < sizeof value) Arguments::wrong("less than its kind needs");
+    if (r.size < sizeof value) Arguments::wrong("it is shorter than its kind requires");
     std::memcpy(&value, r.data, sizeof value);
     return value;
 }
@@ -62,7 +62,7 @@ public:
     Outcome run();
 
 private:
-    struct Pending { // a call whose result has not come yet
+    struct Pending { // a call whose result record has not been read
         bool any = false, cut = false, done = false;
         Op op = 0;
         Bytes arguments;
@@ -78,7 +78,7 @@ private:
     void begin(const Record& r);
     void take_call(const Record& r);
     void carry_out();
-    bool compare(const recording::ResultRecord& r); // false: they differ
+    bool compare(const recording::ResultRecord& r); // false on a difference
     void differ(const std::string& what) { outcome_.difference = {outcome_.calls, outcome_.steps, what}; }
     bool find_blob(uint64_t hash, Bytes& out);
     uint64_t hash() const {
@@ -98,7 +98,7 @@ private:
     Pending call_;
     bool begun_ = false;
     std::vector<lr_batch> holes_;
-    uint64_t set_up_ = 0; // what the last setup gave
+    uint64_t set_up_ = 0; // output of the last setup call
     std::unordered_map<uint64_t, Reader::Place> blobs_;
     const FindBlob find_blob_ = [this](uint64_t hash, Bytes& out) { return find_blob(hash, out); };
 };
@@ -115,7 +115,7 @@ bool Player::find_blob(uint64_t hash, Bytes& out) {
 }
 
 void Player::make_world(const Record& r) {
-    if (scene_.world) Arguments::wrong("a second world");
+    if (scene_.world) Arguments::wrong("it is a second world");
     const auto from = front<recording::WorldRecord>(r);
     lr_world_desc d;
     lr_world_desc_init(&d, sizeof d);
@@ -127,16 +127,16 @@ void Player::make_world(const Record& r) {
     d.worker_count = options_.workers;
     d.allocator = {&memory_, &Memory::allocate, &Memory::release};
     const lr_status status = lr_world_create(&d, &scene_.world);
-    if (status != LR_OK) throw Fault(FaultId::world, std::string("the world: ") + lr_status_string(status));
+    if (status != LR_OK) throw Fault(FaultId::world, std::string("no such world: ") + lr_status_string(status));
     scene_.wind.recorded = scene_.surface.recorded = (from.flags & LR_RECORD_CALLBACKS) != 0;
     outcome_.first_step = from.step_count;
 }
 
 void Player::take_asset(const Record& r) {
     const auto from = front<recording::AssetRecord>(r);
-    if (from.id != scene_.assets.size()) Arguments::wrong("an asset out of order");
+    if (from.id != scene_.assets.size()) Arguments::wrong("the assets are out of order");
     for (double e : from.extents)
-        if (!(e >= 0.0 && e <= 1e4)) Arguments::wrong("an asset that is not a body");
+        if (!(e >= 0.0 && e <= 1e4)) Arguments::wrong("the extents of an asset are not 0 to 1e4 m");
     AssetData data;
     Faults faults;
     if (!read_asset(r.data + sizeof from, r.size - sizeof from, data, faults))
@@ -146,11 +146,11 @@ void Player::take_asset(const Record& r) {
                                             std::array<double, 3>{from.extents[0], from.extents[1], from.extents[2]});
     if (asset->content_hash != from.content_hash)
         throw Fault(FaultId::asset,
-                    "asset " + std::to_string(from.id) + " is another one here than where it was recorded");
+                    "asset " + std::to_string(from.id) + " has another hash here than in the recording");
     scene_.assets.push_back(asset.release());
 }
 
-// A slot of the world's table that no batch was in.
+// Fills an empty batch slot until the snapshot is restored, so that later batches get their recorded slots.
 void Player::fill_hole() {
     lr_ellipsoid_desc shape;
     lr_ellipsoid_desc_init(&shape, sizeof shape);
@@ -165,13 +165,13 @@ void Player::fill_hole() {
     d.asset = asset;
     if (status == LR_OK) status = lr_batch_create(scene_.world, &d, &batch);
     lr_asset_release(asset);
-    if (status != LR_OK) throw Fault(FaultId::setup, std::string("an empty batch: ") + lr_status_string(status));
+    if (status != LR_OK) throw Fault(FaultId::setup, std::string("an empty batch slot: ") + lr_status_string(status));
     holes_.push_back(batch);
 }
 
 void Player::set_up(const Record& r) {
     const auto op = front<Op>(r);
-    if (r.size < 4 || !name_of(op)) throw Fault(FaultId::unknown_call, "an unknown setup");
+    if (r.size < 4 || !name_of(op)) throw Fault(FaultId::unknown_call, "a call of a newer library");
     if (op == recording::op_of("lr_world_snapshot_restore")) {
         for (lr_batch batch : holes_) lr_batch_destroy(scene_.world, batch);
         holes_.clear();
@@ -183,15 +183,15 @@ void Player::set_up(const Record& r) {
 
 void Player::name_geometry(const Record& r) {
     uint32_t slot = 0;
-    if (!scene_.world->colliders.find({set_up_}, slot)) Arguments::wrong("a hash of geometry that was not recorded");
+    if (!scene_.world->colliders.find({set_up_}, slot)) Arguments::wrong("its geometry was not recorded");
     scene_.world->colliders.rename_shared(slot, front<uint64_t>(r));
 }
 
 void Player::begin(const Record& r) {
-    if (begun_) Arguments::wrong("a second beginning");
+    if (begun_) Arguments::wrong("the recording begins twice");
     begun_ = true;
     if (front<uint64_t>(r) != hash())
-        throw Fault(FaultId::other_beginning, "the world's hash at the beginning differs from the recorded one");
+        throw Fault(FaultId::other_beginning, "the hash of the initial state differs from the recorded one");
 }
 
 void Player::take_call(const Record& r) {
@@ -199,8 +199,8 @@ void Player::take_call(const Record& r) {
     call_.any = true;
     call_.op = front<Op>(r);
     if (!name_of(call_.op))
-        throw Fault(FaultId::unknown_call, "a call with the number " + std::to_string(front<uint16_t>(r)));
-    if (r.size < 4) Arguments::wrong("less than its kind needs");
+        throw Fault(FaultId::unknown_call, "a newer call, number " + std::to_string(front<uint16_t>(r)));
+    if (r.size < 4) Arguments::wrong("it is shorter than its kind requires");
     uint16_t flags = 0;
     std::memcpy(&flags, r.data + 2, sizeof flags);
     call_.cut = (flags & recording::call_cut) != 0;
@@ -223,14 +223,14 @@ void Player::carry_out() {
     }
     for (const auto& [answers, name] : {std::pair(&scene_.wind, "wind"), std::pair(&scene_.surface, "surface")})
         if (answers->missed && !answers->recorded)
-            throw Fault(FaultId::callback, "step " + std::to_string(outcome_.steps + 1) + " asks the " + name +
-                                               " callback, whose results were not recorded");
+            throw Fault(FaultId::callback, "step " + std::to_string(outcome_.steps + 1) + " needs the " + name +
+                                               " callback: record with LR_RECORD_CALLBACKS");
     if (call_.op == recording::op_of("lr_world_step") && call_.status == LR_OK && !call_.cut) {
         ++outcome_.steps;
         write_place();
     }
     if (!options_.print) return;
-    *options_.print << outcome_.calls << ' ' << name_of(call_.op) << '(' << (call_.cut ? "not readable" : text.str())
+    *options_.print << outcome_.calls << ' ' << name_of(call_.op) << '(' << (call_.cut ? "not recorded" : text.str())
                     << ") = ";
     if (call_.cut)
         *options_.print << "refused";
@@ -243,8 +243,8 @@ void Player::carry_out() {
 }
 
 bool Player::compare(const recording::ResultRecord& r) {
-    if (!call_.any || r.op != call_.op) Arguments::wrong("a result of another call");
-    // Refused for want of memory it had changed nothing, and here there may be memory. A step is taken without: see its header.
+    if (!call_.any || r.op != call_.op) Arguments::wrong("the result belongs to another call");
+    // A call that ran out of memory changed nothing, and could succeed here: skip it. Only lr_world_step runs nevertheless.
     call_.cut = call_.cut || (r.status == LR_ERROR_OUT_OF_MEMORY && call_.op != recording::op_of("lr_world_step"));
     carry_out();
     call_.any = false;
@@ -257,7 +257,7 @@ bool Player::compare(const recording::ResultRecord& r) {
     }
     const bool wandered = scene_.wind.missed || scene_.surface.missed;
     if (wandered) {
-        differ("a callback is called for positions that were not recorded");
+        differ("a callback is queried at positions that were not recorded");
         return false;
     }
     if (r.output != 0 && r.status == LR_OK && r.output != call_.output) {
@@ -294,11 +294,11 @@ Outcome Player::run() {
     if (options_.csv) *options_.csv << "step,x,y,z,qx,qy,qz,qw\n";
     Record r;
     for (Reader::Place at = reader_.place(); outcome_.steps < options_.until && reader_.next(r); at = reader_.place()) {
-        if (r.kind != Kind::world && !scene_.world) Arguments::wrong("something before the world");
+        if (r.kind != Kind::world && !scene_.world) Arguments::wrong("it precedes the world's record");
         const bool early =
             r.kind == Kind::hole || r.kind == Kind::setup || r.kind == Kind::geometry || r.kind == Kind::begun;
         const bool any_time = r.kind == Kind::world || r.kind == Kind::asset || r.kind == Kind::blob;
-        if (!any_time && early == begun_) Arguments::wrong("something in the wrong place");
+        if (!any_time && early == begun_) Arguments::wrong("its kind is not allowed at this place");
         switch (r.kind) {
         case Kind::world:
             make_world(r);
@@ -322,7 +322,7 @@ Outcome Player::run() {
             begin(r);
             break;
         case Kind::call:
-            carry_out(); // one without a result
+            carry_out(); // a previous call without a result
             take_call(r);
             break;
         case Kind::wind:
@@ -335,13 +335,13 @@ Outcome Player::run() {
             if (!compare(front<recording::ResultRecord>(r))) return outcome_;
             break;
         default:
-            Arguments::wrong("an unknown kind");
+            Arguments::wrong("its kind is unknown");
         }
     }
     outcome_.cut = reader_.cut();
-    if (!begun_) Arguments::wrong("no complete beginning");
+    if (!begun_) Arguments::wrong("the file ends before the initial state is complete");
     if (call_.any && outcome_.steps < options_.until) {
-        // Its callbacks' answers may be among what is missing.
+        // The missing end can include answers of its callbacks.
         outcome_.within = name_of(call_.op);
         carry_out();
     }

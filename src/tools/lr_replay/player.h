@@ -1,4 +1,4 @@
-// Plays a recording in a world of its own, and compares statuses, what came out, and hashes.
+// Plays a recording in a new world and compares statuses, outputs and hashes.
 #pragma once
 
 #include "tools/lr_replay/callback_answers.h"
@@ -20,39 +20,39 @@ struct Options {
     uint32_t workers = 0;
     uint64_t until = UINT64_MAX;   // steps of the recording
     std::ostream* print = nullptr; // calls as text
-    std::ostream* csv = nullptr;   // where `body` is after each step
+    std::ostream* csv = nullptr;   // pose of `body` after each step
     lr_body body{};
     uint64_t most_memory = uint64_t{8} << 30; // bytes of the world
 };
 
 struct Difference {
-    uint64_t call = 0, step = 0; // counted from 1; the step that was the last, or is under way
+    uint64_t call = 0, step = 0; // counted from 1; step: completed steps
     std::string what;
 };
 
 struct Outcome {
     uint64_t calls = 0, steps = 0, hashes = 0; // compared
-    uint64_t unread = 0;                       // calls without arguments: refused ones, which change nothing
-    uint64_t first_step = 0;                   // of the world, when the recording began
+    uint64_t unread = 0;                       // refused calls, recorded without arguments; not replayed
+    uint64_t first_step = 0;                   // the world's step count when the recording began
     uint32_t library = 0;
-    bool cut = false;                     // the recording ends in the middle
-    std::string within;                   // the call that it ends in
+    bool cut = false;                     // the recording ends within a record
+    std::string within;                   // the call during which it ends
     uint64_t hash = 0;                    // of the world at the end
-    std::optional<Difference> difference; // the first; nothing is played behind it
+    std::optional<Difference> difference; // the first; playing stops there
 };
 
 // Throws Fault.
 Outcome play(const unsigned char* bytes, size_t size, const Options& options);
 
-// What calls need of a player.
+// The state that replayed calls use.
 struct Scene {
     lr_world* world = nullptr;
     std::vector<lr_asset*> assets;
     Answers wind{recording::wind_values}, surface{recording::surface_values};
 };
-// The exported function; null for no call that is recorded.
+// The name of the function; null if unknown.
 const char* name_of(recording::Op op);
-// Decodes and makes one call. output: as in ResultRecord.
+// Decodes and executes one call. output: as in ResultRecord.
 lr_status perform(recording::Op op, Arguments& arguments, Scene& scene, uint64_t& output);
 
 } // namespace lr::replay

@@ -1,4 +1,4 @@
-// The arguments of a recorded call, read back: api/recorded_call.h writes them. Throws Fault::malformed.
+// Reads the arguments of a recorded call, which api/recorded_call.h writes. Throws FaultId::malformed.
 #pragma once
 
 #include "recording/recording_format.h"
@@ -17,7 +17,7 @@ namespace lr::replay {
 using Bytes = std::vector<unsigned char>;
 using FindBlob = std::function<bool(uint64_t hash, Bytes& out)>;
 
-// Of floats and the like, null or given, aligned as any of them.
+// An array, null or given, aligned for every type that calls use.
 struct Array {
     bool given = false;
     Bytes bytes;
@@ -38,7 +38,7 @@ public:
             say() << v;
         return v;
     }
-    // Bytes that must be `expected` many, if they are given; any number for `any`.
+    // An array of `expected` bytes, or of any size for `any`; can be null.
     static constexpr uint64_t any = UINT64_MAX;
     Array array(uint64_t expected) {
         Array out;
@@ -49,32 +49,32 @@ public:
         }
         const auto size = take<uint64_t>();
         say() << size << " bytes";
-        if (expected != any && size != expected) wrong("an array of another length than its call needs");
+        if (expected != any && size != expected) wrong("an array has the wrong length");
         out.given = true;
         if (where == recording::Where::here) {
-            if (size > left()) wrong("an array that ends behind its record");
+            if (size > left()) wrong("an array extends beyond the record");
             out.bytes.assign(at_, at_ + size);
             at_ += size;
         } else if (where != recording::Where::blob || !(*find_)(take<uint64_t>(), out.bytes) ||
                    out.bytes.size() != size) {
-            wrong("an array that is not there");
+            wrong("an array was not recorded");
         }
-        // So that data() is no null pointer.
+        // Keeps data() from being null.
         if (out.bytes.empty()) out.bytes.reserve(16);
         return out;
     }
-    // `count` floats without their number, as of forces.
+    // `count` floats, recorded without their size.
     Array floats(uint32_t count) {
         Array out;
         out.given = take<recording::Where>() != recording::Where::null;
         if (!out.given) return out;
-        if (uint64_t{count} * sizeof(float) > left()) wrong("floats that end behind their record");
+        if (uint64_t{count} * sizeof(float) > left()) wrong("an array extends beyond the record");
         out.bytes.assign(at_, at_ + size_t{count} * sizeof(float));
         at_ += size_t{count} * sizeof(float);
         if (out.bytes.empty()) out.bytes.reserve(16);
         return out;
     }
-    // False where there is none.
+    // False if it is null.
     template <class T> bool structure(T& out) {
         if (take<recording::Where>() == recording::Where::null) {
             say() << "null";
@@ -91,7 +91,7 @@ public:
         take(&out, sizeof out);
         return true;
     }
-    // each(element): what it points to follows it.
+    // each(element) reads the arrays that follow the element.
     template <class T, class Each> bool structures(uint32_t& count, std::vector<T>& out, Each&& each) {
         count = value<uint32_t>();
         if (take<recording::Where>() == recording::Where::null) return false;
@@ -107,16 +107,16 @@ public:
         return structures(count, out, [](T&) {});
     }
     void end() {
-        if (at_ != end_) wrong("more than its call needs");
+        if (at_ != end_) wrong("it is longer than its call requires");
     }
     [[noreturn]] static void wrong(const std::string& what) {
-        throw Fault(FaultId::malformed, "a record holds " + what);
+        throw Fault(FaultId::malformed, "a record is malformed: " + what);
     }
 
 private:
     size_t left() const { return static_cast<size_t>(end_ - at_); }
     void take(void* to, size_t size) {
-        if (size > left()) wrong("less than its call needs");
+        if (size > left()) wrong("it is shorter than its call requires");
         std::memcpy(to, at_, size);
         at_ += size;
     }
@@ -125,13 +125,13 @@ private:
         take(&v, sizeof v);
         return v;
     }
-    // Of an older library a struct may be shorter; the tail of a longer one must be zero.
+    // A struct of an older library can be shorter; the tail of a newer, longer struct must be zero.
     template <class T> void read(T& out) {
         const auto size = take<uint32_t>();
-        if (size < sizeof(uint32_t) || size > left()) wrong("a struct that ends behind its record");
+        if (size < sizeof(uint32_t) || size > left()) wrong("a struct extends beyond the record");
         constexpr uint32_t known = recording::recorded_bytes<T>;
         if (std::any_of(at_ + std::min(size, known), at_ + size, [](unsigned char byte) { return byte != 0; }))
-            throw Fault(FaultId::unknown_call, "a struct has fields that this program does not know");
+            throw Fault(FaultId::unknown_call, "a struct of a newer library");
         std::memset(static_cast<void*>(&out), 0, sizeof out);
         std::memcpy(static_cast<void*>(&out), at_, std::min(size, known));
         out.struct_size = sizeof(T);

@@ -9,13 +9,13 @@ namespace lr::replay {
 
 Reader::Reader(const unsigned char* bytes, size_t size) : bytes_(bytes), size_(size) {
     recording::FileHeader header;
-    if (size < sizeof header) throw Fault(FaultId::not_a_recording, "too short to be a recording");
+    if (size < sizeof header) throw Fault(FaultId::not_a_recording, "not a recording: the file is too short");
     std::memcpy(&header, bytes, sizeof header);
     if (std::memcmp(header.magic, recording::magic, sizeof header.magic) != 0)
-        throw Fault(FaultId::not_a_recording, "not a recording");
+        throw Fault(FaultId::not_a_recording, "not a recording: lr_world_record_start writes them");
     if (header.format != recording::format_version)
-        throw Fault(FaultId::newer_format, "format " + std::to_string(header.format) + ", this program reads " +
-                                               std::to_string(recording::format_version));
+        throw Fault(FaultId::newer_format, "use another lr_replay: format " + std::to_string(header.format) +
+                                               ", this program reads " + std::to_string(recording::format_version));
     library_ = header.library;
     at_ = sizeof header;
 }
@@ -25,7 +25,7 @@ bool Reader::next(Record& out) {
     for (bool begun = false;; begun = true) {
         recording::FrameHeader header;
         if (at_ == size_ && !begun) return false;
-        cut_ = true; // unless more comes
+        cut_ = true; // until the record is complete
         if (size_ - at_ < sizeof header) return false;
         std::memcpy(&header, bytes_ + at_, sizeof header);
         const std::string where = "frame " + std::to_string(frame_) + " at byte " + std::to_string(at_);
@@ -36,12 +36,12 @@ bool Reader::next(Record& out) {
         if (recording::frame_checksum(header, frame_, payload) != header.checksum)
             throw Fault(FaultId::damaged, where + " is damaged");
         const auto kind = static_cast<recording::Kind>(header.kind);
-        if (begun && kind != out.kind) throw Fault(FaultId::damaged, where + " does not continue the one before");
+        if (begun && kind != out.kind) throw Fault(FaultId::damaged, where + " does not continue the frame before");
         out.kind = kind;
         at_ += sizeof header + header.size;
         ++frame_;
         const bool last = (header.flags & recording::frame_continues) == 0;
-        if (!begun && last) { // most are of one frame, and stay where they are
+        if (!begun && last) { // most records are one frame and need no copy
             out.data = payload;
             out.size = header.size;
             break;

@@ -1,4 +1,4 @@
-// The records of a recording, out of its bytes. Trusts nothing.
+// Reads the records of a recording. Safe for arbitrary bytes.
 #pragma once
 
 #include "recording/recording_format.h"
@@ -17,15 +17,15 @@ struct Record {
 
 class Reader {
 public:
-    // Bytes are not copied. Throws Fault: not a recording, or a newer one.
+    // Does not copy the bytes. Throws Fault if they are not a recording, or one of a newer format.
     Reader(const unsigned char* bytes, size_t size);
 
-    uint32_t library() const { return library_; } // lr_version() of who wrote it
-    // False at the end, be it that the last record is not whole. Throws Fault where one is damaged.
+    uint32_t library() const { return library_; } // lr_version() of the recording library
+    // False at the end, also if the last record is incomplete. Throws Fault for a damaged record.
     bool next(Record& out);
-    bool cut() const { return cut_; } // the end was in the middle of a record
+    bool cut() const { return cut_; } // the recording ended within a record
 
-    // A place to read from again.
+    // A position to return to.
     struct Place {
         size_t at = 0;
         uint64_t frame = 0;

@@ -1,4 +1,4 @@
-// Each recorded call, made again.
+// Executes recorded calls.
 #include "tools/lr_replay/player.h"
 
 #include <tuple>
@@ -17,7 +17,7 @@ template <class H> uint64_t output_of(const H* ids, size_t count) {
     return hash.value();
 }
 
-// An argument as api/checked_call.h records it.
+// Reads an argument as api/recorded_arguments.h writes it.
 template <class T> struct Read {
     explicit Read(Arguments& from) : v(from.value<T>()) {}
     T get() { return v; }
@@ -29,15 +29,15 @@ template <class S> struct Read<const S*> {
     S s{};
     bool given;
 };
-template <> struct Read<const float*> { // of three
+template <> struct Read<const float*> { // 3 floats
     explicit Read(Arguments& from) : three(from.array(12)) {}
     const float* get() { return three.as<float>(); }
     Array three;
 };
 
-// A call whose arguments are numbers and single structs, or an array and its count.
+// Calls whose arguments are numbers and single structs, or an array and its count.
 template <class... A> lr_status play(lr_status (*function)(lr_world*, A...), Arguments& from, const Scene& scene) {
-    std::tuple<Read<A>...> all{Read<A>(from)...}; // in braces: from left to right
+    std::tuple<Read<A>...> all{Read<A>(from)...}; // braces guarantee the order, left to right
     from.end();
     return std::apply([&](auto&... each) { return function(scene.world, each.get()...); }, all);
 }
@@ -57,17 +57,17 @@ lr_status play(lr_status (*function)(lr_world*, const T*, uint32_t), Arguments& 
     }
 }
 
-// A desc of a wind source; of a grid with as many samples as it says, or none where it keeps them.
+// Reads the desc of a wind source. A grid must have as many samples as its counts, or none in an update that keeps them.
 template <class D> bool source(Arguments& from, D& d, [[maybe_unused]] Array& samples) {
     if (!from.structure(d)) return false;
     if constexpr (requires { d.samples; }) {
         samples = from.array(Arguments::any);
         const uint64_t plane = uint64_t{d.counts[0]} * d.counts[1], solid = uint64_t{d.counts[2]} * d.frames;
         const uint64_t floats = samples.bytes.size() / sizeof(float);
-        // Products of two counts fit; that of all four is looked at by a division.
+        // Products of two counts fit into 64 bits; the division avoids the overflow of all four.
         if (samples.given && (samples.bytes.size() % 12 != 0 || plane == 0 || solid == 0 || (floats / 3) % plane != 0 ||
                               floats / 3 / plane != solid))
-            Arguments::wrong("more or fewer samples than their grid has");
+            Arguments::wrong("the samples do not match the counts of the grid");
         d.samples = samples.as<float>();
     }
     return true;
@@ -86,7 +86,7 @@ lr_status add_source(lr_status (*add)(lr_world*, const D*, lr_wind_source*), Arg
     return status;
 }
 
-namespace own { // of the name of the function, without lr_
+namespace own { // each named like the function, without lr_
 
 #define LR_SOURCE(name)                                                                                                \
     lr_status world_add_##name(Arguments& from, const Scene& scene, uint64_t& output) {                                \
@@ -114,7 +114,7 @@ lr_status batch_create(Arguments& from, const Scene& scene, uint64_t& output) {
     lr_batch out{};
     if (!from.plain(r)) return lr_batch_create(scene.world, nullptr, &out);
     from.end();
-    if (r.asset >= scene.assets.size()) Arguments::wrong("an asset that was not recorded");
+    if (r.asset >= scene.assets.size()) Arguments::wrong("its asset was not recorded");
     lr_batch_desc d;
     lr_batch_desc_init(&d, sizeof d);
     d.asset = scene.assets[r.asset];
@@ -170,7 +170,7 @@ lr_status batch_spawn(Arguments& from, const Scene& scene, uint64_t& output) {
     lr_batch_view view;
     lr_batch_view_init(&view, sizeof view);
     const bool there = lr_batch_get_view(scene.world, batch, &view) == LR_OK && count <= view.capacity - view.count;
-    std::vector<lr_body> ids(there ? count : 0); // else it is refused
+    std::vector<lr_body> ids(there ? count : 0); // otherwise the call is refused
     const lr_status status = lr_batch_spawn(scene.world, batch, count, there ? ids.data() : nullptr);
     output = output_of(ids.data(), ids.size());
     return status;
@@ -192,7 +192,7 @@ lr_status body_create(Arguments& from, const Scene& scene, uint64_t& output) {
 lr_status collider_create(Arguments& from, const Scene& scene, uint64_t& output) {
     uint32_t count = 0;
     std::vector<lr_collider_desc> descs;
-    std::vector<Array> arrays; // whose bytes do not move when it grows
+    std::vector<Array> arrays; // each array's bytes stay in place when this grows
     const bool given = from.structures(count, descs, [&](lr_collider_desc& d) {
         arrays.push_back(from.array(12 * uint64_t{d.vertex_count}));
         d.vertices = arrays.back().as<float>();
@@ -201,7 +201,7 @@ lr_status collider_create(Arguments& from, const Scene& scene, uint64_t& output)
         arrays.push_back(from.array(Arguments::any));
         const uint64_t heights = uint64_t{d.counts[0]} * d.counts[1];
         if (arrays.back().given && (heights > UINT64_MAX / 4 || arrays.back().bytes.size() != 4 * heights))
-            Arguments::wrong("more or fewer heights than their field has");
+            Arguments::wrong("the heights do not match the counts of the field");
         d.heights = arrays.back().as<float>();
     });
     from.end();
@@ -238,7 +238,7 @@ lr_status collider_set_material(Arguments& from, const Scene& scene, uint64_t&) 
 }
 
 lr_status world_set_simd_target(Arguments& from, const Scene&, uint64_t&) {
-    from.value<int32_t>(); // of the machine that recorded: bits do not depend on it
+    from.value<int32_t>(); // ignored: bits do not depend on the instruction set
     from.end();
     return LR_OK;
 }
@@ -264,7 +264,7 @@ lr_status world_snapshot_restore(Arguments& from, const Scene& scene, uint64_t&)
 } // namespace own
 } // namespace
 
-// In calls.inc: each recorded call, made again by the types of its arguments, or by a function of its name in here.
+// calls.inc lists all recorded calls: those decoded by the types of their arguments, and those with a function in `own`.
 #define LR_BY_TYPES(name) LR_CALL(name, play(&lr_##name, from, scene))
 #define LR_OWN(name) LR_CALL(name, own::name(from, scene, output))
 
@@ -288,7 +288,7 @@ lr_status perform(Op op, Arguments& from, Scene& scene, uint64_t& output) {
 #include "tools/lr_replay/calls.inc"
 #undef LR_CALL
     }
-    throw Fault(FaultId::unknown_call, "a call with the number " + std::to_string(op));
+    throw Fault(FaultId::unknown_call, "a call of a newer library, number " + std::to_string(op));
 }
 
 } // namespace lr::replay

@@ -1,4 +1,4 @@
-// Why a recording cannot be played: numbers are documented in docs/reference/snapshots.md.
+// Reasons why a recording cannot be played. docs/reference/snapshots.md documents the numbers.
 #pragma once
 
 #include <stdexcept>
@@ -9,14 +9,14 @@ namespace lr::replay {
 enum class FaultId {
     not_a_recording = 1,
     newer_format = 2,
-    damaged = 3,         // a frame whose checksum, size or order is wrong, with others behind it
-    malformed = 4,       // a record that does not say what its kind says
-    asset = 5,           // an asset that is none, or another than was recorded
-    world = 6,           // the world cannot be made
-    setup = 7,           // what there was when the recording began cannot be made again
-    unknown_call = 8,    // of a newer library
-    callback = 9,        // a callback is asked whose answers were not recorded
-    other_beginning = 10 // the world that the recording begins with is not the one that was recorded
+    damaged = 3,         // a frame's checksum, size or order is wrong
+    malformed = 4,       // the contents of a record contradict its kind
+    asset = 5,           // an asset is unreadable, or differs from the recorded one
+    world = 6,           // the world cannot be created
+    setup = 7,           // the initial state cannot be restored
+    unknown_call = 8,    // a call, or a field of a struct, of a newer library
+    callback = 9,        // a callback is needed whose results were not recorded
+    other_beginning = 10 // the hash of the initial state differs from the recorded one
 };
 
 class Fault : public std::runtime_error {

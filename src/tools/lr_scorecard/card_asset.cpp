@@ -8,9 +8,9 @@ namespace lr::scorecard {
 
 CardBody make_card(const CardModel& model) {
     using std::numbers::pi;
-    // Any units do: a of 1 cm in a fluid of density 1000, a span of 2 cm of the endless strip, 1 % thick, 0.1 m/s.
+    // The units are arbitrary: a = 1 cm in a fluid of density 1000, 2 cm of the infinite strip, 1 % thick, 0.1 m/s.
     const double a = 0.01, span = 0.02, b = 0.01 * a, rho = 1000.0, nu = 1e-6, speed = 0.1;
-    const double unit = pi * a * a * span; // of added mass at density 1
+    const double unit = pi * a * a * span; // added mass at density 1
     lr_rigid_desc card = initialised(lr_rigid_desc_init);
     card.volume = pi * a * b * span;
     card.mass = model.inertia * rho * unit;
@@ -25,7 +25,7 @@ CardBody make_card(const CardModel& model) {
     card.fluid_viscosity = nu;
     const double extents[3] = {2.0 * a, 2.0 * b, span};
     std::copy(extents, extents + 3, card.extents);
-    // Term by term: docs/maintainers/measurements.md. (i, j, k) is (chord, normal, span).
+    // docs/maintainers/measurements.md derives each term. (i, j, k) is (chord, normal, span).
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     loads.drag[0] = 2.0 * a * span * (model.a - model.b);
     loads.drag[1] = 2.0 * a * span * (model.a + model.b);

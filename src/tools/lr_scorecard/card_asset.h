@@ -1,4 +1,4 @@
-// The falling card as a body of the library: a strip of a card so long that only its section counts.
+// The falling card as a body of the library: a strip of an infinitely long card.
 #pragma once
 
 #include "tools/lr_scorecard/falling_card.h"
@@ -8,7 +8,7 @@ namespace lr::scorecard {
 
 struct CardBody {
     Asset asset;
-    double gravity; // m/s^2, at which the model's units are those below
+    double gravity; // m/s^2, for which the model's units are the two below
     double length;  // m, the semi-chord
     double speed;   // m/s
 };

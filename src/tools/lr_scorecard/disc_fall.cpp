@@ -33,8 +33,8 @@ FallMeasures measure_fall(const Track& track, const Eigen::Vector3d& normal, dou
     double path = 0.0;
     for (size_t i = first; i < last; ++i) path += horizontal(track.samples[i + 1].position - track.samples[i].position);
     m.horizontal_speed = path / time;
-    // Sought in the whole fall and then counted in its second half: a window of a few peaks would lose those that it cuts.
-    std::vector<double> area; // in parts of the sheet's own
+    // Search peaks in the whole fall, count them in its second half: a search in that half alone would lose peaks at its start.
+    std::vector<double> area; // relative to the area of the sheet
     for (const Sample& s : track.samples) area.push_back(std::abs((s.orientation * normal).z()));
     const std::vector<size_t> found = peaks(area, hysteresis);
     const auto begin = std::lower_bound(found.begin(), found.end(), first);

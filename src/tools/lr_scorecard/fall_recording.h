@@ -1,4 +1,4 @@
-// Bodies let go in a world of their own, and what a camera with a clock would have seen of them.
+// Releases bodies in a world of their own and samples their poses and velocities.
 #pragma once
 
 #include "tools/lr_scorecard/runtime_handles.h"
@@ -9,7 +9,7 @@
 
 namespace lr::scorecard {
 
-// World frame, m and s. The measurements' "up" is +y, as the runtime's initial gravity has it.
+// World frame, m and s. Up is +y, as in the runtime's default gravity.
 struct Sample {
     Eigen::Vector3d position, velocity, spin;
     Eigen::Quaterniond orientation;
@@ -32,14 +32,14 @@ struct Run {
     float dt = 1e-3f;      // s
     uint32_t substeps = 1;
     double duration = 1.0;  // s
-    double interval = 1e-2; // s between samples; between steps they are interpolated
-    uint64_t seed = 1;      // of the noise
+    double interval = 1e-2; // s between samples, interpolated between steps
+    uint64_t seed = 1;      // of the world
     uint32_t threads = 1;   // in all
     int32_t simd_target = LR_SIMD_AUTO;
     Eigen::Vector3d wind = Eigen::Vector3d::Zero();
 };
 
-// One track for each start, in that order.
+// One track for each start, in the same order.
 std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<Start>& starts);
 
 inline Eigen::Vector3d up() {

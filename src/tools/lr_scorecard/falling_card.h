@@ -1,5 +1,5 @@
-// A card that falls in two dimensions: the model of Andersen, Pesavento and Wang (J. Fluid Mech. 541, 2005), integrated on
-// its own in double precision, as a reference for the library.
+// A card that falls in two dimensions: the model of Andersen, Pesavento and Wang (J. Fluid Mech. 541, 2005), integrated in
+// double precision without the library, as its reference.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace lr::scorecard {
 
-// Lengths by the semi-chord a, velocities by sqrt((rho_s/rho_f - 1) g b), b the semi-thickness.
+// Units: semi-chord a; velocity sqrt((rho_s/rho_f - 1) g b) with the semi-thickness b.
 struct CardModel {
     double inertia = 1.1; // I* = rho_s b/(rho_f a)
     double ct = 1.2, cr = 3.14159265358979323846, a = 1.4, b = 1.0, mu1 = 0.2, mu2 = 0.2;
@@ -16,11 +16,11 @@ struct CardModel {
 
 struct CardState {
     double vx = 0.0, vy = 0.0, w = 0.0; // along the chord, normal to it, spin
-    double angle = 0.0;                 // of the chord with the horizontal
+    double angle = 0.0;                 // between chord and horizontal
     double x = 0.0, y = 0.0;            // in the world, y up
 };
 
-// Every `interval` for `duration`, by RK4 with `step`.
+// States every `interval` for `duration`, by RK4 with time step `step`.
 std::vector<CardState> fall(const CardModel& model, CardState start, double duration, double interval, double step);
 
 // Means over the second half of a fall.

@@ -12,7 +12,7 @@
 namespace lr::scorecard {
 namespace {
 
-using Point = Eigen::Vector2d; // of the square: from the nose along the middle line, and off it
+using Point = Eigen::Vector2d; // in the square: x from the nose along the middle line, y across
 using Polygon = std::vector<Point>;
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -22,7 +22,7 @@ Point turned(const Point& p, double angle) {
     return Eigen::Rotation2Dd(angle) * p;
 }
 
-// What of a convex polygon lies below and above a line through the nose; either may be empty.
+// The parts of a convex polygon below and above a line through the nose; either can be empty.
 std::pair<Polygon, Polygon> cut(const Polygon& polygon, double angle) {
     constexpr double tiny = 1e-12;
     Polygon below, above;
@@ -57,12 +57,12 @@ std::vector<Polygon> folded(const std::vector<Polygon>& pieces, double angle) {
     return out;
 }
 
-// A convex part of the paper on the left (hand 1) or right (-1): of the wing, or below its crease of the keel.
+// Adds a convex part of the paper on the left (hand 1) or right (-1): wing, or keel if it is below the wing's crease.
 void add(const Polygon& polygon, double hand, Triangles& to) {
     const double rise = std::atan(0.1);
     const auto first = static_cast<uint32_t>(to.positions.size() / 3);
     for (const Point& at : polygon) {
-        const Point p = turned(at, -wing_fold); // along the crease and off it
+        const Point p = turned(at, -wing_fold); // along the crease and across
         const double wing = std::max(p.y(), 0.0), keel = std::min(p.y(), 0.0);
         to.positions.insert(to.positions.end(), {-p.x(), hand * wing * std::cos(rise), wing * std::sin(rise) + keel});
     }
@@ -83,7 +83,7 @@ Dart folded_dart(double side, double uneven) {
             const auto [keel, wing] = cut(piece, wing_fold);
             for (const Polygon* part : {&keel, &wing}) add(*part, hand, dart.layers);
         }
-        // The flap of the second fold stands out behind the tail, up to the corner of the square.
+        // The flap of the second fold extends behind the tail, up to the corner of the square.
         const Point tip(side, side * std::tan(fold)), corner = turned({side, -0.5 * side}, 2.0 * fold);
         const Point way = turned({1.0, 0.0}, 2.0 * fold), inner = corner - way * ((corner.x() - side) / way.x());
         add({nose, tail, inner}, hand, dart.surface);

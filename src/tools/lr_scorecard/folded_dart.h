@@ -1,4 +1,4 @@
-// The paper's plane: a dart folded from a square, with every layer where the folds put it.
+// The paper's plane: a dart folded from a square, with all layers of paper.
 #pragma once
 
 #include "tools/lr_scorecard/measured_bodies.h"
@@ -9,8 +9,8 @@ struct Dart {
     Triangles surface, layers; // m, nose at the origin, tail towards -x, up +z
 };
 
-// Folded in half, the corners to the middle line (45 degrees), those edges there again (22.5), and wings out from the keel
-// (7.5), which rise by one in ten. uneven: rad by which the second of these folds goes farther on the left.
+// Folds: in half; the corners to the middle line (45 degrees); the new edges to it (22.5); the wings out from the keel (7.5),
+// rising by one in ten. uneven: rad by which the 22.5 degree fold is larger on the left.
 Dart folded_dart(double side, double uneven);
 
 } // namespace lr::scorecard

@@ -64,7 +64,7 @@ PlotFrame frame_of(const LinePlot& plot, SvgPoint corner, PanelSize panel) {
         };
         stretch(x, 1.02 * unit * frame.width);
         stretch(y, 1.02 * unit * frame.height);
-        // Axes end on whole ticks, so the scales agree to the width of a tick only.
+        // Axes end on whole ticks, so the two scales agree only to the width of a tick.
     }
     frame.horizontal = axis(x, plot.log_x, 6);
     frame.vertical = axis(y, plot.log_y, 6);
@@ -78,7 +78,7 @@ void draw_marker(Svg& svg, SvgPoint at, const Series& s) {
 
 void draw_series(Svg& svg, const PlotFrame& frame, const Series& s) {
     std::vector<SvgPoint> line;
-    const size_t stride = s.points.size() / 4000 + 1; // as fine as the picture can show
+    const size_t stride = s.points.size() / 4000 + 1; // the resolution of the picture
     for (size_t i = 0; i < s.points.size(); i += stride) line.push_back(frame.at(s.points[i].x, s.points[i].y));
     if (s.line && line.size() > 1)
         svg.polyline(line, "fill=\"none\" stroke-linejoin=\"round\" stroke-width=\"" + baker::svg_number(s.width) +
@@ -92,7 +92,7 @@ void draw_series(Svg& svg, const PlotFrame& frame, const Series& s) {
 
 void draw_legend(Svg& svg, const PlotFrame& frame, const LinePlot& plot) {
     const bool outside = plot.legend_width > 0.0;
-    const double x = frame.x + frame.width + (outside ? 14.0 : -28.0); // of the sample, 16 px wide
+    const double x = frame.x + frame.width + (outside ? 14.0 : -28.0); // left end of the line sample, 16 px wide
     double y = frame.y + 16.0;
     for (const Series& s : plot.series) {
         if (s.name.empty()) continue;

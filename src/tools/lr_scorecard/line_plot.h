@@ -26,13 +26,13 @@ struct LinePlot {
     std::string title, x_title, y_title;
     std::vector<Series> series = {};
     bool log_x = false, log_y = false;
-    bool equal_scale = false;  // a metre is as long both ways
+    bool equal_scale = false;  // same scale on both axes
     bool from_zero = false;    // the vertical axis
     std::string note = {};     // below the title
-    double legend_width = 0.0; // px right of the frame; 0: inside, top right
+    double legend_width = 0.0; // px to the right of the frame; 0: inside, top right
 };
 
-// Several in a row, or in more rows of `across` each.
+// Draws several plots in rows of `across` each.
 struct PanelSize {
     double width = 520.0, height = 400.0; // px
 };
@@ -41,7 +41,7 @@ inline std::string draw(const LinePlot& plot, PanelSize panel = {}) {
     return draw(std::vector{plot}, 1, panel);
 }
 
-// Density of the values in equal bins, as steps.
+// Probability density of the values in equal bins, as a step curve.
 Series histogram(const std::string& name, const std::string& color, const std::vector<double>& values, double low,
                  double high, size_t bins);
 

@@ -1,5 +1,5 @@
-// lr_scorecard: holds the library against closed forms and against what was measured of real falling bodies. Exit code 0 if all
-// rows that ran hold, 1 if one does not, 2 for wrong usage, 3 if something could not be run or written.
+// lr_scorecard: compares the library with closed forms and with measurements of real falling bodies. Exit code 0: all rows that
+// ran hold, 1: a row does not, 2: wrong usage, 3: a row could not be run or a file not written.
 #include "tools/lr_scorecard/progress.h"
 #include "tools/lr_scorecard/report.h"
 
@@ -107,14 +107,14 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"exact", "measured", "paper"}))
         ->delimiter(',');
     app.add_flag("--quick", o.context.quick, "fewer and shorter runs: seconds instead of minutes");
-    app.add_option("--seeds", o.context.seeds, "falls of a disc")->check(CLI::Range(2, 1000000))->capture_default_str();
+    app.add_option("--seeds", o.context.seeds, "falls per disc")->check(CLI::Range(2, 1000000))->capture_default_str();
     app.add_option("--phase-seeds", o.context.phase_seeds, "releases per point of the phase map")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
-    app.add_option("--threads", o.context.threads, "threads in all; results do not depend on it")
+    app.add_option("--threads", o.context.threads, "number of threads; results do not depend on it")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
-    app.add_option("--loads", o.context.loads.name, "load model of the rows that do not name one")
+    app.add_option("--loads", o.context.loads.name, "load model of the rows without one of their own")
         ->check(CLI::IsMember(model_names))
         ->capture_default_str();
     app.add_option("--output-dir", o.output_dir, "write scorecard.md and images/scorecard/*.svg here")

@@ -38,7 +38,7 @@ Triangles disc_mesh(double radius, uint32_t rings) {
 
 Triangles rectangle_mesh(double x, double y, uint32_t nx, uint32_t ny) {
     Triangles mesh;
-    // Chebyshev's points: the flow is singular at the edges.
+    // Chebyshev points, because the flow is singular at the edges.
     const auto place = [](uint32_t i, uint32_t n) { return -0.5 * std::cos(std::numbers::pi * i / n); };
     for (uint32_t i = 0; i <= nx; ++i)
         for (uint32_t j = 0; j <= ny; ++j)

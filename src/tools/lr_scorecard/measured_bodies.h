@@ -1,4 +1,4 @@
-// The bodies that are measured, baked from meshes made here.
+// The measured bodies, baked from generated meshes.
 #pragma once
 
 #include "tools/lr_scorecard/runtime_handles.h"
@@ -22,23 +22,23 @@ struct Triangles {
     langevin_rigid::BakeResult bake(const langevin_rigid::BakeOptions& options) const;
 };
 
-// Flat, in the plane z = 0, centre at the origin. Of 6 rings^2 triangles; the polygon has the area of the circle.
+// In the plane z = 0, centred at the origin: 6 rings^2 triangles, with the area of the circle.
 Triangles disc_mesh(double radius, uint32_t rings);
 
-// Sides along x and y, in nx times ny cells that are finer towards the edges.
+// Sides along x and y, divided into nx by ny cells, finer towards the edges.
 Triangles rectangle_mesh(double x, double y, uint32_t nx, uint32_t ny);
 
-// A sheet of even mass in a fluid, by the baker. thickness: m; areal_density: kg/m^2.
+// Options for a uniform sheet in a fluid. thickness: m; areal_density: kg/m^2.
 langevin_rigid::BakeOptions sheet_options(double thickness, double areal_density, const Fluid& fluid);
 
-// From closed forms, without the baker. Semi-axes and centre of mass in m.
+// From closed forms, without the baker. Semi-axes and centre of mass: m.
 Asset make_ellipsoid(const std::array<double, 3>& semi_axes, double density, const Fluid& fluid,
                      const std::array<double, 3>& center_of_mass = {});
 
-// The paper's: semi-axes 4 and 1 cm, 0.01 cm thick, 800 kg/m^3, in air.
+// The paper's leaf: semi-axes 4 and 1 cm, 0.01 cm thick, 800 kg/m^3, in air.
 Asset paper_leaf();
 
-// The paper's: semi-axes 4, 2 and 1 cm, in water.
+// The paper's ellipsoid: semi-axes 4, 2 and 1 cm, in water.
 Asset rubber_ellipsoid();
 
 Asset bake_disc(double radius, double thickness, double areal_density, const Fluid& fluid, uint32_t rings = 16);

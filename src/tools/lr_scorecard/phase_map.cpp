@@ -15,18 +15,18 @@ using std::numbers::pi;
 constexpr double fluid_density = 1000.0;
 constexpr double earth = 9.81;
 
-// Re is set by the viscosity under about Earth's gravity, then by gravity alone, so that a point is baked once.
+// Re is set by the viscosity near Earth's gravity, then corrected by gravity alone, so that each point is baked once.
 constexpr double reynolds_tolerance = 0.03;
 constexpr int most_corrections = 6;
 
-// Clift, Grace and Weber's fit for discs to Re 130, and a constant above; only to begin with.
+// Initial guess: the fit of Clift, Grace and Weber for discs up to Re 130, constant above.
 double drag_coefficient(double re) {
     return std::max(1.1, 20.37 / re * (1.0 + 0.138 * std::pow(re, 0.792)));
 }
 
 std::vector<Start> starts(const PhaseOptions& options) {
     Random random(options.seed);
-    // The sheet lies in the plane z = 0 and falls along -y: a quarter turn lays it flat.
+    // The sheet is in the plane z = 0 and falls along -y: a quarter turn makes it horizontal.
     const Eigen::Quaterniond flat(Eigen::AngleAxisd(0.5 * pi, -Eigen::Vector3d::UnitX()));
     std::vector<Start> out(options.seeds);
     for (Start& s : out) {
@@ -88,7 +88,7 @@ PhaseResult run_phase_point(const PhasePoint& point, const PhaseOptions& options
         speed = mean_speed(tracks);
         return tracks;
     };
-    for (int i = 0; i < most_corrections; ++i) { // to find the speed a part of the time will do
+    for (int i = 0; i < most_corrections; ++i) { // a fraction of the duration suffices for the speed
         fall(0.4 * options.duration);
         if (std::abs(speed / wanted - 1.0) <= reynolds_tolerance) break;
         run.gravity *= std::clamp(std::pow(wanted / speed, 1.8), 0.1, 10.0);
@@ -104,7 +104,7 @@ PhaseResult run_phase_point(const PhasePoint& point, const PhaseOptions& options
 
 std::span<const BoundaryPoint> boundary_points() {
     using enum BoundaryKind;
-    // Field et al. 1997, their Fig. 2 as physics.md has it. The first boundary lies between Re 89 and 161 where I* is small.
+    // Fig. 2 of Field et al. 1997, as in physics.md. For small I* the first boundary is between Re 89 and 161.
     static constexpr BoundaryPoint points[] = {
         {steady_periodic, {89.0, 0.004}},     {steady_periodic, {161.0, 0.004}},   {periodic_chaotic, {155.0, 0.057}},
         {periodic_chaotic, {198.0, 0.018}},   {periodic_chaotic, {345.0, 0.0114}}, {periodic_chaotic, {739.0, 0.0090}},
@@ -126,7 +126,7 @@ std::vector<ExpectedPoint> expected_points() {
             out.push_back({{at.reynolds * factor, at.inertia}, std::move(allowed), i});
         };
         for (double factor : {1.3, 1.7}) switch (boundary[i].kind) {
-            case BoundaryKind::steady_periodic: // the band between the two is left open
+            case BoundaryKind::steady_periodic: // no points inside the band
                 if (at.reynolds < 100.0)
                     across_reynolds(1.0 / factor, {steady});
                 else
@@ -134,7 +134,7 @@ std::vector<ExpectedPoint> expected_points() {
                 break;
             case BoundaryKind::periodic_chaotic:
                 if (at.inertia > 0.0376) {
-                    // The boundary runs upwards here, into that of tumbling: it is crossed along Re.
+                    // The boundary is steep here, towards that of tumbling: cross it along Re.
                     across_reynolds(1.0 / factor, {steady, periodic});
                     across_reynolds(factor, {chaotic, tumbling});
                 } else {
@@ -143,7 +143,7 @@ std::vector<ExpectedPoint> expected_points() {
                 }
                 break;
             case BoundaryKind::chaotic_tumbling:
-                // Below Re 180 or so the chaotic motion ends in the periodic one.
+                // Below about Re 180 the chaotic motion becomes periodic.
                 across_inertia(1.0 / factor,
                                at.reynolds < 180.0 ? std::vector{periodic, chaotic} : std::vector{chaotic});
                 across_inertia(factor, {tumbling});

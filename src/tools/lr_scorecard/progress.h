@@ -1,5 +1,4 @@
-// How far the scorecard is and how long it will take, on standard error: one line drawn over and over on a terminal, a line a row
-// elsewhere.
+// Progress and time left, on standard error. On a terminal: one line, redrawn. Otherwise: one line per row.
 #pragma once
 
 #include <chrono>
@@ -9,14 +8,14 @@ namespace lr::scorecard {
 
 class Progress {
 public:
-    // expected: seconds of all rows together on some machine; only their proportions matter.
+    // expected: seconds of all rows on a reference machine; only ratios matter.
     Progress(bool quiet, double expected);
     ~Progress() { clear(); }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     void update(const char* row, double part, double cost);
-    void finish(double cost); // of a row; before its result is printed
+    void finish(double cost); // ends a row; call before printing its result
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -1,4 +1,4 @@
-// Random starts: the same numbers with every standard library.
+// Random starts that are the same with every standard library.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,11 +21,11 @@ public:
         return z ^ (z >> 31);
     }
     double real(double low, double high) { return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53); }
-    double gaussian() { // Box and Muller, one of the pair
+    double gaussian() { // Box-Muller, one of the pair
         const double radius = std::sqrt(-2.0 * std::log(1.0 - real(0.0, 1.0)));
         return radius * std::cos(real(0.0, 2.0 * std::numbers::pi));
     }
-    // Uniform over all rotations: the direction of four Gaussians.
+    // Uniform over all rotations: four Gaussians, normalised.
     Eigen::Quaterniond orientation() {
         const double x = gaussian(), y = gaussian(), z = gaussian(), w = gaussian();
         return Eigen::Quaterniond(w, x, y, z).normalized();

@@ -12,16 +12,16 @@
 namespace lr::scorecard {
 namespace {
 
-// The normal's cosine with the vertical must pass both signs of this to count as gone over: no chatter at the horizontal.
+// Hysteresis of an overturn: the normal's cosine with the vertical must go from beyond one sign of this to beyond the other.
 constexpr double over = 0.1;
 
 struct Crossing {
     size_t at;
-    Eigen::Vector3d axis; // of the normal's rotation while it went over
+    Eigen::Vector3d axis; // of the normal's rotation during the overturn
 };
 
 struct Motion {
-    std::vector<double> way; // rad that the normal has gone since the first sample
+    std::vector<double> way; // rad, path of the normal since the first sample
     std::vector<Crossing> crossings;
 };
 
@@ -35,7 +35,7 @@ Motion follow(std::span<const Eigen::Vector3d> normals, const Eigen::Vector3d& u
         turned.push_back(turned.back() + axis);
     }
     int side = 0;
-    size_t left = 0; // last sample on that side
+    size_t left = 0; // last sample on the side before
     for (size_t i = 0; i < normals.size(); ++i) {
         const double cosine = normals[i].dot(up);
         const int now = cosine > over ? 1 : cosine < -over ? -1 : 0;
@@ -47,7 +47,7 @@ Motion follow(std::span<const Eigen::Vector3d> normals, const Eigen::Vector3d& u
     return m;
 }
 
-// The autocorrelation of the horizontal part of the normal, mean removed, 1 at lag 0.
+// Autocorrelation of the horizontal part of the normal minus its mean; 1 at lag 0.
 std::vector<double> autocorrelation(std::span<const Eigen::Vector3d> normals, const Eigen::Vector3d& up, size_t lags) {
     std::vector<Eigen::Vector3d> h;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -58,7 +58,7 @@ std::vector<double> autocorrelation(std::span<const Eigen::Vector3d> normals, co
     for (Eigen::Vector3d& v : h) v -= mean;
     std::vector<double> r(lags, 0.0);
     for (size_t lag = 0; lag < lags; ++lag) {
-        // Divided by the energy of the two stretches, so that a long lag is not damped by its shorter overlap.
+        // Normalised by the energy of both stretches: the shorter overlap of a long lag must not damp it.
         double product = 0.0, early = 0.0, late = 0.0;
         for (size_t i = 0; i + lag < h.size(); ++i) {
             product += h[i].dot(h[i + lag]);
@@ -86,8 +86,7 @@ RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Ei
 
     const Motion motion = follow(normals, up);
     m.overturns = static_cast<double>(motion.crossings.size());
-    // Flutter beyond the horizontal also goes straight from one side to the other, but then returns: only two in a row, a
-    // whole turn, count.
+    // Flutter beyond the horizontal also makes straight half turns, but returns: only two in a row, a whole turn, count.
     std::vector<bool> straight;
     for (size_t i = 1; i < motion.crossings.size(); ++i) {
         const Crossing &a = motion.crossings[i - 1], &b = motion.crossings[i];
@@ -104,7 +103,7 @@ RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Ei
     }
     m.tumbling_share = static_cast<double>(time) / static_cast<double>(normals.size() - 1);
 
-    // From the side that is up most of the time: flutter past the horizontal has its maxima beyond 90 degrees.
+    // Measured from the side that is up most of the time: flutter past the horizontal has maxima beyond 90 degrees.
     double height = 0.0;
     for (const Eigen::Vector3d& n : normals) height += n.dot(up);
     const Eigen::Vector3d zenith = height < 0.0 ? Eigen::Vector3d(-up) : up;
@@ -118,7 +117,7 @@ RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Ei
     const std::vector<double> r = autocorrelation(normals, up, normals.size() / 2);
     const std::vector<size_t> returns = peaks(r, 0.2);
     if (!returns.empty()) {
-        // An elliptic orbit has a smaller maximum at half its period: the highest of the first few is a whole one.
+        // An elliptic orbit has a smaller maximum at half its period: the highest of the first few is the whole period.
         size_t best = returns[0];
         for (size_t i = 1; i < std::min<size_t>(returns.size(), 3); ++i)
             if (r[returns[i]] > r[best] + 0.1) best = returns[i];

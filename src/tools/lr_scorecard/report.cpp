@@ -45,7 +45,7 @@ std::string tolerance(const Check& c) {
     }
 }
 
-// A bar would end the cell.
+// A vertical bar would end the cell.
 std::string in_table(const std::string& text) {
     std::string out;
     for (char c : text) {
@@ -109,7 +109,7 @@ std::string to_markdown(const std::vector<Finished>& rows, const Context& contex
     for (const Finished& f : rows) {
         out += "\n## " + std::string(f.row->id) + "\n\n" + f.row->title + ". Reference: " + f.row->source + ".\n\n";
         out += "| what | value | reference | tolerance | verdict |\n|---|---|---|---|---|\n";
-        // Many numbers without a verdict are left to the picture, and so are many that equal their reference to all digits.
+        // The table omits long series without a verdict (the picture shows them) and long series equal to their references.
         const auto shown = std::count_if(f.result.checks.begin(), f.result.checks.end(),
                                          [](const Check& c) { return c.rule == Rule::shown; });
         size_t equal = 0;

@@ -1,4 +1,4 @@
-// The scorecard as text on a terminal, as a page of the documentation, and as JSON.
+// The scorecard as text, as a page of the documentation, and as JSON.
 #pragma once
 
 #include "tools/lr_scorecard/row.h"

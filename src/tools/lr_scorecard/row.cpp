@@ -40,7 +40,7 @@ bool RowResult::holds() const {
 
 void Context::parallel(size_t count, const std::function<void(size_t)>& job) const {
     std::atomic<size_t> next{0}, done{0};
-    std::mutex mutex; // of `progress` and `failure`
+    std::mutex mutex; // protects `progress` and `failure`
     std::exception_ptr failure;
     const auto work = [&] {
         for (size_t i = next++; i < count; i = next++) {

@@ -1,4 +1,4 @@
-// A row of the scorecard: what is measured, against what, and what came out.
+// A row of the scorecard: measurement, reference and result.
 #pragma once
 
 #include "tools/lr_scorecard/runtime_handles.h"
@@ -16,7 +16,7 @@ enum class Rule : uint8_t {
     absolute, // |value - reference| <= tolerance
     at_most,  // value <= reference
     at_least, // value >= reference
-    shown     // a number beside others, without a verdict
+    shown     // no verdict
 };
 
 struct Check {
@@ -25,7 +25,7 @@ struct Check {
     double value = 0.0, reference = 0.0, tolerance = 0.0;
     std::string unit;
 
-    bool holds() const; // false for what is not finite; true for what is only shown
+    bool holds() const; // false for a value that is not finite; true for Rule::shown
 };
 
 struct Picture {
@@ -35,7 +35,7 @@ struct Picture {
 struct RowResult {
     std::vector<Check> checks;
     std::vector<Picture> pictures;
-    std::vector<std::string> remarks; // what the numbers do not say
+    std::vector<std::string> remarks; // text below the numbers
     double seconds = 0.0;
 
     void add(std::string what, Rule rule, double value, double reference, double tolerance, std::string unit = "");
@@ -51,13 +51,13 @@ struct LoadChoice {
 class Context {
 public:
     bool quick = false;
-    uint32_t seeds = 2000; // falls of a disc; the other rows derive theirs
+    uint32_t seeds = 2000; // falls per disc; other rows derive their numbers from it
     uint32_t phase_seeds = 48;
     uint32_t threads = 1;
-    LoadChoice loads{"default", LR_LOADS_DEFAULT}; // of the rows that do not name theirs
-    std::function<void(double)> progress;          // of the row that runs, 0 to 1; may be empty
+    LoadChoice loads{"default", LR_LOADS_DEFAULT}; // for rows without loads of their own
+    std::function<void(double)> progress;          // of the running row, 0 to 1; can be empty
 
-    // Independent jobs 0 to count - 1, on `threads` threads; counts them as the row's progress. Throws what a job threw.
+    // Runs the independent jobs 0 to count - 1 on `threads` threads and reports progress. Rethrows a job's exception.
     void parallel(size_t count, const std::function<void(size_t)>& job) const;
 };
 
@@ -66,7 +66,7 @@ struct Row {
     const char* group; // exact, measured, paper
     const char* title;
     const char* source; // of the reference
-    double seconds;     // on one core, for the estimate
+    double seconds;     // expected on one core, for the time left
     double quick_seconds;
     RowResult (*run)(const Context&);
 };

@@ -1,4 +1,4 @@
-// Rows of the potential flow: the baker's boundary elements against closed forms.
+// Rows for potential flow: the baker's boundary elements against closed forms.
 #include "tools/lr_scorecard/measured_bodies.h"
 #include "tools/lr_scorecard/row.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Carlson's R_D by duplication.
+// Carlson's R_D by the duplication theorem.
 double carlson_rd(double x, double y, double z) {
     double sum = 0.0, factor = 1.0;
     for (int i = 0; i < 60; ++i) {
@@ -21,7 +21,7 @@ double carlson_rd(double x, double y, double z) {
         factor *= 0.25;
         x = 0.25 * (x + lambda), y = 0.25 * (y + lambda), z = 0.25 * (z + lambda);
     }
-    // After so many the three are equal to rounding.
+    // By now x, y and z are equal up to rounding.
     return 3.0 * sum + factor / (z * std::sqrt(z));
 }
 
@@ -48,7 +48,7 @@ Lamb lamb(const std::array<double, 3>& a) {
     return out;
 }
 
-// An icosahedron, divided `divisions` times, on the ellipsoid.
+// An icosahedron, subdivided `divisions` times, projected onto the ellipsoid.
 Triangles ellipsoid_mesh(const std::array<double, 3>& axes, int divisions) {
     std::vector<std::array<double, 3>> points;
     std::vector<std::array<uint32_t, 3>> faces;
@@ -64,7 +64,7 @@ Triangles ellipsoid_mesh(const std::array<double, 3>& axes, int divisions) {
         for (size_t i = 0; i < 3; ++i) sum += (points[a][i] - points[b][i]) * (points[a][i] - points[b][i]);
         return sum;
     };
-    // Its faces are the triples at the edge's length, which is 2.
+    // Faces are the triples of vertices at mutual distance 2, the edge length.
     for (uint32_t a = 0; a < 12; ++a)
         for (uint32_t b = a + 1; b < 12; ++b)
             for (uint32_t c = b + 1; c < 12; ++c)
@@ -79,7 +79,7 @@ Triangles ellipsoid_mesh(const std::array<double, 3>& axes, int divisions) {
                 }
     for (int n = 0; n < divisions; ++n) {
         std::vector<std::array<uint32_t, 3>> finer;
-        // Midpoints are made twice, once a face: the baker joins vertices at one place.
+        // Each face makes its own midpoints; the baker joins coincident vertices.
         const auto middle = [&](uint32_t a, uint32_t b) {
             const uint32_t low = std::min(a, b), high = std::max(a, b);
             std::array<double, 3> m{};
@@ -115,7 +115,7 @@ langevin_rigid::BakeOptions solid_in_water() {
     return options;
 }
 
-// Added mass at fluid density 1, entry i of the diagonal.
+// Entry i of the diagonal of the added mass, at fluid density 1.
 double diagonal(const lr_asset_info& info, size_t i) {
     return info.added_mass[7 * i] / info.fluid_density;
 }
@@ -146,7 +146,7 @@ RowResult run_lamb(const Context& context) {
         std::array<double, 3> axes;
     };
     const Body bodies[] = {{"4:2:1", {0.04, 0.02, 0.01}}, {"sphere", {0.02, 0.02, 0.02}}};
-    // The reference itself, against numbers printed elsewhere.
+    // Checks the reference itself against published numbers.
     const Lamb first = lamb({4.0, 2.0, 1.0});
     const double volume = 4.0 / 3.0 * pi * 8.0;
     result.add("Lamb's integrals here: A_x/V of 4:2:1", Rule::absolute, first.added[0] / volume, 0.12657, 5e-6);
@@ -163,7 +163,7 @@ RowResult run_lamb(const Context& context) {
         for (int divisions = 3; divisions <= most; ++divisions) {
             const Triangles mesh = ellipsoid_mesh(body.axes, divisions);
             const lr_asset_info info = info_of(load(mesh.bake(solid_in_water())));
-            // Of the ellipsoid, not of its polyhedron: what the mesh stands for.
+            // The reference is the ellipsoid, which the mesh approximates, not the polyhedron.
             compare(result, info, reference, v, body.axes,
                     std::string(body.name) + ", " + std::to_string(mesh.indices.size() / 3) + " triangles",
                     divisions == 3 ? 0.01 : 0.005);
@@ -194,7 +194,7 @@ RowResult run_rectangles(const Context& context) {
     struct Rectangle {
         double ratio, added, along_long, along_short;
     };
-    // A = C pi/4 a b^2, D about the long side c1 a b^4, about the short one c2 b a^4.
+    // A = C pi/4 a b^2; D = c1 a b^4 about the long side, c2 b a^4 about the short side.
     const Rectangle rectangles[] = {
         {1.0, 0.5790, 0.0201, 0.0201}, {2.0, 0.7569, 0.0223, 0.0162}, {5.0, 0.8967, 0.0236, 0.0096}};
     const double b = 0.02;
@@ -209,7 +209,7 @@ RowResult run_rectangles(const Context& context) {
         const Rectangle& r = rectangles[i];
         const double a = r.ratio * b;
         const std::string name = "a/b = " + std::to_string(std::lround(r.ratio)) + ": ";
-        // The references have two to four digits: half of the last one, and half a percent of the elements.
+        // Half a unit of the reference's last digit (two to four digits), plus half a percent for the elements.
         const auto tolerance = [](double reference, double digit) { return 0.005 * reference + 0.5 * digit; };
         result.add(name + "C", Rule::absolute, diagonal(infos[i], 2) / (0.25 * pi * a * b * b), r.added,
                    tolerance(r.added, 1e-4));

@@ -14,7 +14,7 @@ double seconds_of(const std::function<void()>& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// Of `bodies` in one batch, the mean time of a step.
+// The mean time of a step of one batch of `bodies`.
 double step_time(const Asset& asset, uint32_t bodies, float dt, int steps, uint32_t threads) {
     lr_world_desc wd = initialised(lr_world_desc_init);
     wd.worker_count = threads - 1;

@@ -1,4 +1,4 @@
-// Rows of the measured paper discs.
+// Rows for the measured paper discs.
 #include "tools/lr_scorecard/disc_fall.h"
 #include "tools/lr_scorecard/line_plot.h"
 #include "tools/lr_scorecard/row.h"
@@ -15,10 +15,10 @@ struct Quantity {
     double MeasuredDisc::*measured;
     Statistic DiscFalls::*ours;
     double FallMeasures::*single;
-    double most; // of the histogram
+    double most; // upper end of the histogram
     size_t bins;
 };
-// Peaks come whole in half of a fall of 1.5 s: 15 bins hold one number each.
+// Half a fall of 1.5 s has a whole number of peaks: each of 15 bins holds one number.
 const std::array<Quantity, 4> quantities{
     {{"descent", "m/s", &MeasuredDisc::descent, &DiscFalls::descent, &FallMeasures::descent, 1.6, 32},
      {"horizontal speed", "m/s", &MeasuredDisc::horizontal_speed, &DiscFalls::horizontal_speed,
@@ -103,7 +103,7 @@ RowResult run_discs(const Context& context) {
 
 RowResult run_time_step(const Context& context) {
     RowResult result;
-    // The two means differ by chance as well: enough falls for half a percent or so.
+    // Enough falls for a standard error of about half a percent.
     DiscFallOptions fine = options_of(context);
     fine.falls = context.quick ? 2000 : 8000;
     DiscFallOptions coarse = fine;

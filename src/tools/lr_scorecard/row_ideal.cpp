@@ -19,7 +19,7 @@ constexpr std::array<LoadChoice, 2> integrators() {
     return {{{"RK4", LR_INTEGRATOR_RK4}, {"splitting", LR_INTEGRATOR_SPLITTING}}};
 }
 
-// Body and added mass together, order vx vy vz wx wy wz.
+// Mass of the body plus added mass, order vx vy vz wx wy wz.
 Matrix6 mass_matrix(const lr_asset_info& info) {
     Matrix6 m = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(info.added_mass);
     m.topLeftCorner<3, 3>() += info.mass * Eigen::Matrix3d::Identity();
@@ -77,7 +77,7 @@ Drift drift(const Asset& asset, const Run& run) {
     return worst;
 }
 
-// To the last bit.
+// Equal bits.
 bool same(const std::vector<Sample>& a, const std::vector<Sample>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Sample& x, const Sample& y) {
         return x.position == y.position && x.velocity == y.velocity && x.spin == y.spin &&
@@ -89,7 +89,7 @@ Run calm(double duration, double interval) {
     Run run;
     run.loads.load_model = LR_LOADS_NONE;
     run.gravity = 0.0;
-    run.dt = 1.0f / 32.0f; // of which sums are exact: samples fall on steps
+    run.dt = 1.0f / 32.0f; // a power of two: its sums are exact, so samples coincide with steps
     run.duration = duration;
     run.interval = interval;
     return run;
@@ -115,8 +115,8 @@ RowResult run_kirchhoff(const Context& context) {
         run.loads.integrator = integrators()[job / targets.size() % 2].model;
         drifts[job] = drift(bodies[job / targets.size() / 2].asset, run);
     });
-    // Every target gives the same bits, so one stands for all; that they do is counted. The bound is rounding over some 25,000
-    // substeps; docs/maintainers/numerics.md.
+    // All targets give the same bits, which is checked, so one is measured. The bound is the rounding of about 25,000 substeps;
+    // docs/maintainers/numerics.md.
     int different = 0;
     for (size_t first = 0; first < drifts.size(); first += targets.size()) {
         for (size_t i = 1; i < targets.size(); ++i) different += !same(drifts[first + i].end, drifts[first].end);
@@ -184,7 +184,7 @@ RowResult run_galilean(const Context& context) {
             off.push_back((a - b).norm() / (run.duration * run.wind).norm());
             moved = std::max(moved, a.norm());
         }
-        // A body on the edge between two ways to fall makes a thousandfold of any rounding, in calm air as in wind.
+        // A body near the boundary of two modes of falling amplifies rounding a thousandfold, in still air and in wind.
         std::sort(off.begin(), off.end());
         result.add("difference after 0.5 s, of the way of the wind, of 95 % of the bodies, " + integrator.name,
                    Rule::at_most, quantile(off, 0.95), 1e-5, 0.0);
@@ -196,7 +196,7 @@ RowResult run_galilean(const Context& context) {
 
 namespace {
 
-// Ballasted by `offset` along -y in still water in which it neither sinks nor rises, tilted by 0.02 about x.
+// A neutrally buoyant body in still water, ballasted by `offset` along -y and released at a tilt of 0.02 about x.
 Track rock(const std::array<double, 3>& axes, double offset, double duration, double interval, int32_t integrator) {
     const Asset body = make_ellipsoid(axes, water.density, water, {0.0, -offset, 0.0});
     Run run = calm(duration, interval);
@@ -219,8 +219,8 @@ RowResult run_buoyancy(const Context&) {
     RowResult result;
     const std::array<double, 3> axes{0.04, 0.01, 0.02};
     const double offset = 0.004;
-    // Small rocking about x: torque rho V g offset sin(angle) against the inertia about the centre of mass of body and water.
-    // The momentum along z stays zero, and with it some velocity: eliminated, it leaves the Schur complement.
+    // Small rocking about x: torque rho V g offset sin(angle) against the inertia of body and water about the centre of mass. The
+    // momentum along z stays zero; eliminating the velocity along z gives the Schur complement.
     const lr_asset_info info = info_of(make_ellipsoid(axes, water.density, water, {0.0, -offset, 0.0}));
     const Matrix6 m = mass_matrix(info);
     const double inertia = m(3, 3) - m(3, 2) * m(2, 3) / m(2, 2);

@@ -1,4 +1,4 @@
-// The cases of the paper's own section 7: what its pictures show, in numbers.
+// The cases of the paper's section 7, with its pictures expressed as numbers.
 #include "tools/lr_scorecard/fall_recording.h"
 #include "tools/lr_scorecard/folded_dart.h"
 #include "tools/lr_scorecard/line_plot.h"
@@ -27,7 +27,7 @@ std::vector<LoadChoice> models() {
     return out;
 }
 
-// z, the thin direction, up.
+// The thin axis z points up.
 Eigen::Quaterniond flat() {
     return Eigen::Quaterniond(Eigen::AngleAxisd(-0.5 * pi, Eigen::Vector3d::UnitX()));
 }
@@ -38,13 +38,13 @@ double share(const std::vector<bool>& seen) {
 
 struct LeafFall {
     double heading = 0.0;   // turns of the heading, with its sign
-    double coherence = 0.0; // of them: net over total
-    double rolls = 0.0;     // turns about the long axis, to either side
-    double overturns = 0.0; // the other face comes up
+    double coherence = 0.0; // net turns over total turns
+    double rolls = 0.0;     // turns about the long axis, in either direction
+    double overturns = 0.0; // changes of the upper face
     double reversals = 0.0; // of the path's main horizontal direction
 };
 
-// The heading is that of the velocity over `smooth` samples, so that the swing of a flutter is not taken for a turn.
+// The heading is the direction of the velocity over `smooth` samples: the swing of a flutter must not count as a turn.
 LeafFall measure_leaf(const Track& track, size_t smooth) {
     LeafFall m;
     double before = 0.0, total = 0.0, net = 0.0;
@@ -91,7 +91,7 @@ std::vector<double> each(const std::vector<LeafFall>& falls, double LeafFall::*m
     return out;
 }
 
-// Seen from the side and from above.
+// The paths from the side and from above.
 std::vector<LinePlot> paths(const std::string& title, const std::vector<Track>& tracks, size_t count) {
     static constexpr const char* colors[] = {"#1f5fa8", "#2e7d43", "#b5402a", "#7a4a9c"};
     LinePlot side{title + ", from the side", "x (m)", "y (m)"}, above{title + ", from above", "x (m)", "z (m)"};
@@ -114,7 +114,7 @@ void add_leaf_case(RowResult& result, const Asset& leaf, const LoadChoice& model
                    std::vector<LinePlot>& plots) {
     Random random(21);
     std::vector<Start> starts(falls);
-    for (Start& s : starts) // the long axis points down by the angle, to a degree
+    for (Start& s : starts) // the long axis points down by the angle, within a degree
         s.orientation = flat() *
                         Eigen::AngleAxisd((angle + random.real(-1.0, 1.0)) * degree, Eigen::Vector3d::UnitY()) *
                         Eigen::AngleAxisd(random.real(-1.0, 1.0) * degree, Eigen::Vector3d::UnitX());
@@ -170,7 +170,7 @@ RowResult run_paper_plane(const Context& context) {
         options.mass = langevin_rigid::BakeMass{{}, std::move(dart.layers.positions), std::move(dart.layers.indices)};
         return load(dart.surface.bake(options));
     };
-    const Asset even = bake_dart(0.0), uneven = bake_dart(degree); // nobody folds to a degree
+    const Asset even = bake_dart(0.0), uneven = bake_dart(degree); // a fold by hand errs by a degree
     result.add("mass of the square", Rule::relative, info_of(even).mass, paper * side * side, 1e-3, "kg");
     struct Launch {
         std::string name;

@@ -21,7 +21,7 @@ struct Point {
 
 constexpr ptrdiff_t example_samples = 400;
 
-// Of the tracks only the end of the first of each regime is kept, for the picture.
+// Keeps the end of the first track of each regime, for the picture.
 void keep_examples(PhaseResult& result) {
     std::vector<Track> kept(regime_names.size());
     for (size_t i = 0; i < result.tracks.size(); ++i) {
@@ -34,7 +34,7 @@ void keep_examples(PhaseResult& result) {
     result.tracks = std::move(kept);
 }
 
-// Where most of the seeds fall so.
+// The result with the largest share of this regime.
 const PhaseResult* clearest(const std::vector<Point>& points, size_t regime) {
     const PhaseResult* best = nullptr;
     for (const Point& p : points)
@@ -55,7 +55,7 @@ std::string draw_map(const std::vector<Point>& points) {
         line.width = 1.2;
         for (const BoundaryPoint& b : boundary_points())
             if (static_cast<size_t>(b.kind) == kind) line.points.push_back({b.at.reynolds, b.at.inertia});
-        if (kind == 0) { // the band of Re
+        if (kind == 0) { // a band of Re
             const double at[2] = {line.points[0].x, line.points[1].x};
             for (double re : at) {
                 Series edge = line;
@@ -89,7 +89,7 @@ std::string draw_paths(const std::vector<Point>& points, double diameter) {
         if (!example) continue;
         const Track& track = example->tracks[regime];
         const Sample& first = track.samples.front();
-        // In the vertical plane that the disc swings in: that of the normal's largest horizontal spread.
+        // Projected on the vertical plane of the disc's swing: the direction of the normal's largest horizontal spread.
         Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
         for (const Sample& s : track.samples) {
             const Eigen::Vector3d n = s.orientation * Eigen::Vector3d::UnitZ();
@@ -151,10 +151,10 @@ RowResult run_phase_map(const Context& context) {
         keep_examples(p.result);
     });
     double all = 0.0;
-    std::array<std::array<double, 2>, 3> agreed{}, count{}; // by boundary and side
+    std::array<std::array<double, 2>, 3> agreed{}, count{}; // [boundary][side]
     for (const Point& p : points) {
         const auto kind = static_cast<size_t>(boundary_points()[p.expected.boundary].kind);
-        // The last regime that is allowed beyond a boundary lies past it, before it none does.
+        // Beyond a boundary the last allowed regime is past it; before it, none is.
         const size_t side = static_cast<size_t>(p.expected.allowed.back()) > kind ? 1 : 0;
         all += p.agreement / static_cast<double>(points.size());
         agreed[kind][side] += p.agreement;

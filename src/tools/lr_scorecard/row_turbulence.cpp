@@ -1,4 +1,4 @@
-// Rows of the turbulence: the baker's tables, and the Langevin velocity in the runtime.
+// Rows for turbulence: the baker's tables and the runtime's Langevin velocity.
 #include "tools/lr_scorecard/fall_recording.h"
 #include "tools/lr_scorecard/line_plot.h"
 #include "tools/lr_scorecard/measured_bodies.h"
@@ -50,7 +50,7 @@ void check_shear(RowResult& result) {
     o.cells = {120, 8, 8};
     o.domain_lengths = {60.0, 2.0, 2.0};
     o.intensity = 0.1;
-    o.diffusion = false; // the slip walls would wear the shear away
+    o.diffusion = false; // the slip walls would diffuse the shear away
     const double shear = 0.8 * o.u0 / o.length_d;
     o.initial_velocity = [&](const std::array<double, 3>& p) {
         return std::array<double, 3>{o.u0 + shear * (p[1] - o.length_d), 0.0, 0.0};
@@ -78,7 +78,7 @@ RowResult run_k_epsilon(const Context& context) {
     }
     result.add("uniform inflow: k off its closed form", Rule::at_most, gap_k, 1e-3, 0.0);
     result.add("uniform inflow: chi off its closed form", Rule::at_most, gap_chi, 1e-3, 0.0);
-    // Eq. 18 with l a length of the body: chi0 = C_mu^(3/4) sqrt(3/2) U0/l.
+    // Eq. 18 with l, a length of the body: chi0 = C_mu^(3/4) sqrt(3/2) U0/l.
     result.add("chi0 l/U0", Rule::relative, t.chi[0] * t.l / t.u0, std::pow(c_mu, 0.75) * std::sqrt(1.5), 1e-3);
     if (context.progress) context.progress(0.1);
     const Table finer = table_of(bake_leaf({64, 64, 32}, false));
@@ -92,7 +92,7 @@ RowResult run_k_epsilon(const Context& context) {
 
 namespace {
 
-// As heavy as its water: Pope's equation for the velocity of the fluid itself.
+// A neutrally buoyant body follows Pope's equation for the velocity of the fluid.
 struct LangevinFall {
     double chi = 4.0, epsilon = 0.6, c0 = 2.1;
     double alpha() const { return (0.5 + 0.75 * c0) * chi; }
@@ -120,7 +120,7 @@ RowResult run_langevin(const Context& context) {
     const Asset sphere = make_ellipsoid({0.02, 0.02, 0.02}, water.density, water);
 
     const double t_correlation = 1.0 / fall.alpha();
-    const int lags = 4; // to two correlation times, by halves
+    const int lags = 4; // up to two correlation times, in steps of half a time
     const int rounds = context.quick ? 30 : 120;
     Run run;
     run.loads.load_model = LR_LOADS_LANGEVIN;
@@ -130,8 +130,7 @@ RowResult run_langevin(const Context& context) {
     run.dt = static_cast<float>(0.5 * t_correlation);
     run.substeps = 20;
     run.interval = static_cast<double>(run.dt);
-    run.duration =
-        (8 + rounds) * 0.5 * t_correlation; // four correlation times from rest: exp(-8) of the variance is missing
+    run.duration = (8 + rounds) * 0.5 * t_correlation; // after 4 times from rest, exp(-8) of the variance is missing
     run.threads = context.threads;
     const std::vector<Track> tracks = record(sphere, run, std::vector<Start>(4096));
 
@@ -160,7 +159,7 @@ RowResult run_langevin(const Context& context) {
 
 RowResult run_tables(const Context&) {
     RowResult result;
-    // The paper's Re of 3.8e3 by its own leaf in its own units (docs/maintainers/physics.md, errata): 4 x 1 x 0.01 cm in air.
+    // The paper's leaf, 4 x 1 x 0.01 cm in air, gives its Re of 3.8e3 in its own units (docs/maintainers/physics.md, errata).
     langevin_rigid::BakeOptions options;
     options.unit = langevin_rigid::Unit::metre;
     options.density = 800.0;

@@ -1,4 +1,4 @@
-// The runtime's C handles as owners, and statuses as exceptions.
+// Owners of the runtime's C handles; failed statuses become exceptions.
 #pragma once
 
 #include "langevin_rigid_baker.hpp"
@@ -19,7 +19,7 @@ struct DestroyWorld {
 using Asset = std::unique_ptr<lr_asset, ReleaseAsset>;
 using World = std::unique_ptr<lr_world, DestroyWorld>;
 
-// Throws std::runtime_error that says which call failed.
+// Throws std::runtime_error with the name of the failed call.
 void require(lr_status status, const char* call);
 
 template <class T> T initialised(lr_status (*init)(T*, uint32_t)) {
@@ -28,20 +28,20 @@ template <class T> T initialised(lr_status (*init)(T*, uint32_t)) {
     return desc;
 }
 
-// Throws std::runtime_error with the first error of a bake that failed.
+// Throws std::runtime_error with the first error of a failed bake.
 Asset load(const langevin_rigid::BakeResult& result);
 
 lr_asset_info info_of(const Asset& asset);
 World make_world(const lr_world_desc& desc);
 
-// What moves the bodies of a measurement.
+// The loads on the bodies of a measurement.
 struct Loads {
     int32_t load_model = LR_LOADS_DEFAULT;
     int32_t integrator = LR_INTEGRATOR_DEFAULT;
     int32_t clock = LR_CLOCK_SPEED;
     float noise_gain = 1.0f;
-    // Called once the batch exists and before it has bodies; may override coefficients. May be empty. Several
-    // measurements may call it at the same time, each with a world of its own.
+    // Called for a new batch before it has bodies; can override coefficients; can be empty. Concurrent measurements call it,
+    // each with its own world.
     std::function<void(lr_world*, lr_batch)> configure;
 };
 

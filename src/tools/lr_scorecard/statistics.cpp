@@ -30,7 +30,7 @@ Statistic summarise(std::vector<double> values) {
 std::vector<size_t> peaks(std::span<const double> signal, double hysteresis) {
     std::vector<size_t> found;
     if (signal.empty()) return found;
-    bool rising = false; // by `hysteresis` at least, since the last minimum
+    bool rising = false; // by at least `hysteresis` since the last minimum
     size_t highest = 0;
     double lowest = signal[0];
     for (size_t i = 1; i < signal.size(); ++i)

@@ -1,4 +1,4 @@
-// Averages with their errors, percentiles, and the counting of peaks.
+// Averages with standard errors, percentiles, peaks.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,11 @@ struct Statistic {
 
 Statistic summarise(std::vector<double> values);
 
-// 0 to 1; linear between order statistics. sorted: ascending, not empty.
+// part: 0 to 1; linear between order statistics. sorted: ascending, not empty.
 double quantile(std::span<const double> sorted, double part);
 
-// Indices of the local maxima that stand out: before and after each the signal falls at least `hysteresis` below it before it
-// rises above it again. The ends of the signal are not maxima.
+// Indices of the prominent local maxima: before and after each, the signal is at least `hysteresis` lower before it is
+// higher again. The ends of the signal are not maxima.
 std::vector<size_t> peaks(std::span<const double> signal, double hysteresis);
 
 } // namespace lr::scorecard
