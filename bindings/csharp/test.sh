@@ -47,7 +47,7 @@ strict() {
     refused '#define LR_NOVELTY_FIRST 1' 'LR_NOVELTY_FIRST: no rule says which enum'
     refused 'LR_API lr_status lr_world_set_novelty(lr_world* world, int32_t novelty);' "'novelty'): an int32_t without an enum"
     refused 'typedef struct lr_novelty { int32_t kind; } lr_novelty;' "'kind'): an int32_t without an enum"
-    refused 'LR_API void lr_novelty(long double x);' 'a type that no rule is for'
+    refused 'LR_API void lr_novelty(long double x);' 'no rule for the type'
 }
 refused() {
     sed "s|^#endif /\* LANGEVIN_RIGID_H \*/|$1\n&|" "$root/include/langevin_rigid.h" > novelty.h

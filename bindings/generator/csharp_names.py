@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What things of the header are called in C#: types, fields, and which enum each constant belongs to."""
+"""C# names of types and fields, and the enum of each constant."""
 import re
 
-# Of values that are macros in the header (an enum with a typedef names itself), and so are the other tables that speak of enums:
-# (enum, base, flags, constants, what it is); the member's name is the first group. The first that matches takes a constant.
+# Enums whose values are macros in the header; an enum with a typedef names itself. (enum, base, flags, constants, text): the first
+# group is the member's name. The first pattern that matches takes a constant.
 ENUMS = [
-    ("Status", "int", False, r"LR_(?:ERROR_)?(OK|(?<=LR_ERROR_).+)", "What a call returns: Ok, or a negative error. Values are stable."),
+    ("Status", "int", False, r"LR_(?:ERROR_)?(OK|(?<=LR_ERROR_).+)", "Result of a call: Ok, or a negative error. Values are stable."),
     ("LogLevel", "int", False, r"LR_LOG_(.+)", "Severity of a log message."),
     ("SimdTarget", "int", False, r"LR_SIMD_(.+)", ""),
     ("AssetFlags", "uint", True, r"LR_ASSET_(.+)", "Properties of an asset."),
@@ -13,32 +13,32 @@ ENUMS = [
     ("WindOutside", "int", False, r"LR_WIND_OUTSIDE_(.+)", "The value of a wind grid outside its samples."),
     ("LoadModel", "int", False, r"LR_LOADS_(.+)", "How the fluid's forces on bodies are computed."),
     ("TurbulenceClock", "int", False, r"LR_CLOCK_(.+)", "The clock of a body's turbulence."),
-    ("TableEnd", "int", False, r"LR_TABLE_(.+)", "What happens after the last sample of a turbulence table."),
+    ("TableEnd", "int", False, r"LR_TABLE_(.+)", "Continuation of a turbulence table after its last sample."),
     ("Integrator", "int", False, r"LR_INTEGRATOR_(.+)", "How motion is integrated."),
     ("TransformFormat", "int", False, r"LR_TRANSFORM_(.+)", "Memory layouts of transforms, in floats."),
-    ("SleepState", "int", False, r"LR_SLEEP_(.+)", "Whether a body is awake or asleep."),
+    ("SleepState", "int", False, r"LR_SLEEP_(.+)", "A body's sleep state."),
     ("ForceMode", "int", False, r"LR_FORCE_MODE_(.+)", ""),
     ("ForceFlags", "uint", True, r"LR_FORCE_(AT_POINT)", "Options of a force on one body."),
-    ("ForceFrame", "int", False, r"LR_FRAME_(.+)", "The frame that a force is given in."),
+    ("ForceFrame", "int", False, r"LR_FRAME_(.+)", "The frame of a force."),
     ("ColliderKind", "int", False, r"LR_COLLIDER_(.+)", ""),
-    ("MoveMode", "int", False, r"LR_MOVE_(.+)", "How a collider is moved."),
+    ("MoveMode", "int", False, r"LR_MOVE_(.+)", "Ways to move a collider."),
     ("ContactFlags", "uint", True, r"LR_CONTACT_(NEVER_SLEEP)", "Options of a batch's contact."),
-    ("EventKind", "int", False, r"LR_EVENT_(.+)", "What happened to a body."),
+    ("EventKind", "int", False, r"LR_EVENT_(.+)", "Kinds of events."),
     ("EventKinds", "uint", True, r"LR_EVENTS_(.+)", ""),
-    ("RayFlags", "uint", True, r"LR_RAY_(.+)", "What a ray can hit."),
+    ("RayFlags", "uint", True, r"LR_RAY_(.+)", "Targets of a ray."),
     ("OverlapShape", "int", False, r"LR_OVERLAP_(.+)", "Shapes of overlap queries."),
-    ("EndAction", "int", False, r"LR_END_(.+)", "What happens to a body that its batch's rules end."),
-    ("DivergencePolicy", "int", False, r"LR_DIVERGENCE_(.+)", "What happens to a diverged body."),
+    ("EndAction", "int", False, r"LR_END_(.+)", "The fate of a body that its batch's rules end."),
+    ("DivergencePolicy", "int", False, r"LR_DIVERGENCE_(.+)", "The fate of a diverged body."),
     ("VolumeShape", "int", False, r"LR_VOLUME_(.+)", "Shapes of kill volumes."),
-    ("KillSide", "int", False, r"LR_KILL_(.+)", "On which side of a kill volume bodies end."),
+    ("KillSide", "int", False, r"LR_KILL_(.+)", "The side of a kill volume on which bodies end."),
     ("EmitterShape", "int", False, r"LR_EMIT_(.+)", "Shapes in which an emitter spawns bodies."),
     ("EmitterPose", "int", False, r"LR_POSE_(.+)", "Orientations of spawned bodies."),
-    ("WorldChecks", "uint", True, r"LR_CHECK_(.+)", "Misuse to detect at run time."),
+    ("WorldChecks", "uint", True, r"LR_CHECK_(.+)", "Run-time checks for misuse."),
     ("RecordingFlags", "uint", True, r"LR_RECORD_(.+)", "Options of a recording."),
 ]
 LIMITS = r"LR_(MAX_.+)"
 
-# Where a comment's LR_X_* stands for another enum than its first constants would say, or says nothing.
+# For comments in which LR_X_* stands for another enum than its first constants would say, or for no LR_X_* at all.
 FIELD_ENUMS = {
     ("lr_world_info", "simd_target"): "SimdTarget",
     ("lr_batch_contact", "flags"): "ContactFlags",
@@ -58,15 +58,15 @@ PARAMETER_ENUMS = {
     ("lr_log_fn", "level"): "LogLevel",
 }
 
-# UnityEngine has an Event and a Material.
+# Unity has its own Event and Material.
 STRUCTS = {"lr_event": "BodyEvent", "lr_material": "ColliderMaterial"}
-HANDLES = {"lr_status": "Status"}  # and those of the model
+HANDLES = {"lr_status": "Status"}  # others come from the model
 WORDS = {"SIMD": "Simd", "RK4": "Rk4", "3X4": "Matrix3x4", "4X4": "Matrix4x4"}
 SCALARS = {"void": "void", "char": "byte", "i8": "sbyte", "u8": "byte", "i16": "short", "u16": "ushort", "i32": "int", "u32": "uint",
            "i64": "long", "u64": "ulong", "f32": "float", "f64": "double"}
 VECTORS = {("f32", 2): "Float2", ("f32", 3): "Float3", ("f32", 4): "Float4", ("f64", 3): "Double3", ("u32", 2): "UInt2",
            ("u32", 3): "UInt3"}
-# Arrays that C# has no fixed buffers of become a field for each element.
+# C# has no fixed buffers of these elements, so each element becomes a field.
 SUFFIXES = {3: "XYZ", 4: "XYZW"}
 KEYWORDS = {"in", "out", "ref", "params", "base", "event", "object", "string", "fixed", "checked", "lock", "operator", "is", "as"}
 
@@ -82,7 +82,7 @@ def camel(name):
 
 
 def type_name(name):
-    """Of a struct, handle or callback."""
+    """The C# name of a struct, handle or callback."""
     return HANDLES.get(name) or STRUCTS.get(name) or pascal(name.removeprefix("lr_"))
 
 
@@ -91,7 +91,7 @@ def suffixes(count):
 
 
 class Names:
-    """Of one model: every constant must find its place."""
+    """Names for a model: every constant must belong to an enum."""
 
     def __init__(self, model):
         self.model = model
@@ -129,7 +129,7 @@ class Names:
         raise ValueError(f"{name}: no rule says which enum it belongs to: bindings/generator/csharp_names.py, ENUMS")
 
     def family(self, prefix):
-        """The enum of the constants that begin like this."""
+        """The enum of the constants with this prefix."""
         return next((enum for name, (enum, _) in self.enum_of.items() if name.startswith(prefix + "_")), None)
 
     def field_enum(self, struct, field):
