@@ -237,7 +237,7 @@ public sealed class ColliderTests : Stage
     public void WhatHasNoCounterpartSaysWhy()
     {
         Put<CharacterController>(Vector3.zero);
-        Assert.AreEqual(1, Complaints("CharacterController has no counterpart"));
+        Assert.AreEqual(1, Complaints("CharacterController is not supported"));
         Put<MeshCollider>(Vector3.zero);
         Assert.AreEqual(1, Complaints("has no mesh"));
         Mesh locked = Wedge();
@@ -246,7 +246,7 @@ public sealed class ColliderTests : Stage
         Assert.AreEqual(1, Complaints("Turn on Read/Write"));
         var flat = new Mesh { vertices = new[] { Vector3.zero, Vector3.right, Vector3.forward, new Vector3(1, 0, 1) }, triangles = new[] { 0, 1, 2 } };
         Put<MeshCollider>(Vector3.zero, m => { m.sharedMesh = flat; m.convex = true; });
-        Assert.AreEqual(1, Complaints("Turn off Convex"));
+        Assert.AreEqual(1, Complaints("turn off Convex"));
         Frames(2);
         Assert.AreEqual(0ul, World.Simulation.Info().ColliderCount);
     }
