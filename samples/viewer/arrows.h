@@ -13,7 +13,7 @@ typedef struct arrows {
 void arrows_create(arrows* a);
 void arrows_free(arrows* a);
 
-/* The wind is what lr_world_sample_wind says at the foot of each. */
+/* Each arrow shows the result of lr_world_sample_wind at its foot. */
 void arrows_draw(const arrows* a, const scene* s, const pass* p, const camera* c);
 
 #endif

@@ -12,10 +12,10 @@
 _Noreturn void fail(const char* remedy, const char* format, ...) __attribute__((format(printf, 2, 3)));
 _Noreturn void fail_usage(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Fails when a call of the library did. */
+/* Fails if the status is an error. */
 void check(lr_status status, const char* what, const char* remedy);
 
-/* Memory, or the program ends. */
+/* Allocates zeroed memory, or ends the program. */
 void* allocate(size_t count, size_t size);
 void* grow(void* memory, size_t count, size_t size);
 

@@ -13,7 +13,7 @@ typedef struct solid_vertex {
 } solid_vertex;
 
 typedef struct solid_list {
-    solid_vertex* vertices; /* three a triangle */
+    solid_vertex* vertices; /* three per triangle */
     size_t count;
 } solid_list;
 

@@ -29,7 +29,7 @@ class Report:
     """What the viewer says at its end."""
 
     def __init__(self, text):
-        said = re.search(r"scene (\w+): (\d+) pictures, t = ([\d.]+) s, (\d+) bodies, (\d+) at rest, lowest (\S+) m, hash (\w+)\n"
+        said = re.search(r"scene (\w+): (\d+) pictures, t = ([\d.]+) s, (\d+) bodies, (\d+) asleep, lowest (\S+) m, hash (\w+)\n"
                          r"camera (\S+),(\S+),(\S+) target (\S+),(\S+),(\S+)( following)?( paused)?\n(.*)\n", text)
         assert said, text
         self.scene, self.pictures, self.time = said[1], int(said[2]), float(said[3])

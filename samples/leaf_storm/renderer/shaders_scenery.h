@@ -1,4 +1,4 @@
-// Ground and what stands on it, and shadows; to be put after shader_air.
+// Ground, objects and shadows; append to shader_air.
 // SPDX-License-Identifier: MIT
 #pragma once
 
