@@ -126,8 +126,7 @@ static void move(viewer* v, const event* e) {
     if (hypotf(e->x - v->pressed_x, e->y - v->pressed_y) > click_reach) v->moved = 1;
     if (v->dragged_row >= 0) {
         const int row = v->dragged_row;
-        v->wanted.value[row] =
-            setting_at((enum setting)row, panel_place(v, e->x)); /* also if the pointer has left the row */
+        v->wanted.value[row] = setting_at((enum setting)row, panel_place(v, e->x)); /* also beside the row */
     } else if (!v->moved) {
         return;
     } else if (v->dragged_button == button_left) {
