@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The gate of the ABI lets growth through and nothing else: libraries of edited headers, against the present header frozen."""
+"""Tests that the ABI gate permits growth only: libraries of edited headers against the frozen present header."""
 import pathlib
 import re
 import subprocess
@@ -13,12 +13,12 @@ import surface
 
 HERE = pathlib.Path(__file__).resolve().parent
 VERSION = "0.0"
-HEADER = re.sub(r" */\*.*?\*/", "", check.HEADER.read_text(), flags=re.S) # whatever its comments say
+HEADER = re.sub(r" */\*.*?\*/", "", check.HEADER.read_text(), flags=re.S) # without comments
 END = "#ifdef __cplusplus\n}\n#endif\n\n#endif"
 
 
 def edited(*changes):
-    """The header with texts replaced, each of which is there."""
+    """The header with texts replaced; each must occur in it."""
     text = HEADER
     for old, new in changes:
         assert text.count(old) == 1, (text.count(old), old)
@@ -42,11 +42,11 @@ REORDERED = edited(("    uint64_t seed;\n    float gravity[3];\n",
 
 
 def grown_header(header):
-    """The text of a header in which every struct that may grow has, and the names of those."""
+    """A header in which every struct that can grow has grown, and the names of these structs."""
     structs = {name: struct for name, struct in surface.Surface(header).structs.items() if struct["grows"]}
     text = pathlib.Path(header).read_text()
     for name, struct in structs.items():
-        # Of the struct's own alignment: a smaller field behind a pointer would lie in what is padding on 32 bits.
+        # With the struct's own alignment: a smaller field behind a pointer would lie in padding on 32 bits.
         field = "uint64_t grown" if min(struct["alignments"]) == 8 else "float grown[2]"
         text, count = re.subn(rf"^\}} {name};$", f"    {field};\n}} {name};", text, flags=re.M)
         assert count == 1, name
@@ -54,7 +54,7 @@ def grown_header(header):
 
 
 class Libraries(unittest.TestCase):
-    """As a whole: a library is built with the header's functions."""
+    """The whole gate, with a library built from the header."""
 
     @classmethod
     def setUpClass(cls):
@@ -127,7 +127,7 @@ class Libraries(unittest.TestCase):
 
 
 class Headers(unittest.TestCase):
-    """By the header alone."""
+    """The header's check alone."""
 
     @classmethod
     def setUpClass(cls):
@@ -164,7 +164,7 @@ class Headers(unittest.TestCase):
         text, names = grown_header(check.HEADER)
         self.assertGreater(len(names), 30)
         self.assertEqual(self.breaks(text), [])
-        # A field of 4 bytes behind a pointer, which wasm32 has in the padding of a struct that is aligned to 8.
+        # A field of 4 bytes behind a pointer: on wasm32 it lies in the padding of a struct aligned to 8.
         text = edited(("    const lr_aerodynamics* aerodynamics;\n} lr_rigid_desc;",
                        "    const lr_aerodynamics* aerodynamics;\n    float more;\n    float reserved_1;\n} lr_rigid_desc;"))
         self.assertEqual(len([b for b in self.breaks(text) if "on wasm32 the new field more" in b]), 1)

@@ -1,5 +1,5 @@
-// Everything as extreme as the API takes it: whatever comes of it, bodies are bodies, or have been told of and held.
-// docs/reference/bodies.md; LR_HOSTILE_WORLDS=from:to plays these seeds.
+// All values at the API's limits: bodies stay finite, or are reported as diverged and held.
+// docs/reference/bodies.md; LR_HOSTILE_WORLDS=from:to runs these seeds.
 #include "support/hostile_world.h"
 #include "support/threads.h"
 

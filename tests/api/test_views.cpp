@@ -1,4 +1,4 @@
-// State as it is read: views, states and transforms say the same.
+// Views, states and transforms agree.
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/vector.h"

@@ -1,4 +1,4 @@
-// Pairs that are searched side by side: what is found of each does not depend on its company, nor on the instruction set.
+// Pairs in the lanes of a vector: a pair's contacts depend neither on the other pairs nor on the instruction set.
 #include "collision/pair_contacts.h"
 
 #include "kernel/integrator/step.h"
@@ -49,7 +49,7 @@ std::vector<PairHull> some_shapes(test::Random& random) {
     return pool;
 }
 
-// Of bodies that do not move; some go on together, or towards each other.
+// Of bodies at rest; some pairs continue together, or towards each other.
 std::vector<Pair> some_pairs(test::Random& random, const std::vector<PairHull>& shapes, uint32_t count, bool move) {
     std::vector<Pair> pairs;
     for (uint32_t i = 0; i < count; ++i) {

@@ -43,7 +43,7 @@ def main(program):
         found = {row["hash"] for row in same}
         assert len(found) == 1, (scene, [(row["target"], row["workers"], row["hash"]) for row in same])
         hashes += found
-    # Scenes differ, and so do their hashes: none of them is that of nothing.
+    # Different scenes have different hashes; none is that of an empty world.
     assert len(set(hashes)) == len(hashes)
     assert any(len({row["target"] for row in same}) > 1 for same in scenes.values()), "one instruction set only"
     assert any(len({row["workers"] for row in same}) > 1 for same in scenes.values()), "one count of workers only"
