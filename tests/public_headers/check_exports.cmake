@@ -1,6 +1,6 @@
 # cmake -DNM= -DLIBRARY= -DHEADER= -DALLOWED= -P check_exports.cmake
-# Three lists must be one: symbols of the shared library, declarations of the header, and tests/api/exports.txt, which
-# bindings/generator/runtime.py writes.
+# Three lists must be equal: symbols of the shared library, declarations of the header, and tests/api/exports.txt, written by
+# bindings/generator/runtime.py.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND "${NM}" -D --defined-only "${LIBRARY}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE "\n" ";" lines "${output}")

@@ -1,7 +1,7 @@
-/* Nothing before the header: it must bring all it needs. Twice, for its guard. */
+/* The header comes first: it must include all it needs. Twice, for its guard. */
 #include "langevin_rigid.h"
 
-/* Layouts that bindings in other languages rely on: no padding that differs between compilers. */
+/* Layouts for bindings in other languages: no padding that differs between compilers. */
 typedef char status_is_32_bits[sizeof(lr_status) == 4 ? 1 : -1];
 typedef char batch_is_32_bits[sizeof(lr_batch) == 4 ? 1 : -1];
 typedef char body_is_64_bits[sizeof(lr_body) == 8 ? 1 : -1];

@@ -83,7 +83,7 @@ TEST_CASE("sine and cosine of every fraction of a turn, and the same on every ta
     MESSAGE("worst error ", worst * 16777216.0, " of 2^-24");
     CHECK(worst * 16777216.0 < 2.0);
     CHECK(same);
-    // Where they must be exact.
+    // Values that must be exact.
     Aligned<float> quarter(lane_block);
     for (size_t i = 0; i < 4; ++i) quarter[i] = 0.25f * static_cast<float>(i);
     targets[0].sin_cos(quarter.data(), sine.data(), cosine.data(), lane_block);
