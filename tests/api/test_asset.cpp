@@ -218,7 +218,7 @@ TEST_CASE("equal ellipsoids are equal assets, others are not") {
     }
 }
 
-TEST_CASE("what an ellipsoid asset says of itself") {
+TEST_CASE("info of an ellipsoid asset") {
     const lr_asset_info info = info_of(make(in_water(ellipsoid(0.04, 0.02, 0.01, 1200.0))));
     const double volume = 4.0 / 3.0 * 3.141592653589793 * 8e-6;
     CHECK(info.volume == doctest::Approx(volume));

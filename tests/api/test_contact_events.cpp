@@ -69,7 +69,7 @@ TEST_CASE("a ball that falls on a plane begins to touch it once, lands, and is w
     CHECK((woken[1].kind == LR_EVENT_WOKE && woken[1].collider.id == 0 && woken[1].body == body));
 }
 
-TEST_CASE("what touches and leaves within a step begins and ends in it") {
+TEST_CASE("a contact that begins and ends within a step is reported in it") {
     const Asset asset = ball();
     const World world = make(world_desc());
     const lr_batch batch = add_batch(world, asset, 4);

@@ -120,7 +120,7 @@ TEST_CASE("one of 10,000 bodies leaves physics: it is held, told of once, and th
     CHECK(log.lines.size() == 1);
 }
 
-TEST_CASE("what becomes of a body is the batch's policy") {
+TEST_CASE("the batch's policy decides about diverged bodies") {
     const Asset asset = leaf();
     struct Case {
         int32_t policy;

@@ -114,7 +114,7 @@ TEST_CASE("an asset file that ends or breaks while it is read is a status") {
     }
 }
 
-TEST_CASE("what is not an asset file, or may not be read, is a status, and nothing is waited for") {
+TEST_CASE("an unreadable or invalid asset file gives a status without waiting") {
     const Folder folder;
     const std::string pipe = folder.path + "/pipe", secret = folder.path + "/secret.lrb", loop = folder.path + "/loop";
     REQUIRE(mkfifo(pipe.c_str(), 0666) == 0);

@@ -39,7 +39,7 @@ uint64_t played(uint64_t seed, const HostileWorld::How& how, uint64_t& faults) {
 
 } // namespace
 
-TEST_CASE("whatever a world is given, its bodies are within limits, on every instruction set alike, also through a "
+TEST_CASE("in a world of extreme values bodies are within limits, on every instruction set alike, also through a "
           "snapshot" *
           doctest::test_suite("native")) {
     const std::vector<int32_t> targets = simd_targets();

@@ -3,7 +3,7 @@
 
 using namespace test;
 
-TEST_CASE("what comes out of a refused call is no handle") {
+TEST_CASE("a refused call returns no handle") {
     const Asset asset = leaf();
     const World world = make(world_desc());
     lr_world* const w = world.get();

@@ -157,7 +157,7 @@ TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes i
     CHECK(gone == 20);
 }
 
-TEST_CASE("whatever wakes bodies of a batch that is at rest as a whole, their age is the time that has passed") {
+TEST_CASE("however a batch that sleeps as a whole wakes, its bodies' age is the time that has passed") {
     for (uint32_t divisor : {1u, 3u})
         for (int how = 0; how < 3; ++how) {
             CAPTURE(divisor);

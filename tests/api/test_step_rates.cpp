@@ -137,7 +137,7 @@ TEST_CASE("batches of the same divisor take different steps") {
 }
 
 // Without noise a batch with a divisor equals a world with longer steps, to the last bit: in uniform wind, in a field, at a water surface.
-TEST_CASE("what a batch makes up for is one longer step") {
+TEST_CASE("a batch that waited takes one longer step") {
     for (int setting = 0; setting < 4; ++setting)
         for (int32_t loads : {LR_LOADS_NONE, LR_LOADS_AERODYNAMIC}) {
             CAPTURE(setting);

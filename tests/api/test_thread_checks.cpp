@@ -211,7 +211,7 @@ TEST_CASE("a log that calls the library is refused once for each message, withou
     CHECK(log.calls == 2 * (1 + static_cast<int>(std::size(functions))));
 }
 
-TEST_CASE("what is inside is left by every function, also where it fails") {
+TEST_CASE("every function leaves the world's guard, also if it fails") {
     Messages messages;
     const World world = make(checked(messages));
     for (const Function& f : functions) {

@@ -49,7 +49,7 @@ bool same(const AssetData& a, const AssetData& b) {
 
 } // namespace
 
-TEST_CASE("what is written is read back, the same bytes for the same data") {
+TEST_CASE("written data is read back, the same bytes for the same data") {
     AssetData d = test::leaf_data();
     d.turbulence.stationary = 3;
     d.turbulence.cells = {32, 32, 16};

@@ -143,7 +143,7 @@ TEST_CASE("fast added mass turns with the body" * doctest::skip(lr::test::saniti
     CHECK(relative(both.transpose() * b.value * both - a.value, a.value).cwiseAbs().maxCoeff() < 1e-5);
 }
 
-TEST_CASE("what the fast matrix keeps in memory grows with the number of panels") {
+TEST_CASE("memory of the fast matrix grows with the number of panels") {
     double last = 0.0;
     for (const int level : {4, 5, 6}) {
         const Mesh mesh = test::ellipsoid(4, 2, 1, level);

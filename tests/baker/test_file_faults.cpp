@@ -229,7 +229,7 @@ TEST_CASE("a process that is killed in any call of the system leaves whole files
     CHECK(left > 3); // otherwise the test has shown nothing
 }
 
-TEST_CASE("what another process still writes is not removed, nor what only looks like it") {
+TEST_CASE("files that another process still writes are not removed, nor similar names") {
     const Scratch scratch;
     const std::string live = scratch.write(".lr_bake-1-0.part", "live"),
                       dead = scratch.write(".lr_bake-1-1.part", "dead");

@@ -244,7 +244,7 @@ TEST_CASE("PLY: binary of both byte orders, extra properties") {
     }
 }
 
-TEST_CASE("what cannot be read has a number each") {
+TEST_CASE("every unreadable file has its fault number") {
     const Scratch scratch;
     const std::string good = to_obj(test::icosphere(0));
     struct Case {
@@ -419,7 +419,7 @@ TEST_CASE("winding is repaired") {
     }
 }
 
-TEST_CASE("what is not the boundary of a solid is refused by number and place") {
+TEST_CASE("a surface that bounds no solid is refused by number and place") {
     const Mesh sphere = test::icosphere(1);
     const auto check = [](Mesh mesh, FaultId id, const std::string& where) {
         Faults faults;

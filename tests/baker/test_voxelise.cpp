@@ -175,7 +175,7 @@ TEST_CASE("a symmetric body is closed symmetrically, also where its corners lie 
     }
 }
 
-TEST_CASE("what lies outside the grid closes nothing") {
+TEST_CASE("triangles outside the grid close no faces") {
     const std::array<uint32_t, 3> n = {8, 8, 8};
     const Mesh away = shifted(test::cube(2), Eigen::Matrix3d::Identity(), {20.0, 4.0, 4.0});
     for (const std::vector<uint8_t>& faces : voxelise(away, n, {8.0, 8.0, 8.0})) CHECK(sum(faces) == 0);

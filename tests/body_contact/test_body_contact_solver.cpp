@@ -291,7 +291,7 @@ TEST_CASE("a stack carries its weight: each contact what is above it, the ground
         }
 }
 
-TEST_CASE("what is a thousand times as heavy lies on what is light") {
+TEST_CASE("a body lies on one of a thousandth of its weight") {
     for (float ratio : {1.0f, 3.0f, 10.0f}) {
         CAPTURE(ratio);
         Balls balls(2);

@@ -92,7 +92,7 @@ TEST_CASE("pairs in a cell of their own are found by both, and others by one") {
     CHECK(pairs > 2 * in_a_cell);
 }
 
-TEST_CASE("what a grid finds does not depend on the order of its boxes, nor on what it held before") {
+TEST_CASE("a grid's results depend neither on the order of its boxes nor on its former contents") {
     test::Random random(82);
     constexpr uint32_t count = 300;
     std::vector<BodyBox> boxes;

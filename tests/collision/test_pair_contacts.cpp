@@ -91,7 +91,7 @@ std::vector<Found> search(PairSearch* target, const std::vector<Pair>& pairs, co
 
 } // namespace
 
-TEST_CASE("what is found of a pair is the same in any company and on every instruction set") {
+TEST_CASE("contacts of a pair do not depend on the other lanes or the instruction set") {
     test::Random random(91);
     const std::vector<PairHull> shapes = some_shapes(random);
     const std::vector<Pair> pairs = some_pairs(random, shapes, test::rounds(6000), true);
@@ -116,7 +116,7 @@ TEST_CASE("what is found of a pair is the same in any company and on every instr
     }
 }
 
-TEST_CASE("what is not finite touches nothing and disturbs no others") {
+TEST_CASE("non-finite bodies touch nothing and disturb no others") {
     test::Random random(93);
     const std::vector<PairHull> shapes = some_shapes(random);
     std::vector<Pair> pairs = some_pairs(random, shapes, 64, true);

@@ -33,7 +33,7 @@ TEST_CASE("an age lasts: 24 hours of 4 ms, and of steps that are nothing beside 
     }
 }
 
-TEST_CASE("what rounding keeps of an age goes through snapshots, into the hash, and not into a new age") {
+TEST_CASE("the rounding remainder of an age goes into snapshots and the hash, not into a new age") {
     const Asset asset = leaf();
     const World world = weightless();
     const lr_batch batch = add_batch(world, asset, 2);

@@ -124,7 +124,7 @@ TEST_CASE("a box that pushes a body along the floor stays in touch with it") {
 }
 
 // (m + A) r w^2 against mu times the normal force.
-TEST_CASE("what lies on a turntable turns with it up to where friction holds it") {
+TEST_CASE("bodies on a turntable turn with it as far out as friction holds them") {
     for (int32_t kind : {LR_COLLIDER_BOX, LR_COLLIDER_PLANE, LR_COLLIDER_MESH})
         for (double size : {0.02, 0.2})
             for (double share : {0.5, 0.97, 1.03}) {

@@ -55,7 +55,7 @@ TEST_CASE("coins, rods and bricks come to rest on uneven ground") {
     }
 }
 
-TEST_CASE("what slides or turns slowly but steadily does not come to rest") {
+TEST_CASE("a body that slides or turns slowly but steadily does not fall asleep") {
     const World world = make(world_desc());
     const Asset asset = make(rigid_box(0.1, 0.05, 0.1, 500.0));
     const lr_batch batch = add_batch(world, unloaded(), asset, 2);

@@ -406,7 +406,7 @@ TEST_CASE("a current carries what floats") {
     CHECK(speed < 1.01f);
 }
 
-TEST_CASE("what is small rides on long waves") {
+TEST_CASE("small bodies ride on long waves") {
     const Asset ball = make(ellipsoid(0.02, 0.02, 0.02, 500.0));
     const World world = make(world_desc());
     lr_water_desc d = water_desc();
@@ -462,7 +462,7 @@ TEST_CASE("a callback's surface is as good as a plane there, and one that is non
 }
 
 // Bound on gains: test_water_energy.cpp.
-TEST_CASE("whatever crosses the surface stays finite, with noise and among waves") {
+TEST_CASE("bodies that cross the surface stay finite, with noise and among waves") {
     for (uint32_t i = 0; i < 600; ++i) {
         CAPTURE(i);
         Random random(i);

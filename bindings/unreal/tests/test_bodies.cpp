@@ -429,7 +429,7 @@ TEST_CASE("a saved state goes on as it did, and is drawn at once") {
 }
 
 // test.sh replays the files with lr_replay.
-TEST_CASE("what happens in a game is recorded") {
+TEST_CASE("the calls of a game are recorded") {
     const std::string folder = environment("LANGEVIN_TEST_RECORDINGS");
     const auto size_of = [&](const char* name) { return std::filesystem::file_size(folder + "/" + name); };
     const auto path = [&](const char* name) { return FString(ShimWiden(folder + "/" + name)); };

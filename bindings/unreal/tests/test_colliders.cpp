@@ -210,7 +210,7 @@ TEST_CASE("tilted landscapes are left out, with a word") {
     CHECK(logged(ShimTakeLog(), "is tilted"));
 }
 
-TEST_CASE("what does not block is left out: movable, tagged, overlap, no collision") {
+TEST_CASE("collision that does not block is skipped: movable, tagged, overlap, none") {
     Game game;
     game.create();
     const FKAggregateGeom cube = box_of(100, 100, 100);

@@ -307,7 +307,7 @@ TEST_CASE("every function that changes a world is recorded and played alone"){
 #undef LR_CALL
 }
 
-TEST_CASE("what is not the same is found at its step: a body that is somewhere else, a status, an id") {
+TEST_CASE("a difference is found at its step: a body's place, a status, an id") {
     const Asset flat = leaf();
     const World world = make(seeded());
     Recording recording;
@@ -395,7 +395,7 @@ TEST_CASE("a writer that refuses ends the recording at any call, and not the wor
     }
 }
 
-TEST_CASE("what a crash leaves is played up to its last whole record") {
+TEST_CASE("a recording cut by a crash is played up to its last whole record") {
     const Asset flat = leaf();
     const World world = make(seeded());
     Recording recording;

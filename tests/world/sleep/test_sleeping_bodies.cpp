@@ -200,7 +200,7 @@ TEST_CASE("noted bodies rest from the end of the step on that they were noted in
     }
 }
 
-TEST_CASE("what contact notes is part of the hash where it is not 0, and of snapshots") {
+TEST_CASE("notes of contact are part of the hash if they are not 0, and of snapshots") {
     Fixture f(40);
     for (int i = 0; i < 40; ++i) f.add();
     const uint64_t plain = hash_of(f.world);

@@ -74,7 +74,7 @@ bool same_bits(const std::vector<lr::Box>& a, const std::vector<lr::Box>& b) {
 
 } // namespace
 
-TEST_CASE("what was in a world before a restore does not matter, to the byte") {
+TEST_CASE("a world's state before a restore does not matter, to the byte") {
     const std::pair<const char*, std::function<void(Place&)>> ways[] = {
         {"nothing", [](Place&) {}},
         {"steps", [](Place& p) { steps(p.world, 7, 0.016f, 2); }},
