@@ -1,4 +1,4 @@
-/* Arrows of the wind on a lattice around what is looked at.    SPDX-License-Identifier: MIT */
+/* Arrows of the wind on a lattice around the camera's target.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_ARROWS_H
 #define VIEWER_ARROWS_H
 

@@ -1,4 +1,4 @@
-/* Draws the bodies of batches by instances, straight from the library's transforms.    SPDX-License-Identifier: MIT */
+/* Draws the bodies of batches by instances, directly from the library's transforms.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_BODIES_H
 #define VIEWER_BODIES_H
 

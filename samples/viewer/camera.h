@@ -1,4 +1,4 @@
-/* A camera that goes round what it looks at.    SPDX-License-Identifier: MIT */
+/* A camera that orbits its target.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_CAMERA_H
 #define VIEWER_CAMERA_H
 

@@ -1,4 +1,4 @@
-/* What a user does, from a window or from --press.    SPDX-License-Identifier: MIT */
+/* User input, from a window or from --press.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_EVENT_H
 #define VIEWER_EVENT_H
 

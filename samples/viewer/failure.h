@@ -1,4 +1,4 @@
-/* What went wrong, and what to do about it: ends the program.    SPDX-License-Identifier: MIT */
+/* Run-time failures with their remedy: ends the program.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_FAILURE_H
 #define VIEWER_FAILURE_H
 

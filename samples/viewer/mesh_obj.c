@@ -1,4 +1,4 @@
-/* Wavefront OBJ: v, vt, f. Normals are made here, smooth over edges of less than 60 degrees.    SPDX-License-Identifier: MIT */
+/* Wavefront OBJ: v, vt, f. Computes normals, smooth over edges of less than 60 degrees.    SPDX-License-Identifier: MIT */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

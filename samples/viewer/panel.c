@@ -1,4 +1,4 @@
-/* The panel: sliders, numbers, keys, and a frame around the body that is followed.    SPDX-License-Identifier: MIT */
+/* The panel: sliders, numbers, keys, and a frame around the followed body.    SPDX-License-Identifier: MIT */
 #include <stdio.h>
 #include <string.h>
 

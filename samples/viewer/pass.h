@@ -1,4 +1,4 @@
-/* What all programs of a picture are given, and how a program gets it.    SPDX-License-Identifier: MIT */
+/* Inputs of all shader programs of a picture.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_PASS_H
 #define VIEWER_PASS_H
 

@@ -1,4 +1,4 @@
-/* What there is to see: bodies, where they are spawned, ground, wind, camera.    SPDX-License-Identifier: MIT */
+/* Plans of scenes: bodies, emitters, ground, wind, camera.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_SCENES_H
 #define VIEWER_SCENES_H
 

@@ -1,4 +1,4 @@
-/* What the sliders set.    SPDX-License-Identifier: MIT */
+/* Values of the sliders.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_SETTINGS_H
 #define VIEWER_SETTINGS_H
 

@@ -1,4 +1,4 @@
-/* The shadow map: what the sun sees around the camera's target.    SPDX-License-Identifier: MIT */
+/* The shadow map: depths from the sun around the camera's target.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_SHADOW_H
 #define VIEWER_SHADOW_H
 

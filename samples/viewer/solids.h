@@ -1,4 +1,4 @@
-/* Triangles of what stands on the ground.    SPDX-License-Identifier: MIT */
+/* Triangles of objects on the ground.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_SOLIDS_H
 #define VIEWER_SOLIDS_H
 

@@ -1,4 +1,4 @@
-/* Where some bodies have been: ribbons as wide as they are, which show how they turned.    SPDX-License-Identifier: MIT */
+/* Paths of some bodies: ribbons of the bodies' width, which show their rotation.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_TRAILS_H
 #define VIEWER_TRAILS_H
 

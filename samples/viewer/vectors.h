@@ -1,4 +1,4 @@
-/* Vectors and matrices of single precision. Matrices are column-major, as OpenGL has them.    SPDX-License-Identifier: MIT */
+/* Vectors and matrices of single precision. Matrices are column-major, as in OpenGL.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_VECTORS_H
 #define VIEWER_VECTORS_H
 

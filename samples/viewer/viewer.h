@@ -1,4 +1,4 @@
-/* The whole: a scene, what is drawn of it, and what the user has chosen.    SPDX-License-Identifier: MIT */
+/* The viewer: a scene, its picture, and the user's choices.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_VIEWER_H
 #define VIEWER_VIEWER_H
 

@@ -1,4 +1,4 @@
-/* Where OpenGL draws: a window, or nowhere.    SPDX-License-Identifier: MIT */
+/* The OpenGL context: in a window, or without a display.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_WINDOW_H
 #define VIEWER_WINDOW_H
 

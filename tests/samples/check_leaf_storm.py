@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Runs leaf_storm like a user: results, exit codes, files.    usage: check_leaf_storm.py LEAF_STORM ASSET.lrb [MESH.obj]
-With a mesh it draws, too (needs EGL).    SPDX-License-Identifier: MIT"""
+With a mesh it also draws (needs EGL).    SPDX-License-Identifier: MIT"""
 import csv
 import json
 import os

@@ -1,4 +1,4 @@
-// What the shim's Core does: log, memory, files, libraries, tasks. SPDX-License-Identifier: MIT
+// The shim's Core: log, memory, files, libraries, tasks. SPDX-License-Identifier: MIT
 #include "shim.h"
 
 #include <atomic>

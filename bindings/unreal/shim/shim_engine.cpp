@@ -1,4 +1,4 @@
-// What the shim's objects, components and worlds do. SPDX-License-Identifier: MIT
+// The shim's objects, components and worlds. SPDX-License-Identifier: MIT
 #include "shim.h"
 
 UEditorEngine* GEditor = nullptr;

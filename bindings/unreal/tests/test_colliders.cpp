@@ -1,4 +1,4 @@
-// The level's collision as the library has it, felt by its own rays. SPDX-License-Identifier: MIT
+// The level's collision in the library, checked by its own rays. SPDX-License-Identifier: MIT
 #include "Components/InstancedStaticMeshComponent.h"
 #include "LandscapeHeightfieldCollisionComponent.h"
 #include "LandscapeProxy.h"

@@ -1,4 +1,4 @@
-// Wind of the level's sources, and what Niagara reads. SPDX-License-Identifier: MIT
+// Wind of the level's sources, and Niagara's data interface. SPDX-License-Identifier: MIT
 #include "Components/WindDirectionalSourceComponent.h"
 #include "NiagaraDataInterfaceLangevin.h"
 #include "NiagaraSystemInstance.h"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The table of lr_bench --quick: every column in every row, and one hash for equal scenes, whatever the instruction set
-and the workers. Not how fast anything is.    usage: check_csv.py LR_BENCH    SPDX-License-Identifier: MIT"""
+and the workers. Does not check speed.    usage: check_csv.py LR_BENCH    SPDX-License-Identifier: MIT"""
 import csv
 import os
 import subprocess
