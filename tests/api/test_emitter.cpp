@@ -176,7 +176,7 @@ TEST_CASE("orientations are all alike, or the one that is given") {
     }
 }
 
-TEST_CASE("a body's birth depends on seed and noise seed, not on who was spawned before it") {
+TEST_CASE("a spawn depends on seed and noise seed, not on earlier spawns") {
     lr_emitter_desc d = emitter_desc();
     d.shape = LR_EMIT_SPHERE;
     d.size[0] = d.size[1] = d.size[2] = 1.0f;

@@ -221,7 +221,7 @@ TEST_CASE("destroying many: all or none, over several batches, and none twice") 
     CHECK(state_of(world, in_b[18]).position[0] == 18.0f);
 }
 
-TEST_CASE("any order of births and deaths keeps each id with its body") {
+TEST_CASE("any order of creation and destruction keeps each id with its body") {
     const Asset asset = leaf();
     lr_world_desc wd = world_desc();
     wd.gravity[1] = 0.0f;

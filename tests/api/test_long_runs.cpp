@@ -137,7 +137,7 @@ TEST_CASE("a world goes through its 2^32nd substep within a step, on every instr
     for (uint64_t hash : hashes) CHECK(hash == hashes[0]);
 }
 
-TEST_CASE("totals of births and ends go past 2^32") {
+TEST_CASE("totals of spawns and ends go past 2^32") {
     const World w = make(world_desc());
     const Asset asset = leaf();
     const lr_batch batch = add_batch(w, asset, 8);
@@ -160,7 +160,7 @@ TEST_CASE("totals of births and ends go past 2^32") {
     CHECK(counts_of(w, batch).total_respawned == wrap + 4);
 }
 
-TEST_CASE("after 2^32 births noise seeds begin again, without the 0 that none has") {
+TEST_CASE("after 2^32 bodies noise seeds begin again, without the 0 that no body has") {
     const World w = make(world_desc());
     const Asset asset = leaf();
     const lr_batch batch = add_batch(w, asset, 1000);
