@@ -88,8 +88,7 @@ int main(void) {
         }
     for (int who = 0; who < 2; ++who) {
         check(lr_world_hash(peers[who].world, &hash[who]), "hash");
-        printf("peer %d: %d frames stepped again, hash %016llx\n", who, peers[who].replayed,
-               (unsigned long long)hash[who]);
+        printf("peer %d: %d steps redone, hash %016llx\n", who, peers[who].replayed, (unsigned long long)hash[who]);
         lr_world_destroy(peers[who].world);
         for (int at = 0; at < RING; ++at) free(peers[who].ring[at]);
     }

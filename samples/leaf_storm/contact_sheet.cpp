@@ -79,8 +79,7 @@ ContactSheet::ContactSheet(const Options& options, const Storm& storm)
         const Mesh mesh = drawn_mesh(options, storm, k, path);
         const double ratio = 2.0 * static_cast<double>(mesh.radius()) / kind.info.length_d;
         if (ratio < 0.6 || ratio > 2.5) {
-            std::fprintf(stderr,
-                         "leaf_storm: %s is %.2g times the size of %s: check that it is the right mesh, in metres\n",
+            std::fprintf(stderr, "leaf_storm: %s is %.2g times the size of %s: check the mesh and its unit\n",
                          path.c_str(), ratio, kind.path.c_str());
         }
         const std::string name = std::filesystem::path(path.empty() ? kind.path : path).stem().string();

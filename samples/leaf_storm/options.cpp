@@ -129,8 +129,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->check(within(-1000, 1000, "from -1000 to 1000 m/s"));
     app.add_option("--seed", options.seed, "seed of initial poses and of turbulence");
     app.add_option("--noise", options.noise, "factor on the turbulent noise")->check(within(0, 100, "from 0 to 100"));
-    app.add_flag("--same-size", options.same_size,
-                 "all bodies have the size of their asset, instead of 0.7 to 1.3 times it");
+    app.add_flag("--same-size", options.same_size, "all bodies at their asset's size, instead of 0.7 to 1.3 times it");
     app.add_option("--loads", options.loads,
                    "aerodynamic: quasi-steady drag and lift; langevin: the paper's turbulent loads; none")
         ->type_name("NAME")
@@ -158,7 +157,7 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->default_str("")
         ->check(CLI::ExistingFile);
     app.add_option("--width", options.width, "width of the picture, px")->check(within(320, 8192, "from 320 to 8192"));
-    app.add_option("--height", options.height, "height of its large frame, px")
+    app.add_option("--height", options.height, "height of the large frame, px")
         ->check(within(180, 8192, "from 180 to 8192"));
     app.add_option("--frames", options.frames, "number of frames in the picture; the last is the large one")
         ->check(within(1, 16, "from 1 to 16"));
@@ -170,11 +169,9 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
     app.add_option("--rate", options.divisor, "level of detail: one substep for this number of ordinary substeps")
         ->check(within(1, 1024, "from 1 to 1024"));
     add_ground_options(app, options);
-    app.add_option("--tracks", options.tracks,
-                   "picture to write: single falls from rest in still air, seen from the side")
+    app.add_option("--tracks", options.tracks, "picture to write: single falls from rest in still air, side view")
         ->type_name("F");
-    app.add_option("--tracks-count", options.track_count, "number of falls in it")
-        ->check(within(1, 400, "from 1 to 400"));
+    app.add_option("--tracks-count", options.track_count, "number of falls")->check(within(1, 400, "from 1 to 400"));
     app.add_option("--tracks-seconds", options.track_seconds, "length of a fall, s")
         ->check(within(0.1, 60, "from 0.1 to 60 s"));
     app.add_option("--csv", options.csv, "CSV file to write: averages over time")->type_name("F");

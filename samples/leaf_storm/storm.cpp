@@ -17,8 +17,7 @@ constexpr storm::Box ground_box{{-10.0f, -1.0f, -10.0f}, {10.0f, 8.0f, 10.0f}}; 
 
 WorldPointer create_world(const Options& options, const float* wind) {
     lr_world_desc desc;
-    check(lr_world_desc_init(&desc, sizeof desc), "lr_world_desc_init",
-          "the header and the library have different versions: build again");
+    check(lr_world_desc_init(&desc, sizeof desc), "lr_world_desc_init", "header and library differ: build again");
     desc.seed = options.seed;
     desc.worker_count = options.threads > 0 ? options.threads - 1 : 0;
     desc.simd_target = options.simd;

@@ -22,8 +22,7 @@ static void log_warnings(void* user, int32_t level, const char* message) {
 
 static void create_world(scene* s, const scene_source* source) {
     lr_world_desc desc;
-    check(lr_world_desc_init(&desc, sizeof desc), "lr_world_desc_init",
-          "the header and the library have different versions: build again");
+    check(lr_world_desc_init(&desc, sizeof desc), "lr_world_desc_init", "header and library differ: build again");
     desc.seed = source->seed;
     desc.worker_count = source->threads - 1;
     desc.log = log_warnings;
